@@ -13,7 +13,7 @@ from symbody.worksheet.reading import names_in_code, statements
 from symbody.worksheet.reading.files import source_cells
 
 TEXT = (
-    "> \n\n a b x(t) := ; : , ( ) [ ] { } < > ' \" ` % %% 1 2.5 .. . ... + - * / ^ = <> -> :: :- || $ ~ # ! @ \\ é ∞ \t "
+    "> \n\n a b x(t) := ; : , ( ) [ ] { } < > ' \" ` % %% 1 .. . ... + - * / ^ = <> -> :: :- || $ ~ # ! @ \\ é ∞ \t "
     "if then else end fi for to do od proc local return in union minus not and read save try catch the of wheel \x00 "
     "[Maple ![](a) <?xml <Worksheet <Group> </Group> <Input> </Input> &amp; &lt <Text-field (* *)"
 )

@@ -57,8 +57,8 @@ class _Comparison:
                 return self._scalars(file, run)
             case (Listed(items=left), Listed(items=right)) | (Sequence(items=left), Sequence(items=right)):
                 return self._items(left, right, cut=cut)
-            case Sequence(items=left), _ if cut:
-                return self._items(left, (run,), cut=cut)
+            case _, Sequence(items=(first, *_)) if cut:
+                return self.values(file, first, cut=cut)
             case MapleSet(items=left), MapleSet(items=right):
                 return self._sets(left, right, cut=cut)
             case Unevaluated(function=kind, arguments=left), Unevaluated(function=other, arguments=right):
@@ -84,9 +84,9 @@ class _Comparison:
         return f"the file has {_short(file)}, the run {_short(run)}"
 
     def _items(self, file: tuple[Value, ...], run: tuple[Value, ...], *, cut: bool) -> str:
+        if _is_column(file) != _is_column(run):
+            file, run = _flat(file), _flat(run)
         if len(file) > len(run) or (len(file) < len(run) and not cut):
-            if _flat(file) is not None and _flat(file) == _flat(run):
-                return ""
             return f"the file has {len(file)} items, the run {len(run)}"
         for index, (left, right) in enumerate(zip(file, run, strict=False), start=1):
             found = self.values(left, right, cut=cut and index == len(file))
@@ -145,17 +145,16 @@ def _is_symbol(value: Value) -> bool:
     return isinstance(value, Expr) and value.kind == "symbol"
 
 
-def _flat(items: tuple[Value, ...]) -> list[Value] | None:
+def _is_column(items: tuple[Value, ...]) -> bool:
+    """Whether items are rows of one entry each."""
+    return all(isinstance(item, Listed) and len(item.items) == 1 for item in items)
+
+
+def _flat(items: tuple[Value, ...]) -> tuple[Value, ...]:
     """Return the entries of a column, whether it is printed as a list or as rows of one entry."""
-    flat: list[Value] = []
-    for item in items:
-        if isinstance(item, Listed):
-            if len(item.items) != 1:
-                return None
-            flat.append(item.items[0])
-        else:
-            flat.append(item)
-    return flat
+    return tuple(
+        item.items[0] if isinstance(item, Listed) and len(item.items) == 1 else item for item in items
+    )
 
 
 def _nearly_equal(file: Expr, run: Expr) -> bool:

@@ -21,7 +21,7 @@ from symbody.worksheet.reading.parse import Failure, next_statement, terminator_
 from symbody.worksheet.source import Line
 from symbody.worksheet.value import Listed, MapleSet, Range, Relation, Sequence, String, Unevaluated, Value
 
-__all__ = ["NotComparable", "Printed", "functions_in", "printed", "value_of"]
+__all__ = ["NotComparable", "Printed", "functions_in", "is_cut", "printed", "value_of"]
 
 
 class NotComparable(Exception):
@@ -30,7 +30,7 @@ class NotComparable(Exception):
 
 @dataclass(frozen=True, slots=True)
 class Printed:
-    """A printed output: the name that it is the value of, its expression, and whether its end was cut off."""
+    """A printed output: the name that it was assigned to, its expression, and whether its end was cut off."""
 
     name: str
     expression: syntax.Expression
@@ -53,7 +53,7 @@ def printed(text: str) -> Printed:
         NotComparable: nothing can be read.
     """
     text = " ".join(text.split())
-    cut = _DOTS.search(text) is not None
+    cut = is_cut(text)
     tokens = tokens_of(Line(_DOTS.sub("", text), 1))
     if not tokens:
         raise NotComparable("nothing is printed")
@@ -66,13 +66,14 @@ def printed(text: str) -> Printed:
     match found.statement:
         case syntax.Assignment(targets=targets, value=value):
             return Printed(", ".join(_name(target) for target in targets), value, cut, decimals)
-        case syntax.Evaluation(
-            expression=syntax.Infix(operator="=", left=syntax.Name(name=name), right=value)
-        ):
-            return Printed(name, value, cut, decimals)
         case syntax.Evaluation(expression=expression):
             return Printed("", expression, cut, decimals)
     raise NotComparable("it can't be read as a value")
+
+
+def is_cut(text: str) -> bool:
+    """Whether the end of a printed text was cut off."""
+    return _DOTS.search(text) is not None
 
 
 def _complete_part(tokens: list[Token]) -> list[Token]:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from symbody.worksheet import syntax
 from symbody.worksheet.check.align import Block, Output, aligned
 from symbody.worksheet.check.compare import difference
-from symbody.worksheet.check.printed import NotComparable
+from symbody.worksheet.check.printed import NotComparable, is_cut
 from symbody.worksheet.outcome import Outcome
 from symbody.worksheet.reading.text_export import is_picture
 from symbody.worksheet.source import Cell
@@ -39,22 +39,34 @@ class Verdict:
 
 
 def verdicts(cells: Sequence[Cell], outcomes: Sequence[Outcome]) -> list[Verdict]:
-    """Return the verdicts on the outputs that the file contains, in the file's order."""
+    """Return a verdict for each statement of which the file contains an output, in the file's order."""
     outputs = list(_outputs(outcomes))
     blocks = list(_blocks(cells))
-    compared = [block for block in blocks if not is_picture(block.text)]
-    partners = dict(zip(compared, aligned(compared, outputs), strict=True))
-    found = []
+    comparable = [block for block in blocks if not is_picture(block.text)]
+    partners = dict(zip(comparable, aligned(comparable, outputs), strict=True))
+    groups: dict[tuple[str, int], list[Verdict]] = {}
     for block in blocks:
-        if is_picture(block.text):
-            found.append(Verdict(_line(cells, block), "not comparable", "a picture"))
+        partner = partners.get(block)
+        if partner is not None:
+            groups.setdefault(("statement", partner.number), []).append(_verdict(block, partner, outputs))
             continue
-        partner = partners[block]
-        if partner is None:
-            found.append(Verdict(_line(cells, block), "not comparable", _unmatched(block, outcomes)))
-        else:
-            found.append(_verdict(block, partner, outputs))
-    return found
+        reason = "a picture" if is_picture(block.text) else _unmatched(block, outcomes)
+        verdict = Verdict(_line(cells, block), "not comparable", reason)
+        groups.setdefault(("cell", block.cell), []).append(verdict)
+    return [_together(group) for group in groups.values()]
+
+
+def _together(group: Sequence[Verdict]) -> Verdict:
+    """Return the verdict on a statement with several outputs: the worst one, but what is equal has been compared."""
+    for kind in ("differs", "equal", "not comparable"):
+        of_kind = [verdict for verdict in group if verdict.kind == kind]
+        if not of_kind:
+            continue
+        reasons = list(dict.fromkeys(verdict.reason for verdict in of_kind if verdict.reason))
+        if len(of_kind) < len(group):
+            reasons.append(f"{len(of_kind)} of {len(group)} outputs")
+        return Verdict(group[0].line, kind, "; ".join(reasons))
+    raise AssertionError("no group is empty")
 
 
 def _outputs(outcomes: Sequence[Outcome]) -> Iterator[Output]:
@@ -87,7 +99,7 @@ def _verdict(block: Block, output: Output, outputs: Sequence[Output]) -> Verdict
     except NotComparable as error:
         return Verdict(output.line, "not comparable", str(error))
     if not reason:
-        return Verdict(output.line, "equal")
+        return Verdict(output.line, "equal", "as far as it is printed" if is_cut(block.text) else "")
     if isinstance(output.statement, syntax.For) and _is_elsewhere(block, output, outputs):
         return Verdict(output.line, "equal", "in another order, since sets have none")
     if _counts_items(output.statement):
