@@ -56,4 +56,4 @@ def _with_parts(node: Expr, parts: list[Expr]) -> Expr:
     if node.kind == "application":
         return UndefinedFunction(node.name).derivative(node.orders, *parts)
     function = getattr(functions, node.name, None)
-    return node if function is None or node.name == "Piecewise" else function(*parts)  # type: ignore[no-any-return]
+    return node if function is None or node.name == "Piecewise" else function(*parts)

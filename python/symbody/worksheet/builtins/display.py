@@ -7,8 +7,8 @@ import time as clock
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, number
 from symbody.worksheet import mbsymba
-from symbody.worksheet.builtins.plots import drawn
 from symbody.worksheet.builtins.texts import unparsed
+from symbody.worksheet.drawing import drawn
 from symbody.worksheet.naming import symbol
 from symbody.worksheet.numeric import as_integer, decimal
 from symbody.worksheet.print import PLAIN, text_of
