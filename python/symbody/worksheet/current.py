@@ -192,12 +192,19 @@ def _container(session: State, value: Any, *, arrays: bool) -> Value:
         start, stop = current(session, value.start), current(session, value.stop)
         return value if start is value.start and stop is value.stop else Range(start, stop)
     if isinstance(value, Unevaluated):
-        arguments = tuple(current(session, each, arrays=arrays) for each in value.arguments)
+        arguments = tuple(_argument(session, each, arrays=arrays) for each in value.arguments)
         function = value.function
         if isinstance(function, Expr) and function.kind == "symbol" and function.name in session.names:
             return session.call(function, arguments)
         return replace(value, arguments=arguments)
     return value  # type: ignore[no-any-return]
+
+
+def _argument(session: State, value: Value, *, arrays: bool) -> Value:
+    """A field of an object that is shown by a name stays so: ``frame = ground``."""
+    if isinstance(value, Relation) and isinstance(value.right, Expr) and value.right.kind == "symbol":
+        return value
+    return current(session, value, arrays=arrays)
 
 
 def _array(session: State, value: Array) -> Array:
