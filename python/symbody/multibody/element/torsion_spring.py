@@ -10,6 +10,7 @@ from symbody.multibody.body import Body
 from symbody.multibody.joint.freedom import Freedom
 from symbody.symbolic import ENERGY, derivation
 
+from .attachment import not_negative
 from .element import Element
 from .joint_motion import Along, joint_motion
 
@@ -49,6 +50,7 @@ def torsion_spring(
     >>> newton_euler(System([rotor], [torsion_spring(phi, k, damping=c, on=rotor)], [phi])).residuals
     (I*phi'' + c*phi' + k*phi,)
     """
+    sizes = not_negative(_WHERE, damping=damping)
     k, c = expression(stiffness), expression(damping)
     with derivation(order=ENERGY):
         joint = joint_motion(angle, on, reaction, _WHERE)
@@ -61,5 +63,6 @@ def torsion_spring(
             potential=k * twist**2 / 2,
             quantities={"angle": twist, "rate": joint.rate, "torque": torque},
             name=name,
+            sizes=sizes,
             jumping=twist if isinstance(angle, Freedom) and angle.jumps else None,
         )
