@@ -160,8 +160,8 @@ def test_a_loop_that_closes_but_for_rounding_is_named() -> None:
     with pytest.raises(
         ConstraintError,
         match=r"the loop nearly closes at t = 0 s: .* the sides of revolute D on three and ground stay \d.\d+e-\d+ "
-        r"apart and are turned by \d.\d+e-\d+ rad; it has more constraints than coordinates, so that it closes with exact "
-        r"dimensions alone: give them with all digits, or as expressions such as pi/6, or let joints of the loop have "
-        r"more freedoms, such as spherical",
+        r"apart and are turned by \d.\d+e-\d+ rad; it has more constraints than coordinates, so that it closes with "
+        r"exact dimensions alone: give them with all digits, or as expressions such as pi/6, or let joints of the loop "
+        r"have more freedoms, such as spherical",
     ):
         mobility(system, {}, {phi: 0.5})
