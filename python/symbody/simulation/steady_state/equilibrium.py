@@ -29,7 +29,7 @@ from symbody.symbolic.numeric.deficiency import reporting
 from .implicit_slopes import ImplicitSlopes
 from .rest_position import RestPosition
 from .steady_conditions import SteadyConditions, conditions_of
-from .steady_motion import without_noise
+from .value_table import HEADER, value_rows
 
 __all__ = ["Equilibrium", "equilibrium"]
 
@@ -131,17 +131,13 @@ class Equilibrium(Mapping[Expr, float]):
             "multiplier": self.multipliers,
             "holding force": self.holding,
         }
-        rows = [
-            [kind, name, f"{value:.6g}"]
-            for kind, values in kinds.items()
-            for name, value in zip(values, without_noise([*values.values()]), strict=True)
-        ]
+        rows = value_rows(kinds)
         rows += [["eigenvalue", f"s{k}", f"{s:.6g}"] for k, s in enumerate(self.eigenvalues, start=1)]
         if np.isnan(self.eigenvalues).any():
             title = "Equilibrium at a singular position"
         else:
             title = "Stable equilibrium" if self.is_stable else "Unstable equilibrium"
-        return html_table(title, ["kind", "name", "value"], rows)
+        return html_table(title, HEADER, rows)
 
     @property
     def is_stable(self) -> bool:

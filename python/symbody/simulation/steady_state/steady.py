@@ -16,10 +16,11 @@ from symbody.symbolic import Expr, ExprLike
 from symbody.symbolic.given.arguments import with_known_names
 from symbody.symbolic.numeric.deficiency import reporting
 
-from .steady_motion import SteadyMotion, without_noise
+from .steady_motion import SteadyMotion
 from .steady_problem import Search, SteadyProblem, steady_problem
 from .steady_variables import Limits
 from .undetermined_forces import UndeterminedForces
+from .value_table import without_noise
 from .whole_turns import without_whole_turns
 
 __all__ = ["check_single", "solved", "steady"]
