@@ -54,7 +54,7 @@ def drawn(session: Session, plot: Plot) -> str:
     path = session.folder / f"plot{number}.{'html' if animated else 'png'}"
     session.folder.mkdir(parents=True, exist_ok=True)
     frames = [pieces_of(each) for each in plot.data] if animated else [pieces_of(plot)]
-    options = {name: value for name, value in plot.options}
+    options = dict(plot.options)
     try:
         _write(path, frames[:_FRAMES], options)
     except (ValueError, TypeError, OSError) as fault:
@@ -64,8 +64,8 @@ def drawn(session: Session, plot: Plot) -> str:
 
 
 def _write(path: Path, frames: list[list[Piece]], options: dict[str, Value]) -> None:
-    from matplotlib.animation import FuncAnimation  # loaded for the first drawing
-    from matplotlib.figure import Figure
+    from matplotlib.animation import FuncAnimation  # noqa: PLC0415 - loaded for the first drawing
+    from matplotlib.figure import Figure  # noqa: PLC0415
 
     figure = Figure(figsize=(6, 4), layout="constrained")
     solid = any(piece.points.shape[1] == 3 for frame in frames for piece in frame)

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import functools
 import re
+import warnings
 
+from symbody.errors import ModelNotice
 from symbody.symbolic import number, symbol
 from symbody.worksheet import master_frame
 from symbody.worksheet.commands import (
@@ -16,6 +19,7 @@ from symbody.worksheet.commands import (
     state_space,
     tyres,
 )
+from symbody.worksheet.derivative_rules import with_rules
 from symbody.worksheet.mechanics import Mechanics, mechanics
 from symbody.worksheet.session import Command, Session
 from symbody.worksheet.small_variables import linear_modeling, linearize
@@ -35,7 +39,7 @@ def GetLicenseStatus(session: Session) -> Value:
     )
 
 
-COMMANDS: dict[str, Command] = {
+_TABLE: dict[str, Command] = {
     **frames.COMMANDS,
     **kinematics.COMMANDS,
     **bodies.COMMANDS,
@@ -49,6 +53,24 @@ COMMANDS: dict[str, Command] = {
     "linearize": linearize,
     "GetLicenseStatus": GetLicenseStatus,
 }
+
+
+def _noting(command: Command) -> Command:
+    """Return a command by the sheet's own rules of derivatives, whose notices about the model go to the session."""
+
+    @functools.wraps(command)
+    def noted(session: Session, *arguments: Value) -> Value:
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always", ModelNotice)
+            result = command(session, *arguments)
+        session.notices += [str(each.message) for each in caught]
+        return with_rules(session, result)
+
+    return noted
+
+
+COMMANDS: dict[str, Command] = {name: _noting(command) for name, command in _TABLE.items()}
+"""The commands of MBSymba by name."""
 
 
 def describe(name: str) -> str | None:

@@ -185,8 +185,11 @@ class Reader:
     def vector(self, value: Value) -> Vector:
         """Return a vector; that of a force or a torque."""
         table = self.object(value, "VECTOR", "FORCE", "TORQUE")
-        entries = vector_entries(self.session, table, "comps", self.where)
-        return Vector(self.frame(table), *entered(self.modes, entries))
+        entries = entered(self.modes, vector_entries(self.session, table, "comps", self.where))
+        frame, known = self.frame(table), table.memory
+        if isinstance(known, Vector) and known.frame == frame and known.components == entries:
+            return known  # it may know the points between which it goes
+        return Vector(frame, *entries)
 
     def body(self, value: Value) -> Body:
         """Return a body; the same one each time in a command."""

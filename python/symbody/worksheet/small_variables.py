@@ -6,9 +6,11 @@ marked by `small`. What comes back keeps the terms up to an order in all d toget
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+import warnings
+from collections.abc import Callable, Iterable, Sequence
+from typing import TypeVar
 
-from symbody.errors import WorksheetError
+from symbody.errors import ModelNotice, WorksheetError
 from symbody.geometry import Frame
 from symbody.symbolic import Expr, number, small, substitute, symbol, taylor, time_derivative, truncated
 from symbody.worksheet.mechanics import Mechanics, mechanics
@@ -16,29 +18,40 @@ from symbody.worksheet.session import Session
 from symbody.worksheet.value import NULL, Array, Listed, MapleSet, Relation, Value
 from symbody.worksheet.value import Sequence as Several
 
+Kind = TypeVar("Kind")
+
 __all__ = ["entered", "entered_frame", "left", "left_frame", "linear_modeling", "linearize"]
 
 
 def entered(modes: Mechanics, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
     """Return expressions with the small variables marked."""
-    return substitute(tuple(expressions), _in(modes)) if modes.small else tuple(expressions)
+    if not modes.small:
+        return tuple(expressions)
+    return _quietly(lambda: substitute(tuple(expressions), _in(modes)))
 
 
 def left(modes: Mechanics, expressions: Sequence[Expr], order: int = 1) -> tuple[Expr, ...]:
     """Return expressions up to an order in the small variables, without marks."""
     if not modes.small:
         return tuple(expressions)
-    return substitute(truncated(tuple(expressions), order), _out(modes))
+    return _quietly(lambda: substitute(truncated(tuple(expressions), order), _out(modes)))
 
 
 def entered_frame(modes: Mechanics, frame: Frame) -> Frame:
     """Return a frame with the small variables marked."""
-    return frame.subs(_in(modes)) if modes.small else frame
+    return _quietly(lambda: frame.subs(_in(modes))) if modes.small else frame
 
 
 def left_frame(modes: Mechanics, frame: Frame) -> Frame:
     """Return a frame without marks; its chain keeps all terms."""
-    return frame.subs(_out(modes)) if modes.small else frame
+    return _quietly(lambda: frame.subs(_out(modes))) if modes.small else frame
+
+
+def _quietly(made: Callable[[], Kind]) -> Kind:
+    """Return what a substitution of marks makes; here a variable and its marked one are the same on purpose."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ModelNotice)
+        return made()
 
 
 def _in(modes: Mechanics) -> dict[Expr, Expr]:

@@ -93,9 +93,13 @@ class MapleSet:
 
 @dataclass(slots=True, eq=False)
 class Table:
-    """A mutable table: a key is the tuple of its indices. Objects of MBSymba are tables with a field ``obj``."""
+    """A mutable table: a key is the tuple of its indices. Objects of MBSymba are tables with a field ``obj``.
+
+    ``memory`` is what a command made it of, which holds as long as the fields say the same.
+    """
 
     entries: dict[tuple[Value, ...], Value] = field(default_factory=dict)
+    memory: Any = field(default=None, repr=False)
 
 
 @dataclass(slots=True, eq=False)

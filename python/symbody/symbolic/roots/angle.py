@@ -76,5 +76,8 @@ def directions(P: Expr, Q: Expr, R: Expr) -> list[Direction]:
         w = sqrt(1 - (R / P) ** 2)
         return [Direction(-R / P, w, one), Direction(-R / P, -w, one)]
     square = P**2 + Q**2
+    if R.is_zero:
+        length = sqrt(square)
+        return [Direction(-Q, P, length), Direction(Q, -P, length)]
     w = sqrt(square - R**2)
     return [Direction(-R * P - Q * each, -R * Q + P * each, square) for each in (w, -w)]

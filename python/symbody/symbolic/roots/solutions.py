@@ -20,6 +20,7 @@ from symbody.symbolic.expression.leaves import number, symbol
 from symbody.symbolic.expression.traverse import post_order
 from symbody.symbolic.given.arguments import brief
 from symbody.symbolic.linear.elimination import eliminated, is_linear
+from symbody.symbolic.linear.symbolic_solve import solve
 
 from .angle import Direction, directions, line
 from .fraction import numerator
@@ -53,13 +54,30 @@ def solutions(equations: Sequence[Expr], unknowns: Sequence[Expr]) -> list[Solut
     plain_unknowns = substitute(tuple(unknowns), names)
     held = frozenset(plain_unknowns)
     plain = [numerator(each, held) for each in substitute(tuple(equations), names)]
-    alone = len(plain_unknowns) == 1
-    found = _solved(plain, list(plain_unknowns), alone=alone)
+    found = _first_form(plain, list(plain_unknowns), back)
     order = list(zip(plain_unknowns, unknowns, strict=True))
     return [
         {leaf: substitute((each[x],), back)[0] for x, leaf in order if x in each and each[x] != x}
         for each in found
     ]
+
+
+def _first_form(equations: list[Expr], unknowns: list[Expr], names: Solution) -> list[Solution]:
+    """Return the solutions of equations as they stand, or of their simplest forms, in which squares cancel."""
+    for forms in (equations, [simplify(each) for each in equations]):
+        try:
+            return _solved(forms, unknowns, alone=len(unknowns) == 1)
+        except _NoClosedForm:
+            continue
+    shown = brief(", ".join(str(names.get(x, x)) for x in unknowns))
+    raise ExpressionError(
+        f"solve: {len(equations)} equations in {shown} have no solution in closed form; expected linear equations, "
+        "polynomials of degree two, or loops in the sines and cosines of an angle; solve them with numbers"
+    )
+
+
+class _NoClosedForm(Exception):
+    """The equations that are left are none of those that are known."""
 
 
 def _nodes(expressions: Iterable[Expr]) -> list[Expr]:
@@ -82,17 +100,23 @@ def _solved(equations: Sequence[Expr], unknowns: Sequence[Expr], *, alone: bool 
     if not left:
         return [{}]
     if is_linear(left, occurring):
-        found = eliminated(left, occurring)
+        found = _linear(left, occurring)
         return [] if found is None else [found]
     for step in (_one_unknown, _one_linear, _loop):
         result = step(left, occurring, alone=alone)
         if result is not None:
             return result
-    names = ", ".join(map(str, occurring))
-    raise ExpressionError(
-        f"solve: {len(left)} equations in {brief(names)} have no solution in closed form; expected linear equations, "
-        "polynomials of degree two, or loops in the sines and cosines of an angle; solve them with numbers"
-    )
+    raise _NoClosedForm
+
+
+def _linear(equations: Sequence[Expr], unknowns: Sequence[Expr]) -> Solution | None:
+    """Solve linear equations: without pivots, where they are few and have one solution."""
+    if len(equations) == len(unknowns):
+        try:
+            return solve(equations, unknowns)
+        except ExpressionError:
+            pass
+    return eliminated(equations, unknowns)
 
 
 def _holds(e: Expr, x: Expr) -> bool:
@@ -180,7 +204,7 @@ def _one_linear(equations: Sequence[Expr], unknowns: Sequence[Expr], *, alone: b
             rest = [*equations[:k], *equations[k + 1 :]]
             try:
                 return _continued(rest, unknowns, {x: value})
-            except ExpressionError:
+            except _NoClosedForm:
                 continue
     return None
 

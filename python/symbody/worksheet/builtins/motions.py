@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from symbody.dynamics import Equations, equations_from_differential
 from symbody.errors import SymbodyError, WorksheetError
 from symbody.symbolic import Expr, free_symbols, substitute, t, time_derivative, time_function
+from symbody.worksheet.drawing import Piece
 from symbody.worksheet.numeric import as_float, decimal
 from symbody.worksheet.session import Command, Session
-from symbody.worksheet.drawing import Piece
 from symbody.worksheet.value import Array, Builtin, Listed, MapleSet, Plot, Range, Relation, Sequence, Value
 
 __all__ = ["COMMANDS", "PACKAGES", "NumericSolution"]
@@ -49,12 +49,14 @@ class NumericSolution:
 
     def rows(self, session: Session, times: Items[float], of: Items[Expr] | None = None) -> Column:
         """Return the values of the results, or of expressions, at times: a row each."""
-        from symbody.simulation import simulate  # SciPy and LLVM are loaded when something is integrated
+        from symbody.simulation import simulate  # noqa: PLC0415 - SciPy and LLVM, for what is integrated
 
         wanted = list(self.results if of is None else of)
         distinct = np.unique([self.start, *times])
         if distinct[0] < self.start:
-            raise WorksheetError(f"dsolve: the time {distinct[0]:g} is before that of the initial values, {self.start:g}")
+            raise WorksheetError(
+                f"dsolve: the time {distinct[0]:g} is before that of the initial values, {self.start:g}"
+            )
         session.limits.check()
         if len(distinct) == 1:
             distinct = np.array([self.start, self.start + 1e-9])
@@ -70,7 +72,9 @@ class NumericSolution:
 def dsolve(session: Session, problem: Value, *arguments: Value) -> Value:
     """dsolve({equations, initial values} [, functions], numeric [, range = a..b] [, output = array([times])])."""
     options = {
-        str(each.left): each.right for each in arguments if isinstance(each, Relation) and each.operator == "="
+        str(each.left): each.right
+        for each in arguments
+        if isinstance(each, Relation) and each.operator == "="
     }
     words = {str(each) for each in arguments if isinstance(each, Expr)} | {str(options.get("type", ""))}
     if "numeric" not in words:
@@ -83,13 +87,28 @@ def dsolve(session: Session, problem: Value, *arguments: Value) -> Value:
         return Builtin("dsolve_solution", solution)
     if isinstance(output, Expr) and str(output) == "listprocedure":
         return Listed(
-            tuple(Relation("=", name, Builtin(f"solution of {name}", _One(solution, name))) for name in solution.results)
+            tuple(
+                Relation("=", name, Builtin(f"solution of {name}", _One(solution, name)))
+                for name in solution.results
+            )
         )
     times = [_number(session, each, "dsolve: a time of the output") for each in _entries(session, output)]
     return _table(solution, session, times) if times else Builtin("dsolve_solution", solution)
 
 
-_KNOWN = {"type", "range", "output", "method", "maxfun", "abserr", "relerr", "stepsize", "numeric", "stiff", "implicit"}
+_KNOWN = {
+    "type",
+    "range",
+    "output",
+    "method",
+    "maxfun",
+    "abserr",
+    "relerr",
+    "stepsize",
+    "numeric",
+    "stiff",
+    "implicit",
+}
 
 
 @dataclass(frozen=True)
@@ -143,7 +162,9 @@ def _solution(session: Session, problem: Value) -> NumericSolution:
         left = session.current(sides[0])
         right = None if sides[1] is None else session.current(sides[1])
         if not isinstance(left, Expr) or not (right is None or isinstance(right, Expr)):
-            raise WorksheetError("dsolve: expected equations and initial values, such as diff(x(t),t) = v(t), x(0) = 1")
+            raise WorksheetError(
+                "dsolve: expected equations and initial values, such as diff(x(t),t) = v(t), x(0) = 1"
+            )
         at = _initial(left)
         if at is not None and right is not None:
             starts.add(at)
@@ -183,7 +204,9 @@ def _made(
     for (name, order), value in given.items():
         state = time_function(name, order)
         if state in states:
-            initial[state] = _number(session, substitute((value,), {t: start})[0], f"dsolve: the initial value of {name}")
+            initial[state] = _number(
+                session, substitute((value,), {t: start})[0], f"dsolve: the initial value of {name}"
+            )
         else:
             session.notices.append(f"dsolve: the initial value of {state} is not needed")
     missing = [str(state) for state in states if state not in initial]
@@ -206,7 +229,11 @@ def odeplot(session: Session, solution: Value, what: Value | None = None, *optio
     if not isinstance(motion, NumericSolution):
         raise WorksheetError("odeplot: expected what dsolve(.., numeric) returns")
     span = next((each for each in (what, *options) if isinstance(each, Range)), None)
-    first, last = (0.0, 10.0) if span is None else (_number(session, each, "odeplot") for each in (span.start, span.stop))
+    first, last = (
+        (0.0, 10.0)
+        if span is None
+        else (_number(session, each, "odeplot") for each in (span.start, span.stop))
+    )
     named: dict[str, Value] = {str(each.left): each.right for each in options if isinstance(each, Relation)}
     count = int(_number(session, named["numpoints"], "odeplot")) if "numpoints" in named else _POINTS
     session.limits.check_items(count)

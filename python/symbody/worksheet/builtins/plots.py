@@ -32,7 +32,20 @@ from symbody.worksheet.value import (
 __all__ = ["COMMANDS", "PACKAGES"]
 
 _POINTS = 100
-_COLORS = {"red", "green", "blue", "black", "cyan", "magenta", "yellow", "orange", "gray", "grey", "brown", "purple"}
+_COLORS = {
+    "red",
+    "green",
+    "blue",
+    "black",
+    "cyan",
+    "magenta",
+    "yellow",
+    "orange",
+    "gray",
+    "grey",
+    "brown",
+    "purple",
+}
 
 
 def plot(session: Session, *arguments: Value) -> Value:
@@ -124,7 +137,9 @@ def _float(session: Session, value: Value) -> float:
     found = session.current(value)
     number = as_float(found) if isinstance(found, Expr) else None
     if number is None:
-        raise WorksheetError(f"plot: {session.text(found)[:60]} is no number; give all names in drawings a value")
+        raise WorksheetError(
+            f"plot: {session.text(found)[:60]} is no number; give all names in drawings a value"
+        )
     return number
 
 
@@ -141,7 +156,9 @@ def _points(session: Session, value: Value) -> NDArray[np.float64] | None:
         return None
     if any(_is_span(item) for row in rows if isinstance(row, Listed) for item in row.items):
         return None
-    return np.array([[_float(session, item) for item in row.items] for row in rows if isinstance(row, Listed)])
+    return np.array(
+        [[_float(session, item) for item in row.items] for row in rows if isinstance(row, Listed)]
+    )
 
 
 def _color(session: Session, options: dict[str, Value]) -> str:
@@ -168,7 +185,7 @@ def _plots(session: Session, value: Value) -> list[Plot]:
 
 
 def animate(session: Session, what: Value, *arguments: Value) -> Value:
-    """plots[animate](f, [arguments], q = a..b [, frames = n]) or animate(f(x, q), x = .., q = a..b): a drawing that moves."""
+    """plots[animate](f, [arguments], q = a..b), or animate(f(x, q), x = .., q = a..b): a drawing that moves."""
     spans = [each for each in arguments if isinstance(each, Relation) and isinstance(each.right, Range)]
     if not spans:
         raise WorksheetError("animate: expected a range of the variable that moves, such as q = 0..1")
@@ -222,7 +239,9 @@ def _one_text(session: Session, value: Value) -> Plot:
 # --- plottools ---
 
 
-def _shape(kind: str, outline: Callable[[Session, tuple[Value, ...]], NDArray[np.float64]], usage: str) -> Command:
+def _shape(
+    kind: str, outline: Callable[[Session, tuple[Value, ...]], NDArray[np.float64]], usage: str
+) -> Command:
     def shape(session: Session, *arguments: Value) -> Value:
         options = _options(session, list(arguments))
         plain = tuple(each for each in arguments if not isinstance(each, Relation))

@@ -62,6 +62,10 @@ def _fields(session: Session, table: Value, *, by_name: bool) -> Unevaluated:
     fields = [
         Relation("=", symbol(name), _field(session, name, named[name], by_name=by_name)) for name in order
     ]
+    if (
+        mechanics(session).release < 4 and not by_name
+    ):  # that of 2004 leaves out the ground, unless names are asked for
+        fields = [each for each in fields if each.right != symbol("ground")]
     return Unevaluated(symbol(kind_of(table)), tuple(fields))
 
 

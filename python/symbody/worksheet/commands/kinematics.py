@@ -40,7 +40,9 @@ def join_points(session: Session, P: Value, Q: Value) -> Value:
     """join_points(P, Q): the vector from P to Q, in the frame of P."""
     reader = Reader(session, "join_points")
     vector = reader.point(Q) - reader.point(P)
-    return written(session, "VECTOR", vector.components, reader.frame_value(P))
+    table = written(session, "VECTOR", vector.components, reader.frame_value(P))
+    table.memory = vector
+    return table
 
 
 def origin(session: Session, frame: Value) -> Value:
@@ -73,9 +75,11 @@ def project(session: Session, thing: Value, frame: Value) -> Value:
     axes, shown = reader.frame(frame), _named(session, reader.frame_value(frame))
     if kind_of(table) == "POINT":
         return written(session, "POINT", reader.point(table).projected(axes).coordinates, shown)
-    components = reader.vector(table).projected(axes).components
+    vector = reader.vector(table).projected(axes)
     fields = fields_of(table, "acting", "reacting", "applied")
-    return written(session, kind_of(table), components, shown, **fields)
+    found = written(session, kind_of(table), vector.components, shown, **fields)
+    found.memory = vector
+    return found
 
 
 def _named(session: Session, frame: Value) -> Value:
