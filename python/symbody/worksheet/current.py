@@ -119,7 +119,7 @@ def named(session: State, name: str) -> Value:
     scope = session.scope
     while scope is not None:
         if name in scope.names:
-            return _local(session, scope.names[name])
+            return _local(session, scope, scope.names[name])
         if name in scope.local:
             return symbol(name)
         scope = scope.parent
@@ -141,8 +141,17 @@ def named(session: State, name: str) -> Value:
         session.resolving.pop()
 
 
-def _local(session: State, value: Value) -> Value:
-    """A local name is evaluated by one level, as in Maple; names of the session in it are evaluated fully."""
+def _local(session: State, scope: Any, value: Value) -> Value:
+    """A local name is evaluated by one level, as in Maple; names of the session in it are evaluated fully.
+
+    A parameter t whose value is t, or a value that holds names which are local by chance, stays as it is.
+    """
+    if isinstance(value, Expr) and any(
+        leaf.name in scope.names or leaf.name in scope.local
+        for leaf in value.free_symbols
+        if leaf.kind == "symbol"
+    ):
+        return value
     return current(session, value)
 
 
