@@ -95,6 +95,15 @@ def _curves(session: Session, what: Value, span: Value | None, options: dict[str
 
 
 def _parametric(session: Session, f: Value, g: Value, span: Value, options: dict[str, Value]) -> Piece:
+    """Return the curve (f, g) of a parameter.
+
+    Args:
+        session: the session.
+        f: the horizontal coordinate.
+        g: the vertical coordinate.
+        span: ``parameter = first .. last``.
+        options: the options of the plot.
+    """
     variable, first, last = _span(session, span, f)
     times = np.linspace(first, last, _count(session, options))
     columns = [[_at(session, each, variable, time) for time in times] for each in (f, g)]
