@@ -329,7 +329,8 @@ class Evaluator:
         """Return the value of a function at arguments."""
         session = self.session
         if isinstance(function, Reference) or (isinstance(function, Expr) and function.kind == "symbol"):
-            entry = session.remembered.get(function.name, {}).get(arguments)
+            entries = session.remembered.get(function.name)
+            entry = entries.get(arguments) if entries else None
             if entry is not None and function.name not in session.resolving:
                 return session.current(entry)
             found = session.resolve(function)

@@ -55,6 +55,7 @@ class Interpreter:
         self.evaluator = Evaluator(self.session)
         self.evaluator.execute = self._body
         self.session.run = self.run
+        self.session.parsed = self.parsed
         self.session.overload = operators.overloaded
         self.session.face = _face
         mbsymba.install(self.session)
@@ -103,18 +104,23 @@ class Interpreter:
             if error.place is None:
                 error.place = statement.place
             raise
-        except SymbodyError as error:
-            raise WorksheetError(str(error), statement.place) from error
+        except (SymbodyError, *_FAULTS) as error:
+            raise WorksheetError(str(error) or type(error).__name__, statement.place) from error
         return session.lines
 
     def run(self, text: str) -> None:
         """Execute the statements of a text, as ``read`` does; a mistake ends it."""
-        for cell in source_cells(text):
-            for statement in statements(cell):
-                if isinstance(statement, SyntaxMistake):
-                    raise WorksheetError(statement.message)
-                if not isinstance(statement, Remark):
-                    self._statement(statement, shown=statement.shown)
+        for statement in _statements_of(text):
+            self._statement(statement, shown=statement.shown)
+
+    def parsed(self, text: str) -> Value:
+        """Return the value of an expression given as a text."""
+        value: Value = NULL
+        for statement in _statements_of(text):
+            if not isinstance(statement, syntax.Evaluation):
+                raise WorksheetError(f"{text[:60]!r} is not an expression")
+            value = self.evaluator.evaluate(statement.expression)
+        return value
 
     # --- statements ---------------------------------------------------------------------------------------------------
 
@@ -401,6 +407,15 @@ class Interpreter:
         raise Stop
 
 
+def _statements_of(text: str) -> Iterable[syntax.Statement]:
+    for cell in source_cells(text):
+        for statement in statements(cell):
+            if isinstance(statement, SyntaxMistake):
+                raise WorksheetError(statement.message)
+            if not isinstance(statement, Remark):
+                yield statement
+
+
 def _face(session: Session, before: Array, after: Array) -> Array:
     """Return an evaluated matrix with the evaluated chain of the one before."""
     chain = frame_face.current(session, before.frame)
@@ -408,6 +423,18 @@ def _face(session: Session, before: Array, after: Array) -> Array:
         return before
     return replace(after, frame=chain)
 
+
+_FAULTS = (
+    ArithmeticError,
+    AssertionError,
+    AttributeError,
+    LookupError,
+    MemoryError,
+    OSError,
+    TypeError,
+    ValueError,
+)
+"""What a value that a command doesn't expect may raise in it; the next statement runs."""
 
 _PROTECTED = frozenset(
     {"Pi", "I", "true", "false", "FAIL", "infinity", "NULL", "sin", "cos", "tan", "diff", "D"}

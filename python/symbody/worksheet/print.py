@@ -380,7 +380,8 @@ def _unevaluated(value: Unevaluated, style: Style) -> str:
         "or",
     ):
         operator = function.strip("`")
-        return f" {operator} ".join(_factor(each, style) for each in arguments)
+        joint = operator if operator in "+-*/^" else f" {operator} "
+        return joint.join(_factor(each, style) for each in arguments)
     return f"{function}({','.join(text_of(each, style) for each in arguments)})"
 
 

@@ -85,7 +85,7 @@ class Options:
 
 _KEPT = (
     *("folder", "source", "lines", "notices", "limits"),
-    *("call", "evaluate", "run", "rebuild", "select", "overload", "face"),
+    *("call", "evaluate", "run", "parsed", "rebuild", "select", "overload", "face"),
 )
 """What ``restart`` doesn't forget."""
 
@@ -118,6 +118,7 @@ class Session:
         call: calls a function with arguments; set by the interpreter.
         evaluate: evaluates an expression; set by the interpreter.
         run: runs statements given as a text; set by the interpreter.
+        parsed: evaluates an expression given as a text; set by the interpreter.
         rebuild: makes a scalar anew with other values for its symbols; set by the interpreter.
         select: takes entries of a list, table or matrix; set by the interpreter.
         overload: MBSymba's operators: takes the session, an operator and its operands; None for what is not its own.
@@ -149,6 +150,7 @@ class Session:
     call: Callable[[Value, tuple[Value, ...]], Value] = field(default=lambda function, arguments: NULL)
     evaluate: Callable[[syntax.Expression], Value] = field(default=lambda node: NULL)
     run: Callable[[str], None] = field(default=lambda text: None)
+    parsed: Callable[[str], Value] = field(default=lambda text: NULL)
     rebuild: Callable[[Expr, dict[Expr, Value]], Value] = field(default=lambda scalar, values: scalar)
     select: Callable[[Value, tuple[Value, ...]], Value] = field(default=lambda whole, indices: whole)
     overload: Callable[[Session, str, Value, Value], Value | None] | None = None

@@ -157,7 +157,7 @@ class Quoted:
     body: syntax.Expression
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Plot:
     """A drawing to be displayed: kind and data, drawn by the simulation layer's plots."""
 

@@ -11,10 +11,13 @@ from symbody.worksheet.arithmetic import rebuilt
 from symbody.worksheet.builtins import (
     algebra,
     calculus,
+    code,
     containers,
     elementary,
     files,
     matrices,
+    motions,
+    plots,
     sets,
     solving,
     structural,
@@ -49,7 +52,7 @@ __all__ = [
 
 _FAMILIES = (
     *(elementary, calculus, algebra, solving, structural, containers, sets, matrices),
-    *(texts, files, display_family),
+    *(texts, files, display_family, code, motions, plots),
 )
 
 KERNEL: dict[str, Command] = {name: each for family in _FAMILIES for name, each in family.COMMANDS.items()}

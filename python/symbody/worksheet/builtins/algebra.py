@@ -15,6 +15,7 @@ from symbody.worksheet.arithmetic import scalar
 from symbody.worksheet.entrywise import entrywise
 from symbody.worksheet.numeric import as_integer
 from symbody.worksheet.polynomial import coefficients, degree, reduced
+from symbody.worksheet.print import text_of
 from symbody.worksheet.session import Command, Session
 from symbody.worksheet.structure import tree_of
 from symbody.worksheet.substitution import substituted
@@ -77,6 +78,15 @@ def evaluated(session: Session, value: Value, *rules: Value) -> Value:
     if not rules or isinstance(rules[0], Expr):
         return session.current(found)
     return subs(session, *rules, session.current(found))
+
+
+def unapply(session: Session, value: Value, *variables: Value) -> Value:
+    """unapply(e, x, ..): the operator (x, ..) -> e."""
+    names = [each.name for each in variables if isinstance(each, Expr) and each.kind == "symbol"]
+    if len(names) != len(variables):
+        raise WorksheetError("unapply: expected names behind the expression")
+    heading = names[0] if len(names) == 1 else f"({', '.join(names)})"
+    return session.parsed(f"{heading} -> {text_of(value)}")
 
 
 # --- simplification ---------------------------------------------------------------------------------------------------
@@ -243,6 +253,7 @@ COMMANDS: dict[str, Command] = {
     "subs": subs,
     "algsubs": algebraic_subs,
     "eval": evaluated,
+    "unapply": unapply,
     "simplify": simplify,
     "expand": _rewriting(_expanded),
     "combine": _rewriting(combine_trig),

@@ -8,6 +8,7 @@ from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, number
 from symbody.worksheet import mbsymba
 from symbody.worksheet.builtins.texts import unparsed
+from symbody.worksheet.drawing import drawn
 from symbody.worksheet.naming import symbol
 from symbody.worksheet.numeric import as_integer, decimal
 from symbody.worksheet.print import PLAIN, text_of
@@ -17,6 +18,7 @@ from symbody.worksheet.value import (
     Array,
     Listed,
     MapleSet,
+    Plot,
     Reference,
     Relation,
     Sequence,
@@ -29,7 +31,13 @@ __all__ = ["COMMANDS", "display"]
 
 def display(session: Session, value: Value) -> None:
     """Print a value as a statement does: matrices with what their names stand for now."""
-    session.print(session.text(_shown(session, value)))
+    plots = [
+        each for each in (value.items if isinstance(value, Sequence) else (value,)) if isinstance(each, Plot)
+    ]
+    for plot in plots:
+        session.print(drawn(session, plot))
+    if not plots:
+        session.print(session.text(_shown(session, value)))
 
 
 def _shown(session: Session, value: Value) -> Value:

@@ -80,7 +80,11 @@ def _of_inverse(function: Callable[[Expr], Expr], argument: Expr) -> Expr | None
         "atan": (u / length, 1 / length),
     }
     sine, cosine = parts[argument.name]
-    return {sin: sine, cos: cosine, tan: u if argument.name == "atan" else sine / cosine}.get(function)
+    if function is sin:
+        return sine
+    if function is cos:
+        return cosine
+    return None if function is not tan else u if argument.name == "atan" else sine / cosine
 
 
 def _reciprocal(name: str, function: Callable[[Expr], Expr]) -> Command:

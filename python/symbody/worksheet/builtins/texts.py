@@ -131,9 +131,7 @@ def search_text(session: Session, pattern: Value, text: Value) -> Value:
 
 def parse(session: Session, text: Value, *options: Value) -> Value:
     """parse(s): the expression that a string holds."""
-    before = len(session.lasts)
-    session.run(unparsed(session, text) + ":")
-    return session.lasts[0] if len(session.lasts) >= before and session.lasts else NULL
+    return session.parsed(unparsed(session, text))
 
 
 def upper(session: Session, text: Value) -> Value:
