@@ -185,6 +185,15 @@ def _keyword(value: Value) -> tuple[str, Value] | None:
 
 
 def _check(session: Session, parameter: syntax.Parameter, value: Value, place: int, name: str) -> None:
+    """Check the type of an argument.
+
+    Args:
+        session: the session.
+        parameter: the parameter with its type.
+        value: the argument.
+        place: its place, from 0.
+        name: what the procedure is called by.
+    """
     if parameter.type is None:
         return
     kind = (

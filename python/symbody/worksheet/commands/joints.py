@@ -23,11 +23,11 @@ def spherical_JOINT(
 
     Args:
         session: the session.
-        P1: the point of the first body.
-        P2: the point of the second one, which the joint keeps at P1.
-        body1: the first body.
-        body2: the second body.
-        tag: what the names of the components end with.
+        P1: the point of the joint on body 1.
+        P2: that on body 2.
+        body1: the body on which the force acts.
+        body2: the body on which the opposite force acts.
+        tag: what ends the names of the components.
     """
     reader = Reader(session, "spherical_JOINT")
     gap = (reader.point(P2) - reader.point(P1)).projected(reader.root).components

@@ -32,10 +32,10 @@ def state_space(
 
     Args:
         session: the session.
-        equations: the equations, implicit.
-        time: t.
-        states: the states x.
-        inputs: the inputs u.
+        equations: linear equations of first order in the states, or of second order with rates among the states.
+        time: the independent variable.
+        states: functions of time and derivatives.
+        inputs: the functions of time that are given from outside.
     """
     del time
     residuals = _residuals(session, equations, "state_space")
