@@ -42,7 +42,7 @@ def test_loops_are_closed(name: str, tmp_path: Path) -> None:
 
 
 def test_piston_of_a_slider_crank(tmp_path: Path) -> None:
-    sheet, radius, p = Sheet("slider_crank.mpl", tmp_path), *sb.symbols("r p")
+    sheet, (radius, p) = Sheet("slider_crank.mpl", tmp_path), sb.symbols("r p")
     place = sheet["s__1"].evaluate({radius: 0.5, l: 2, theta: 0.8})
     both = [0.5 * math.cos(0.8) + sign * math.sqrt(4 - (0.5 * math.sin(0.8)) ** 2) for sign in (1, -1)]
     assert min(abs(place - each) for each in both) < 1e-12
@@ -92,7 +92,7 @@ def test_motorcycle_to_first_order(tmp_path: Path) -> None:
 
 def test_disc_with_quasi_velocities(tmp_path: Path) -> None:
     sheet = Sheet("quasi_velocities.mpl", tmp_path)
-    u1, u3, J = *sb.functions_of_time("u1 u3"), sb.symbols("J")
+    (u1, u3), J = sb.functions_of_time("u1 u3"), sb.symbols("J")
     assert sheet["rates"] == {d(phi): u1, d(psi): u3 / cos(phi)}
     spin = u3 * sin(phi) / cos(phi)
     expected = (m * (d(x) ** 2 + d(y) ** 2) + J * (u1**2 + u3**2) + 2 * J * spin**2) / 2

@@ -145,6 +145,15 @@ def _arrays(session: Session, operator: str, left: Value, right: Value) -> Value
 
 
 def _with_scalar(session: Session, operator: str, array: Array, other: Value, *, reverse: bool) -> Value:
+    """Return a matrix and a scalar, combined by an operator.
+
+    Args:
+        session: the session.
+        operator: one of ``+ - * / .``.
+        array: the matrix.
+        other: the scalar.
+        reverse: whether the scalar stands first.
+    """
     if operator in "+-":
         other_array = _scaled_identity(session, array, other)
         return _entrywise(session, operator, *((other_array, array) if reverse else (array, other_array)))

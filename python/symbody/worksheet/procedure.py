@@ -38,7 +38,15 @@ def call_procedure(
     arguments: tuple[Value, ...],
     name: str,
 ) -> Value:
-    """Return the value of a procedure: that of ``return``, or of its last statement."""
+    """Return the value of a procedure: that of ``return``, or of its last statement.
+
+    Args:
+        session: the session.
+        execute: executes statements, and returns the last value.
+        procedure: the procedure.
+        arguments: the values of its arguments.
+        name: what it is called by.
+    """
     if len(session.scopes) >= session.limits.depth:
         raise WorksheetError(f"{name}: too many levels of recursion ({session.limits.depth})")
     session.limits.check()
@@ -113,6 +121,15 @@ def _bind(
     arguments: tuple[Value, ...],
     name: str,
 ) -> None:
+    """Give parameters their values.
+
+    Args:
+        session: the session.
+        scope: the names of the call.
+        parameters: the heading of the procedure.
+        arguments: the values of the arguments.
+        name: what the procedure is called by.
+    """
     plain = [each for each in parameters if not each.keyword and not each.rest]
     named = {each.name: each for each in parameters if each.keyword}
     positional = list(arguments)
@@ -168,6 +185,15 @@ def _keyword(value: Value) -> tuple[str, Value] | None:
 
 
 def _check(session: Session, parameter: syntax.Parameter, value: Value, place: int, name: str) -> None:
+    """Check the type of an argument.
+
+    Args:
+        session: the session.
+        parameter: the parameter with its type.
+        value: the argument.
+        place: its place, from 0.
+        name: what the procedure is called by.
+    """
     if parameter.type is None:
         return
     kind = (

@@ -12,6 +12,7 @@ from symbody.worksheet import syntax
 from symbody.worksheet.arithmetic import binary, matrix_product, rebuilt, scalar
 from symbody.worksheet.builtins.containers import assigned as is_assigned
 from symbody.worksheet.builtins.structural import items_of
+from symbody.worksheet.condition import truth
 from symbody.worksheet.current import flattened
 from symbody.worksheet.naming import symbol
 from symbody.worksheet.numeric import as_float, as_integer
@@ -295,7 +296,15 @@ def evaln(session: Session, node: syntax.Expression) -> Value:
     return session.evaluate(syntax.Delayed(node, place=node.place))
 
 
+def chosen(
+    session: Session, condition: syntax.Expression, then: syntax.Expression, otherwise: syntax.Expression
+) -> Value:
+    """`if`(condition, a, b): one of two expressions; the other one isn't evaluated."""
+    return session.evaluate(then if truth(session, session.evaluate(condition)) else otherwise)
+
+
 FORMS: dict[str, Form] = {
+    "if": chosen,
     "seq": seq,
     "add": add,
     "mul": mul,

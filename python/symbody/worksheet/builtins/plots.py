@@ -86,7 +86,7 @@ def _curves(session: Session, what: Value, span: Value | None, options: dict[str
     if isinstance(what, Listed | MapleSet | Sequence):
         last = what.items[-1] if what.items else None
         if isinstance(what, Listed) and len(what.items) == 3 and last is not None and _is_span(last):
-            return [_parametric(session, what.items[0], what.items[1], last, options)]
+            return [_parametric(session, what, options)]
         return [piece for item in what.items for piece in _curves(session, item, span, options)]
     variable, first, last_value = _span(session, span, what)
     x = np.linspace(first, last_value, _count(session, options))
@@ -94,7 +94,9 @@ def _curves(session: Session, what: Value, span: Value | None, options: dict[str
     return [Piece("curve", np.column_stack([x, y]), (str(variable or ""), session.text(what)[:60]), color)]
 
 
-def _parametric(session: Session, f: Value, g: Value, span: Value, options: dict[str, Value]) -> Piece:
+def _parametric(session: Session, what: Listed, options: dict[str, Value]) -> Piece:
+    """Return the curve of [f, g, t = a..b]."""
+    f, g, span = what.items
     variable, first, last = _span(session, span, f)
     times = np.linspace(first, last, _count(session, options))
     columns = [[_at(session, each, variable, time) for time in times] for each in (f, g)]

@@ -51,6 +51,16 @@ def formatted(session: Session, template: Value, values: tuple[Value, ...]) -> s
 
 
 def _piece(session: Session, flags: str, width: str, precision: str | None, kind: str, value: Value) -> str:
+    """Return a value in a format of C.
+
+    Args:
+        session: the session.
+        flags: ``+0`` of the format ``%+06.3f``.
+        width: its ``6``.
+        precision: its ``3``.
+        kind: its letter.
+        value: the value.
+    """
     found = session.resolve(value)
     if isinstance(found, Array | Listed) and kind in "dfeg":
         items = found.entries if isinstance(found, Array) else found.items

@@ -20,6 +20,14 @@ def spherical_JOINT(
 
     The force has the components FxB(t), FyB(t), FzB(t) in the axes of the ground; it acts on body 1 at P1, and the
     opposite force on body 2 at P2. The constraint is a vector.
+
+    Args:
+        session: the session.
+        P1: the point of the joint on body 1.
+        P2: that on body 2.
+        body1: the body on which the force acts.
+        body2: the body on which the opposite force acts.
+        tag: what ends the names of the components.
     """
     reader = Reader(session, "spherical_JOINT")
     gap = (reader.point(P2) - reader.point(P1)).projected(reader.root).components

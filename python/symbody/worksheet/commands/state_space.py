@@ -28,7 +28,15 @@ def first_order(session: Session, equations: Value, variables: Value, *time: Val
 def state_space(
     session: Session, equations: Value, time: Value, states: Value, inputs: Value | None = None
 ) -> Value:
-    """state_space(eqns, t, [x, ...], [u, ...]): the matrices A, B of diff(x,t) = A . x + B . u, of linear equations."""
+    """state_space(eqns, t, [x, ...], [u, ...]): the matrices A, B of diff(x,t) = A . x + B . u, of linear equations.
+
+    Args:
+        session: the session.
+        equations: linear equations of first order in the states, or of second order with rates among the states.
+        time: the independent variable.
+        states: functions of time and derivatives.
+        inputs: the functions of time that are given from outside.
+    """
     del time
     residuals = _residuals(session, equations, "state_space")
     x = _functions(session, states, "state_space")
