@@ -67,7 +67,7 @@ CASES = {
     ),
     "anti-bodies": (
         (
-            "anti := proc(BB::BODY) local C; C := copy(BB); C[mass] := -C[mass]; C end proc: B := make_BODY(ground,m): A := anti(B): A[mass], B[mass];"
+            "f := proc(B::BODY) local C; C := copy(B); C[mass] := -m; C end: B := make_BODY(ground,m): f(B)[mass], B[mass];"
         ),
         ["-m, m"],
     ),

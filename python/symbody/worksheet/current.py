@@ -89,29 +89,17 @@ def is_last_name(value: Value) -> bool:
 
 
 def resolved(session: State, value: Value) -> Value:
-    """Return what a reference, or a bare name, stands for."""
+    """Return what a reference, or a bare name, stands for in the session: names of procedures are not among them."""
     for _ in range(100):
         if isinstance(value, Reference) or (isinstance(value, Expr) and value.kind == "symbol"):
             name = value.name
         else:
             return value
-        found = _found(session, name)
+        found = session.names.get(name)
         if found is None:
             return value
         value = found
     return value
-
-
-def _found(session: State, name: str) -> Value | None:
-    scope = session.scope
-    while scope is not None:
-        if name in scope.names:
-            value: Value = scope.names[name]
-            return value
-        if name in scope.local:
-            return None
-        scope = scope.parent
-    return session.names.get(name)
 
 
 def named(session: State, name: str) -> Value:
@@ -169,7 +157,7 @@ def current(session: State, value: Value, *, arrays: bool = False) -> Value:
 
 
 def _reference(session: State, value: Reference) -> Value:
-    found = _found(session, value.name)
+    found = session.names.get(value.name)
     if found is None:
         return symbol(value.name)
     return value if is_last_name(found) else named(session, value.name)
