@@ -145,6 +145,15 @@ def _arrays(session: Session, operator: str, left: Value, right: Value) -> Value
 
 
 def _with_scalar(session: Session, operator: str, array: Array, other: Value, *, reverse: bool) -> Value:
+    """Return what an operator makes of a matrix and a scalar: a sum adds to the diagonal.
+
+    Args:
+        session: the session.
+        operator: the operator.
+        array: the matrix.
+        other: the scalar.
+        reverse: whether the scalar is on the left.
+    """
     if operator in "+-":
         other_array = _scaled_identity(session, array, other)
         return _entrywise(session, operator, *((other_array, array) if reverse else (array, other_array)))

@@ -38,7 +38,15 @@ def call_procedure(
     arguments: tuple[Value, ...],
     name: str,
 ) -> Value:
-    """Return the value of a procedure: that of ``return``, or of its last statement."""
+    """Return the value of a procedure: that of ``return``, or of its last statement.
+
+    Args:
+        session: the session.
+        execute: what executes statements.
+        procedure: the procedure.
+        arguments: its arguments.
+        name: what it is called by, for messages.
+    """
     if len(session.scopes) >= session.limits.depth:
         raise WorksheetError(f"{name}: too many levels of recursion ({session.limits.depth})")
     session.limits.check()

@@ -138,6 +138,15 @@ def _sized(array: Array, sizes: list[int], kind: str) -> Array:
 
 
 def _filled(session: Session, rows: int, columns: int, content: Value | None, kind: str) -> Array:
+    """Return a matrix of a size, filled by what is given.
+
+    Args:
+        session: the session.
+        rows: the number of rows.
+        columns: the number of columns.
+        content: entries, a function of the indices, or None for zeros.
+        kind: the kind of the matrix.
+    """
     session.limits.check_items(rows * columns)
     if rows < 0 or columns < 0:
         raise WorksheetError(f"a matrix of {rows} x {columns}; expected sizes that aren't negative")

@@ -248,6 +248,15 @@ def elementwise(session: Session, function: Value, arguments: tuple[Value, ...])
 def _mapped_at(
     session: Session, function: Value, arguments: tuple[Value, ...], place: int, whole: Value
 ) -> Value:
+    """Return a function mapped over one of its arguments.
+
+    Args:
+        session: the session.
+        function: the function.
+        arguments: all arguments.
+        place: where the argument is that is taken apart.
+        whole: this argument.
+    """
     before, after = arguments[:place], arguments[place + 1 :]
     return _mapped(session, whole, lambda each: session.call(function, (*before, each, *after)))
 

@@ -51,6 +51,16 @@ def formatted(session: Session, template: Value, values: tuple[Value, ...]) -> s
 
 
 def _piece(session: Session, flags: str, width: str, precision: str | None, kind: str, value: Value) -> str:
+    """Return a value as one of C's formats prints it.
+
+    Args:
+        session: the session.
+        flags: the signs behind %, such as + and 0.
+        width: the least number of characters.
+        precision: the digits behind the point.
+        kind: the letter of the format.
+        value: the value.
+    """
     found = session.resolve(value)
     if isinstance(found, Array | Listed) and kind in "dfeg":
         items = found.entries if isinstance(found, Array) else found.items
