@@ -145,14 +145,14 @@ def _arrays(session: Session, operator: str, left: Value, right: Value) -> Value
 
 
 def _with_scalar(session: Session, operator: str, array: Array, other: Value, *, reverse: bool) -> Value:
-    """Return what an operator makes of a matrix and a scalar: a sum adds to the diagonal.
+    """Return a matrix and a scalar, combined by an operator.
 
     Args:
         session: the session.
-        operator: the operator.
+        operator: one of ``+ - * / .``.
         array: the matrix.
         other: the scalar.
-        reverse: whether the scalar is on the left.
+        reverse: whether the scalar stands first.
     """
     if operator in "+-":
         other_array = _scaled_identity(session, array, other)

@@ -42,10 +42,10 @@ def call_procedure(
 
     Args:
         session: the session.
-        execute: what executes statements.
+        execute: executes statements, and returns the last value.
         procedure: the procedure.
-        arguments: its arguments.
-        name: what it is called by, for messages.
+        arguments: the values of its arguments.
+        name: what it is called by.
     """
     if len(session.scopes) >= session.limits.depth:
         raise WorksheetError(f"{name}: too many levels of recursion ({session.limits.depth})")
@@ -121,6 +121,15 @@ def _bind(
     arguments: tuple[Value, ...],
     name: str,
 ) -> None:
+    """Give parameters their values.
+
+    Args:
+        session: the session.
+        scope: the names of the call.
+        parameters: the heading of the procedure.
+        arguments: the values of the arguments.
+        name: what the procedure is called by.
+    """
     plain = [each for each in parameters if not each.keyword and not each.rest]
     named = {each.name: each for each in parameters if each.keyword}
     positional = list(arguments)
@@ -176,6 +185,15 @@ def _keyword(value: Value) -> tuple[str, Value] | None:
 
 
 def _check(session: Session, parameter: syntax.Parameter, value: Value, place: int, name: str) -> None:
+    """Check the type of an argument.
+
+    Args:
+        session: the session.
+        parameter: the parameter with its type.
+        value: the argument.
+        place: its place, from 0.
+        name: what the procedure is called by.
+    """
     if parameter.type is None:
         return
     kind = (

@@ -138,14 +138,14 @@ def _sized(array: Array, sizes: list[int], kind: str) -> Array:
 
 
 def _filled(session: Session, rows: int, columns: int, content: Value | None, kind: str) -> Array:
-    """Return a matrix of a size, filled by what is given.
+    """Return a matrix without a list of entries.
 
     Args:
         session: the session.
         rows: the number of rows.
         columns: the number of columns.
-        content: entries, a function of the indices, or None for zeros.
-        kind: the kind of the matrix.
+        content: the entry everywhere, or a function of the indices; zero by default.
+        kind: what it is made by: "Matrix", "Vector" and the like.
     """
     session.limits.check_items(rows * columns)
     if rows < 0 or columns < 0:

@@ -248,14 +248,14 @@ def elementwise(session: Session, function: Value, arguments: tuple[Value, ...])
 def _mapped_at(
     session: Session, function: Value, arguments: tuple[Value, ...], place: int, whole: Value
 ) -> Value:
-    """Return a function mapped over one of its arguments.
+    """Return a container with a function called on each item.
 
     Args:
         session: the session.
         function: the function.
-        arguments: all arguments.
-        place: where the argument is that is taken apart.
-        whole: this argument.
+        arguments: its arguments.
+        place: which of them the item takes the place of.
+        whole: the container.
     """
     before, after = arguments[:place], arguments[place + 1 :]
     return _mapped(session, whole, lambda each: session.call(function, (*before, each, *after)))
@@ -274,6 +274,16 @@ def remove(session: Session, function: Value, value: Value, *rest: Value) -> Val
 def _selected(
     session: Session, function: Value, value: Value, rest: tuple[Value, ...], *, wanted: bool
 ) -> Value:
+    """Return the operands for which a function is true, or those for which it isn't.
+
+    Args:
+        session: the session.
+        function: the function.
+        value: what has the operands.
+        rest: further arguments of the function.
+        wanted: which of them.
+    """
+
     def keeps(each: Value) -> bool:
         return truth(session, session.call(function, (each, *rest))) is wanted
 

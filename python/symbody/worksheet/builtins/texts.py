@@ -51,14 +51,14 @@ def formatted(session: Session, template: Value, values: tuple[Value, ...]) -> s
 
 
 def _piece(session: Session, flags: str, width: str, precision: str | None, kind: str, value: Value) -> str:
-    """Return a value as one of C's formats prints it.
+    """Return a value in a format of C.
 
     Args:
         session: the session.
-        flags: the signs behind %, such as + and 0.
-        width: the least number of characters.
-        precision: the digits behind the point.
-        kind: the letter of the format.
+        flags: ``+0`` of the format ``%+06.3f``.
+        width: its ``6``.
+        precision: its ``3``.
+        kind: its letter.
         value: the value.
     """
     found = session.resolve(value)
