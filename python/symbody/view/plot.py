@@ -15,8 +15,10 @@ from matplotlib.figure import Figure
 
 from symbody.errors import ViewError
 from symbody.symbolic import Expr
+from symbody.symbolic.given.arguments import with_known_names
 from symbody.view.drawable_motion import DrawableMotion
 from symbody.view.overview import Group, overview
+from symbody.view.plot_argument import checked_units
 from symbody.view.pose import values
 from symbody.view.whole_file import file_of, write_whole
 
@@ -32,6 +34,7 @@ WIDE = 4
 """The number of panels from which there are two per row."""
 
 
+@with_known_names
 def plot(
     motion: DrawableMotion,
     *panels: Panel,
@@ -69,7 +72,9 @@ def plot(
     >>> plot(motion, x, units={x: "m"}).axes[0].get_ylabel()
     '$x$ [m]'
     """
-    figure = figure_over(motion, f"time [{time}]" if time else "time", panels, units or {}, time)
+    figure = figure_over(
+        motion, f"time [{time}]" if time else "time", panels, checked_units(units, "plot"), time
+    )
     if title or motion.system.name:
         figure.suptitle(title or motion.system.name)
     if path is not None:

@@ -6,10 +6,12 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import cached_property
+from math import isfinite
+from numbers import Real
 from typing import Any
 
 from symbody.dynamics.equations.equations import Equations
-from symbody.errors import ArgumentError, DivisionByZeroError, ModelError
+from symbody.errors import ArgumentError, DivisionByZeroError, ExpressionError, ModelError
 from symbody.symbolic import (
     Expr,
     Matrix,
@@ -28,6 +30,7 @@ from symbody.symbolic.given.arguments import brief, described, expression
 from symbody.symbolic.given.namesake import namesake_note
 
 from .dependent_columns import dependent_columns, solved
+from .input_course import input_course
 from .nonlinear_slopes import slopes_of, velocity_level
 from .sampled_dependence import sampled_dependence
 
@@ -69,7 +72,7 @@ class ReferenceMotion:
         """Return expressions along the motion."""
         try:
             return substitute([*expressions], self.values)
-        except DivisionByZeroError as failure:
+        except (DivisionByZeroError, ExpressionError) as failure:
             raise ModelError(
                 f"linearize: the equations, or their derivatives, are not defined in this motion: {failure}; expected "
                 "another motion in about, or laws that are defined there: a slip needs a speed, a spring a length"
@@ -143,12 +146,13 @@ def reference_motion(
 
 
 def _of_inputs(given: Mapping[Expr, Expr], known: Sequence[Expr]) -> dict[Expr, Expr]:
-    """Return the values of inputs and of their rates: those that are given, or the rates of given values, or zeros."""
+    """Return the values of inputs and of their rates along the motion."""
+    lowest = {r.name: r.order for r in sorted(known, key=lambda r: -r.order)}
     values: dict[Expr, Expr] = {}
     for r in known:
-        function = functions_of_time(r.name)
-        course = given.get(function, number(0))
-        values[r] = given.get(r, time_derivative(course, r.order) if r.order else course)
+        course = input_course(r.name, given, lowest[r.name], _WHERE)
+        above = r.order - lowest[r.name]
+        values[r] = time_derivative(course, above) if above else course
     return values
 
 
@@ -177,7 +181,7 @@ def _given(eqs: Equations, about: Mapping[Any, Any] | None) -> dict[Expr, Expr]:
                 f"{_WHERE}: {brief(name)} is not a coordinate, a rate of one, a speed, a state or an input of these "
                 f"equations{_near(name, known)}"
             )
-        found = expression(value, f"{_WHERE}, {name}")
+        found = _finite(name, value)
         held = [
             leaf for leaf in free_symbols([found]) if leaf.kind == "time_function" and leaf.name in unknowns
         ]
@@ -189,6 +193,12 @@ def _given(eqs: Equations, about: Mapping[Any, Any] | None) -> dict[Expr, Expr]:
             )
         given[name] = found
     return given
+
+
+def _finite(name: Expr, value: Any) -> Expr:
+    if isinstance(value, Real) and not isfinite(float(value)):
+        raise ModelError(f"{_WHERE}: {name} is {float(value)}; expected a finite number, or an expression")
+    return expression(value, f"{_WHERE}, {name}")
 
 
 def _closed(name: Expr) -> str:
