@@ -31,7 +31,7 @@ _OPTIONS: dict[str, Any] = {"opt": 1, "jit": True, "reloc": "pic", "codemodel": 
 """Code addresses its constants relative to itself, as in a shared library: absolute addresses take a register each.
 
 Code and its constants may lie more than 2 GB apart in a process with much memory: addresses of 32 bits would not
-reach, and LLVM would abort the process. A higher level of the selection of instructions takes a third more of that time,
+reach, and LLVM would abort the process. A higher level of the selection of instructions takes a third more time,
 and code runs as fast with this one.
 """
 
