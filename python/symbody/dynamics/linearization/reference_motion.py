@@ -33,6 +33,7 @@ from .dependent_columns import dependent_columns, solved
 from .input_course import input_course
 from .nonlinear_slopes import slopes_of, velocity_level
 from .sampled_dependence import sampled_dependence
+from .turning_axes import TurningAxes, fixed_axes, turning_axes
 
 __all__ = ["ReferenceMotion", "reference_motion"]
 
@@ -51,6 +52,7 @@ class ReferenceMotion:
         others: the values of states and inputs; later, of multipliers.
         is_particular: whether given values may belong to particular parameters: decimals, and symbols of the user's
             own.
+        axes: the speeds whose deviations are looked at: in a turn, those along axes that turn.
     """
 
     given: Mapping[Expr, Expr]
@@ -59,6 +61,7 @@ class ReferenceMotion:
     speeds: Mapping[Expr, Expr]
     others: Mapping[Expr, Expr]
     is_particular: bool
+    axes: TurningAxes
 
     @cached_property
     def values(self) -> dict[Expr, Expr]:
@@ -125,8 +128,9 @@ def reference_motion(
     own = free_symbols([*raw.values()]) - {t, *eqs.parameters}
     is_particular = bool(own) or any(value.is_decimal for value in raw.values())
     given = _without_noise(raw)
+    turning = getattr(about, "turning", None)
     if is_particular and hasattr(about, "turning"):
-        given = _in_a_turn(eqs, given, getattr(about, "turning", None))
+        given = _in_a_turn(eqs, given, turning)
     others = {z: given.get(z, number(0)) for z in eqs.states}
     others |= _of_inputs(given, known)
     with_course = {q: value for q, value in given.items() if q in eqs.coordinates and not _is_constant(value)}
@@ -141,8 +145,23 @@ def reference_motion(
             if q not in with_course and (q in moving or not rate.is_zero)
         }
         if [*found] == [*moving]:
-            return ReferenceMotion(given, resting, found, speeds, others, is_particular)
+            axes = _axes(eqs, turning, speeds, found)
+            return ReferenceMotion(given, resting, found, speeds, others, is_particular, axes)
         moving = found
+
+
+def _axes(
+    eqs: Equations,
+    turning: tuple[Expr, Expr, Expr] | None,
+    speeds: Mapping[Expr, Expr],
+    moving: Mapping[Expr, Expr],
+) -> TurningAxes:
+    """Return axes that turn with the heading of a motion, if it turns and moves in the plane."""
+    if turning is None or turning[2] not in moving:
+        return fixed_axes(eqs.speeds)
+    dx, dy = map(time_derivative, turning[:2])
+    taken = (*eqs.coordinates, *eqs.speeds, *eqs.states, *eqs.inputs, *eqs.multipliers, *eqs.parameters)
+    return turning_axes(eqs.speeds, turning, (speeds[dx], speeds[dy]), taken)
 
 
 def _of_inputs(given: Mapping[Expr, Expr], known: Sequence[Expr]) -> dict[Expr, Expr]:
