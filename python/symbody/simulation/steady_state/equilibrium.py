@@ -17,7 +17,7 @@ from symbody.simulation.constraint.opposite_axes import check_senses
 from symbody.simulation.given.unused import warn_of_unused
 from symbody.simulation.given.values import given_inputs, parameter_values, state_values
 from symbody.simulation.given.wording import joined_by_and
-from symbody.simulation.model.zero_length import without_direction
+from symbody.simulation.model.undefined_force import undefined_force
 from symbody.simulation.steady_state.force_balance import Balance
 from symbody.symbolic import Expr, ExprLike, free_symbols, number, substitute, time_derivative
 from symbody.symbolic import t as time
@@ -335,7 +335,7 @@ def _check_finite(problem: Balance, solution: tuple[Array, Array]) -> None:
     eqs, conditions = problem.equations, problem.conditions
     place = dict(zip(conditions.positions, q, strict=True))
     known = dict(zip(conditions.parameters, problem.p, strict=True)) | {time: problem.t} | place
-    cause = without_direction(eqs.system, conditions.given, known | dict.fromkeys(eqs.speeds, 0.0))
+    cause = undefined_force(eqs.system, conditions.given, known | dict.fromkeys(eqs.speeds, 0.0))
     raise SimulationError(
         f"{_WHERE}: the equations of motion are not finite at rest at "
         f"{listed_values(conditions.positions, place)}, nor are those of small motions; {cause or _STRANGE}"
