@@ -89,8 +89,9 @@ def _element(element: Element, actions: Sequence[Action]) -> Element:
         "states": element.states,
         "quantities": element.quantities,
         "name": element.name,
-        "line": element.line,
+        "undefined": element.undefined,
         "jumping": element.jumping,
+        "sizes": element.sizes,
     }
     moved = Element(element.kind, actions, **more)
     if element.potential is None:

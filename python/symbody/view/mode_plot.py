@@ -15,8 +15,8 @@ from symbody.errors import ViewError
 from symbody.multibody import Variables
 from symbody.symbolic import Expr
 from symbody.symbolic.given.arguments import described
+from symbody.view.figure import NotebookFigure, finished, symbol_of, with_unit
 from symbody.view.overview import overview
-from symbody.view.plot import NotebookFigure, save, symbol_of
 
 __all__ = ["plot_mode"]
 
@@ -91,11 +91,8 @@ def plot_mode(
         axes = figure.add_subplot(1, len(kinds), k + 1, projection="polar")
         assert isinstance(axes, PolarAxes)
         _compass(axes, moved)
-        axes.set_title(f"{kind} [{unit}]" if unit else kind, fontsize="medium")
-    figure.suptitle(title or mode.title)
-    if path is not None:
-        save(figure, path)
-    return figure
+        axes.set_title(with_unit(kind, unit), fontsize="medium")
+    return finished(figure, title or mode.title, path)
 
 
 def _compass(axes: PolarAxes, phasors: Mapping[Expr, complex]) -> None:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from symbody.errors import ViewError
 from symbody.symbolic import Expr
-from symbody.view.plot import NotebookFigure, save, symbol_of
+from symbody.view.figure import NotebookFigure, finished, symbol_of, with_unit
 from symbody.view.plot_argument import checked_units
 
 __all__ = ["plot_sweep"]
@@ -72,16 +72,12 @@ def plot_sweep(
             f"plot_sweep: the cases vary {listed}; expected those of one parameter, or a grid of two: "
             "cases=grid({...})"
         )
-    if title or sweep.linear.name:
-        figure.suptitle(title or sweep.linear.name)
-    if path is not None:
-        save(figure, path)
-    return figure
+    return finished(figure, title or sweep.linear.name, path)
 
 
 def _label(name: Expr, units: Units) -> str:
     unit = units.get(name, units.get(str(name), ""))
-    return f"{symbol_of(name)} [{unit}]" if unit else symbol_of(name)
+    return with_unit(symbol_of(name), unit)
 
 
 def _is_grid(sweep: DrawableSweep) -> bool:

@@ -10,7 +10,7 @@ from symbody.multibody.body import Body
 from symbody.symbolic import ENERGY, Expr, derivation, exp, tanh
 from symbody.symbolic.given.arguments import brief
 
-from .attachment import check_not_negative
+from .attachment import not_negative
 from .element import Element
 from .joint_motion import Along, joint_motion
 
@@ -62,7 +62,7 @@ def friction(
             f"{_WHERE}: no friction is given; expected viscous=c, or coulomb=Fc with creep_speed=v0"
         )
     _check(dry, static, stribeck_speed, creep_speed)
-    check_not_negative(
+    sizes = not_negative(
         _WHERE,
         viscous=viscous,
         coulomb=coulomb,
@@ -78,7 +78,11 @@ def friction(
         if creep_speed is not None:
             effort -= dry * tanh(v / creep_speed)
         return Element(
-            _WHERE, joint.actions(effort), quantities={"effort": effort, "rate": joint.rate}, name=name
+            _WHERE,
+            joint.actions(effort),
+            quantities={"effort": effort, "rate": joint.rate},
+            name=name,
+            sizes=sizes,
         )
 
 

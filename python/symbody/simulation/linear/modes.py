@@ -10,16 +10,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symbody.dynamics import Linear
-from symbody.errors import ArgumentError, ParameterError, notify
+from symbody.errors import ArgumentError, notify
 from symbody.symbolic import Expr
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.given.arguments import counted, described, with_known_names
 
 from .complex_number import complex_number
 from .eigenproblem import Cluster, spectrum
-from .matrices import pencil
+from .matrices import regular_pencil
 from .mode import Mode
-from .regular_pencil import check_regular, rates_matrix
 
 __all__ = ["Modes", "modes"]
 
@@ -191,17 +190,8 @@ def modes(linear: Linear, parameters: Mapping[Expr, ArrayLike] | None = None) ->
     >>> round(found[0].damping_ratio, 9), round(found[0].natural_frequency, 9), found[0].shape
     (0.1, 10.0, {x: (1+0j)})
     """
-    if not isinstance(linear, Linear):
-        raise ArgumentError(f"{_WHERE}: {described(linear)}; expected a linear model: linearize(equations)")
     given = {} if parameters is None else parameters
-    matrices = pencil(linear, given, where=_WHERE)
-    if matrices.E.ndim > 2:
-        raise ParameterError(
-            f"{_WHERE}, parameters: the values have the shape {matrices.E.shape[:-2]}; expected one number for each "
-            "parameter: for rows of numbers use root_locus or sweep"
-        )
-    if rates_matrix(matrices.E, matrices.A0) is None:
-        check_regular(matrices.E, matrices.A0, linear.states, _WHERE)
+    matrices = regular_pencil(linear, given, _WHERE, for_rows="root_locus or sweep")
     found = spectrum(matrices.E, matrices.A0)
     each = tuple(
         _mode(linear, given, cluster, k)

@@ -17,7 +17,7 @@ from symbody.simulation.steady_state.branch import Branch
 from symbody.symbolic import Expr
 from symbody.symbolic.given.arguments import described
 
-from .matrices import pencil
+from .matrices import check_linear, pencil
 from .regular_pencil import check_regular, rates_matrix
 
 __all__ = ["Course", "ParameterFamily", "family_of"]
@@ -122,8 +122,7 @@ def family_of(
         ArgumentError: an argument has the wrong kind.
         ParameterError: there is not exactly one parameter, it is given twice, or its values are too few or not finite.
     """
-    if not isinstance(linear, Linear):
-        raise ArgumentError(f"{where}: {described(linear)}; expected a linear model: linearize(equations)")
+    check_linear(linear, where)
     name, values = _over(linear, over, where)
     given: dict[Any, Any] = {} if parameters is None else dict(parameters)
     if name in given:

@@ -22,7 +22,7 @@ from symbody.symbolic import Expr
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.given.arguments import counted, described, with_known_names
 
-from .matrices import pencil
+from .matrices import check_linear, pencil
 from .regular_pencil import rates_matrix
 
 if TYPE_CHECKING:
@@ -156,8 +156,7 @@ def sweep(
     >>> found.growth.round(6), found.damping_ratio.round(6)
     (array([ 0.1, -0.1,  0.1, -0.1]), array([-0.05    ,  0.05    , -0.033333,  0.033333]))
     """
-    if not isinstance(linear, Linear):
-        raise ArgumentError(f"{_WHERE}: {described(linear)}; expected a linear model: linearize(equations)")
+    check_linear(linear, _WHERE)
     if not isinstance(executor, Executor | None):
         raise ArgumentError(
             f"{_WHERE}: executor={described(executor)}; expected an executor of concurrent.futures, such as "

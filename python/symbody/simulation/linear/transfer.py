@@ -9,12 +9,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symbody.dynamics import Linear
-from symbody.errors import ArgumentError, ModelError, ParameterError, notify
+from symbody.errors import ModelError, notify
 from symbody.symbolic import Expr, time_derivative
-from symbody.symbolic.given.arguments import described
 
-from .matrices import Pencil, pencil
-from .regular_pencil import check_regular, rates_matrix
+from .matrices import Pencil, check_linear, regular_pencil
+from .regular_pencil import rates_matrix
 
 __all__ = ["Transfer", "transfer"]
 
@@ -92,8 +91,7 @@ def transfer(linear: Linear, parameters: Mapping[Expr, ArrayLike] | None, where:
         ModelError: it has no inputs or no outputs, or its pencil is singular.
         ParameterError: a value is missing, or is not one number.
     """
-    if not isinstance(linear, Linear):
-        raise ArgumentError(f"{where}: {described(linear)}; expected a linear model: linearize(equations)")
+    check_linear(linear, where)
     if not linear.inputs:
         raise ModelError(
             f"{where}: the linear model has no inputs; expected functions of time that loads or constraints hold: "
@@ -103,14 +101,7 @@ def transfer(linear: Linear, parameters: Mapping[Expr, ArrayLike] | None, where:
         raise ModelError(
             f"{where}: the linear model has no outputs; name them: linearize(..., outputs=[{linear.states[0]}])"
         )
-    matrices = pencil(linear, parameters, where=where)
-    if matrices.E.ndim > 2:
-        raise ParameterError(
-            f"{where}, parameters: the values have the shape {matrices.E.shape[:-2]}; expected one number for each "
-            "parameter"
-        )
-    if rates_matrix(matrices.E, matrices.A0) is None:
-        check_regular(matrices.E, matrices.A0, linear.states, where)
+    matrices = regular_pencil(linear, parameters, where)
     inputs = tuple(r for r in linear.inputs if not _is_rate(r, linear.inputs))
     return Transfer(linear, matrices, inputs)
 
