@@ -48,7 +48,7 @@ def check_smooth(eqs: Equations, motion: ReferenceMotion) -> None:
                 along = motion.at([*whole, *slopes.entries])
             except (
                 ModelError
-            ):  # the equations themselves are not defined there, which is told when they are needed
+            ):  # the equations themselves are not defined there, which is reported when they are needed
                 return
             values = [value for value in along if side in value.free_symbols]
             if values and side not in idle_symbols(values):
