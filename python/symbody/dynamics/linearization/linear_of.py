@@ -99,6 +99,7 @@ def linear_of(
         ignorable=tuple(columns.coordinates[k] for k in ignorable),
         conditions=conditions,
         system=eqs.system,
+        definitions=motion.axes.definitions,
     )
 
 

@@ -73,6 +73,7 @@ class Redundancy:
     ratios: Mapping[int, float]
     choice: tuple[int, ...]
 
+    @with_known_names
     def among(self, conditions: tuple[Constraint, ...], places: Sequence[int]) -> Redundancy:
         """Return the same in a longer list of constraints.
 
@@ -88,6 +89,7 @@ class Redundancy:
             tuple(sorted(places[row] for row in self.choice)),
         )
 
+    @with_known_names
     def suits(self, system: Variables, J: Array) -> bool:
         """Return whether the same choice leaves all independent constraints of another position, far from dependent.
 
