@@ -143,7 +143,7 @@ def impulse_response(
     Raises:
         ParameterError: a value is missing, has an unknown key, is not finite, or is not one number.
         ModelError: there are no inputs or no outputs, E is singular, rates of inputs are inputs, or an output follows
-            an input at once, so that its response holds an impulse.
+            an input at once, so that its response contains an impulse.
         ArgumentError: the instants don't increase.
 
     >>> from symbody import Body, Force, System, functions_of_time, ground, linearize, newton_euler, symbols, translate
@@ -185,7 +185,7 @@ def _response(
         direct = [linear.outputs[i] for i in range(len(D)) if D[i].any()]
         if direct:
             raise ModelError(
-                f"{where}: {', '.join(direct)} follows an input at once, so that its response holds an impulse; "
+                f"{where}: {', '.join(direct)} follows an input at once, so that its response contains an impulse; "
                 "expected outputs such as positions and speeds, or use step_response"
             )
         values = C @ _states(A, B, instants)
@@ -202,7 +202,7 @@ def _states(A: Array, start: Array, t: Array) -> Array:
     steps = np.diff(t, prepend=0.0)
     uniform = float(np.median(steps[1:])) if len(steps) > 1 else 0.0
     for k, step in enumerate(steps.tolist()):
-        # instants of numpy.linspace differ by steps that are the same but for rounding
+        # instants of numpy.linspace differ by steps that are the same up to rounding
         span = uniform if abs(step - uniform) <= 1e-12 * max(abs(t[-1]), abs(uniform)) else t[k] - last
         if span:
             if span not in powers:
