@@ -60,6 +60,7 @@ class Interpreter:
         self.session.face = _face
         mbsymba.install(self.session)
         self._level = 0
+        self._quiet = 0
         self._methods: dict[type, Callable[[Any], Value]] = {
             syntax.Assignment: self._assignment,
             syntax.Evaluation: lambda node: self._evaluate(node.expression),
@@ -91,7 +92,7 @@ class Interpreter:
         session.scopes.clear()
         session.resolving.clear()
         session.depends.clear()
-        self._level = 0
+        self._level = self._quiet = 0
         self.evaluator.depth = 0
         try:
             self._statement(statement, shown=statement.shown)
@@ -110,9 +111,12 @@ class Interpreter:
         return session.lines
 
     def run(self, text: str) -> None:
-        """Execute the statements of a text, as ``read`` does; a mistake ends it."""
+        """Execute the statements of a text, as ``read`` does; a mistake ends it.
+
+        Behind ``read "f":`` they print nothing, however they end.
+        """
         for statement in _statements_of(text):
-            self._statement(statement, shown=statement.shown)
+            self._statement(statement, shown=statement.shown and not self._quiet)
 
     def parsed(self, text: str) -> Value:
         """Return the value of an expression given as a text."""
@@ -385,7 +389,11 @@ class Interpreter:
             self._body(node.finally_)
 
     def _read(self, node: syntax.Read) -> Value:
-        return read_file(self.session, self.evaluator.evaluate(node.file))
+        self._quiet += not node.shown
+        try:
+            return read_file(self.session, self.evaluator.evaluate(node.file))
+        finally:
+            self._quiet -= not node.shown
 
     def _save(self, node: syntax.Save) -> Value:
         *names, file = (self.evaluator.unevaluated(each) for each in node.arguments)
