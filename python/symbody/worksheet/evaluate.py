@@ -366,6 +366,9 @@ class Evaluator:
         return Unevaluated(function, arguments)
 
     def _named_call(self, name: str, arguments: tuple[Value, ...]) -> Value:
+        if name.startswith("evalf["):
+            base, (digits,) = self.session.indexed[name]
+            return self.call(symbol(base), (*arguments, digits))
         found = builtins.command(self.session, name)
         if found is not None:
             return self._command(name, found, arguments)

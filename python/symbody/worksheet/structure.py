@@ -119,7 +119,10 @@ def _application(node: Expr, parts: list[Tree]) -> Tree:
                 tree = _derivative(value, tree, part)
         return tree
     places = ",".join(str(i) for i, order in enumerate(node.orders, 1) for _ in range(order))
-    operator = f"D({node.name})" if places == "1" and len(parts) == 1 else f"D[{places}]({node.name})"
+    operator = f"D[{places}]({node.name})"
+    if len(parts) == 1:
+        order = node.orders[0]
+        operator = f"D({node.name})" if order == 1 else f"(D@@{order})({node.name})"
     return _call(node, operator, parts)
 
 
