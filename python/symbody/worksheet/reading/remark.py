@@ -177,4 +177,6 @@ def _helps(tokens: Sequence[Token], begin: int, span: Span) -> bool:
     """Whether the statement can be read on behind a remark."""
     rest = [*tokens[begin : span.begin], *tokens[span.end :]]
     found = next_statement(rest)
-    return isinstance(found, Parsed) or found.index > span.begin - begin
+    if isinstance(found, Parsed) or found.index > span.begin - begin:
+        return True
+    return found.index < len(rest) and not rest[found.index]  # only the end of the statement is missing
