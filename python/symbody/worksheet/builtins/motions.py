@@ -58,9 +58,10 @@ class NumericSolution:
                 f"dsolve: the time {distinct[0]:g} is before that of the initial values, {self.start:g}"
             )
         session.limits.check()
-        if len(distinct) < 3:  # two instants would be a span
-            width = float(distinct[-1] - distinct[0]) or 2e-9
-            distinct = np.unique([distinct[0], distinct[0] + width / 2, distinct[0] + width])
+        if len(distinct) == 1:
+            distinct = np.array([self.start, self.start + 1e-9])
+        if len(distinct) == 2:  # which simulate takes for a beginning and an end
+            distinct = np.array([distinct[0], distinct.mean(), distinct[1]])
         try:
             motion = simulate(self.equations, {}, self.initial, t=distinct, rtol=1e-9, atol=1e-10)
         except SymbodyError as fault:
