@@ -69,7 +69,7 @@ def remark_in(tokens: Sequence[Token], begin: int, failure: Failure, used: Colle
         if not _is_prose(tokens, span, begin):
             continue
         span = _with_bare_words(tokens, span, begin, used)  # noqa: PLW2901 - the same remark, longer
-        if span.begin == begin or _helps(tokens, begin, span):
+        if span.begin == begin or _helps(tokens, begin, span, failure.index):
             return span
     return None
 
@@ -173,8 +173,11 @@ def _with_bare_words(tokens: Sequence[Token], span: Span, begin: int, used: Coll
     return Span(first, span.end)
 
 
-def _helps(tokens: Sequence[Token], begin: int, span: Span) -> bool:
+def _helps(tokens: Sequence[Token], begin: int, span: Span, index: int) -> bool:
     """Whether the statement can be read on behind a remark."""
     rest = [*tokens[begin : span.begin], *tokens[span.end :]]
     found = next_statement(rest)
-    return isinstance(found, Parsed) or found.index > span.begin - begin
+    if isinstance(found, Parsed) or found.index > span.begin - begin:
+        return True
+    only_end_is_missing = found.index < len(rest) and not rest[found.index]
+    return only_end_is_missing and bool(tokens[index])
