@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 from typing import Any
@@ -94,6 +95,8 @@ class Interpreter:
         session.depends.clear()
         self._level = self._quiet = 0
         self.evaluator.depth = 0
+        frames = sys.getrecursionlimit()
+        sys.setrecursionlimit(max(frames, _FRAMES))
         try:
             self._statement(statement, shown=statement.shown)
         except Returned:
@@ -106,8 +109,10 @@ class Interpreter:
             if error.place is None:
                 error.place = statement.place
             raise
-        except (SymbodyError, *_FAULTS) as error:
+        except _FAULTS as error:
             raise WorksheetError(str(error) or type(error).__name__, statement.place) from error
+        finally:
+            sys.setrecursionlimit(frames)
         return session.lines
 
     def run(self, text: str) -> None:
@@ -433,15 +438,12 @@ def _face(session: Session, before: Array, after: Array) -> Array:
     return replace(after, frame=chain)
 
 
-_FAULTS = (
-    ArithmeticError,
-    AssertionError,
-    AttributeError,
-    LookupError,
-    MemoryError,
-    OSError,
-    TypeError,
-    ValueError,
+_FRAMES = 20_000
+"""Calls of Python inside each other: some ten for each call of a procedure, and for each pair of parentheses."""
+
+_FAULTS: tuple[type[Exception], ...] = (
+    *(SymbodyError, ArithmeticError, AssertionError, AttributeError, LookupError, MemoryError),
+    *(OSError, RuntimeError, StopIteration, TypeError, ValueError),
 )
 """What a value that a command doesn't expect may raise in it; the next statement runs."""
 
