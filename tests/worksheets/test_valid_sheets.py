@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import argparse
 import re
 from pathlib import Path
 
 import pytest
 
 from symbody.worksheet import builtins
+from symbody.worksheet.command_line import add_run_options
 from symbody.worksheet.mbsymba import COMMANDS, describe
+from symbody.worksheet.run import run_file
 
 VALID = Path(__file__).parent / "valid"
 FORBIDDEN = {"system", "ssystem"}
@@ -18,23 +21,17 @@ SECOND = {"car_steady.mpl"}
 
 
 @pytest.mark.parametrize("path", sorted(VALID.iterdir()), ids=lambda path: path.name)
-def test_sheets_run_and_print_what_they_say(path: Path, tmp_path: Path) -> None:
+def test_sheets_run_and_print_what_they_say(
+    path: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     if path.name in SECOND:
         return
-    command = [
-        sys.executable,
-        "-m",
-        "symbody",
-        "run",
-        "--check",
-        "--quiet",
-        "--out",
-        str(tmp_path),
-        str(path),
-    ]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
-    assert done.returncode == 0, done.stdout + done.stderr
-    assert ", 0 failed, " in done.stdout.splitlines()[-1]
+    parser = argparse.ArgumentParser()
+    add_run_options(parser)
+    status = run_file(parser.parse_args([str(path), "--check", "--quiet", "--out", str(tmp_path)]))
+    printed = capsys.readouterr().out
+    assert status == 0, printed
+    assert ", 0 failed, " in printed.splitlines()[-1]
 
 
 def test_every_command_is_in_a_sheet() -> None:
