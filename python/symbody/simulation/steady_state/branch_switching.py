@@ -76,7 +76,7 @@ def crossing_branch(
     return continuation(beside, branch.parameter, (low, high), limits=limits, most=most)
 
 
-def _point(branch: Branch, point: int) -> SteadyMotion:
+def _point(branch: object, point: object) -> SteadyMotion:
     if not isinstance(branch, Branch):
         raise ArgumentError(
             f"{_WHERE}: {described(branch)}; expected a branch, such as continuation(...) returns"
