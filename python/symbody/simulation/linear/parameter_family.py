@@ -99,8 +99,8 @@ class ParameterFamily:
                 part, first = finite_part(E_k, A0_k), self.first
                 count = len(part.A) if part else 0
                 raise ModelError(
-                    f"{self.where}: finite eigenvalues: {len(self._places)} at {self.name} = {first:.6g}, and {count} at "
-                    f"{value:.6g}, where E of E x' = A0 x loses or gains a rank; expected "
+                    f"{self.where}: finite eigenvalues: {len(self._places)} at {self.name} = {first:.6g}, and {count} "
+                    f"at {value:.6g}, where E of E x' = A0 x loses or gains a rank; expected "
                     "values between which masses don't vanish: draw a locus on each side"
                 )
             found.append(part.A)
