@@ -72,7 +72,7 @@ IDLE = FOUR[3].coordinate
 NONE = "revolute D closes a loop, and has none; expected those of the tree, such as phi_A, or the joint with loop=False"
 TELLS = (
     "revolute D closes a loop, and has no coordinate: "
-    + "mechanism.joint('D').freedom(...).value tells what it would be"
+     "mechanism.joint('D').freedom(...).value tells what it would be"
 )
 
 
