@@ -33,6 +33,7 @@ from symbody import (
     simulate,
     t,
     translate,
+    universal,
 )
 
 a, b = Link("a", 1, Iz=1), Link("b", 1, 1, 1, 1)
@@ -72,7 +73,7 @@ IDLE = FOUR[3].coordinate
 NONE = "revolute D closes a loop, and has none; expected those of the tree, such as phi_A, or the joint with loop=False"
 TELLS = (
     "revolute D closes a loop, and has no coordinate: "
-     "mechanism.joint('D').freedom(...).value tells what it would be"
+    "mechanism.joint('D').freedom(...).value tells what it would be"
 )
 
 
@@ -82,6 +83,47 @@ def moving_four_bar(**options: Any) -> Motion:
 
 
 MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
+    (
+        errors.JointError,
+        lambda: revolute("J", ground, a, coordinate=IDLE.diff(t)),
+        (
+            "revolute J: the coordinate phi_D' holds the rate phi_D'; expected a function of time, such as phi_D, or "
+            "an expression of such functions"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: universal("U", ground, a, axes=["X", "Y"]),  # type: ignore[arg-type]
+        "universal U: axes = ['X', 'Y'] is a list; expected a text of the letters X, Y and Z, such as 'ZYX'",
+    ),
+    (
+        errors.JointError,
+        lambda: point_on_curve("W", ground, a, curve=lambda s: (1, 2, 3)),
+        (
+            "point_on_curve W: the curve (1, 2, 3) doesn't depend on its parameter s_W; expected a function of it, "
+            "such as lambda s: (s, a*s**2, 0)"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: point_on_curve("W", ground, a, curve=lambda s: (s, 1 / 0, 0)),
+        (
+            "point_on_curve W: the curve fails at s_W: division by zero; expected a function of one parameter that "
+            "takes symbols, such as lambda s: (s, symbody.sin(s), 0), with sin of symbody, not of math or numpy"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: Link("ground", 1),
+        "Link: the name 'ground' is that of the ground; expected another one",
+    ),
+    (
+        errors.JointError,
+        lambda: assemble(
+            [pin, *(each := [revolute("P", ground, b)]), gear("G", pin, each[0], 1, 1, internal=True)]
+        ),
+        "gear G: both radii are 1; expected an internal gear that is larger than the wheel in it",
+    ),
     (
         errors.JointError,
         lambda: four_bar.system(constraints=[IDLE - 3 * t]),

@@ -72,7 +72,11 @@ class Mesh(Pair):
             )
         centres = (origin(second.parent) - origin(first.parent)).projected(first.parent)
         distance = r1 + r2
-        if not _is_same(dot(centres, centres), distance**2) or distance.is_zero:
+        if distance.is_zero:
+            raise JointError(
+                f"{where}: both radii are {_shown(r1)}; expected an internal gear that is larger than the wheel in it"
+            )
+        if not _is_same(dot(centres, centres), distance**2):
             raise JointError(
                 f"{where}: the square of the distance of the axes is {_shown(dot(centres, centres))}, and the radii "
                 f"give {_shown(distance**2)}; expected the same: the pitch circles touch"
