@@ -52,6 +52,7 @@ from tests.laws.random_system import random_floating_system, random_system
 from tests.reference import test_robots
 from tests.symbolic import test_textbook_forms
 from tests.test_documents import DOCUMENTS, PRINTED, TITLED
+from tests.type_check import checked_types
 
 ROOT = Path(__file__).parents[1]
 RECIPES = ROOT / "docs" / "extending.md"
@@ -151,8 +152,9 @@ def test_followed_recipes_keep_the_lints(copy: Path, lint: str) -> None:
 
 
 @pytest.mark.slow
-def test_followed_recipes_keep_the_types(copy: Path) -> None:
-    run(copy, copy, "-m", "mypy", "--cache-dir", os.devnull)
+def test_followed_recipes_keep_the_types(copy: Path, tmp_path: Path) -> None:
+    done = checked_types(copy, tmp_path)
+    assert done.returncode == 0, done.stdout + done.stderr
 
 
 def test_followed_recipes_keep_what_other_tests_ask_of_the_package(copy: Path) -> None:

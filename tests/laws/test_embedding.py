@@ -46,13 +46,9 @@ from tests.repeated import repeated
 
 SEEDS = [(seed, floats) for seed in range(10) for floats in (False, True)]
 RATES_DEPEND = [
-    (seed, floats)
-    for seed, floats in SEEDS
-    if {
-        each.order
-        for each in embedded(newton_euler(random_constrained_system(seed, floats=floats))).system.eliminated
-    }
-    == {1}
+    *((seed, False) for seed in range(4)),
+    (7, True),
+    *repeated((seed, False) for seed in range(4, 10)),
 ]
 """Those whose dependent speeds are rates of coordinates, as kinematics have it."""
 
@@ -125,6 +121,7 @@ def test_kinematics_embed_the_same_constraints(seed: int, floats: bool) -> None:
     """Dependent rates that the constraints give are kinematics of a system without constraints: the same equations."""
     whole = random_constrained_system(seed, floats=floats)
     reduced = embedded(newton_euler(whole))
+    assert {each.order for each in reduced.system.eliminated} == {1}
     linked = System(
         whole.bodies,
         whole.loads,

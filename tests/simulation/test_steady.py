@@ -145,6 +145,18 @@ def test_a_motorcycle_turns_with_a_torque_on_its_rear_wheel():
     assert 0 < found[model["drive"]] < 1
 
 
+def test_an_unknown_input_has_a_guess():
+    car = single_track_car()
+    found = steady(
+        newton_euler(car.system),
+        car.parameters,
+        given={car["r"]: 0.2},
+        guess={car["delta"]: 0.1},
+        unknown=[car["delta"]],
+    )
+    assert found.residual < 1e-9
+
+
 def test_values_of_expressions_may_be_given():
     car = single_track_car()
     acceleration = car["u"] * car["r"]

@@ -13,9 +13,11 @@ from matplotlib.figure import Figure
 
 from symbody.errors import ViewError
 from symbody.symbolic import Expr
+from symbody.symbolic.given.arguments import with_known_names
 from symbody.view.drawable_motion import DrawableMotion
 from symbody.view.figure import NotebookFigure, finished, symbol_of, with_unit
 from symbody.view.overview import Group, overview
+from symbody.view.plot_argument import checked_units
 from symbody.view.pose import values
 
 Panel: TypeAlias = Expr | Sequence[Expr] | Mapping[str, Expr]
@@ -30,6 +32,7 @@ WIDE = 4
 """The number of panels from which there are two per row."""
 
 
+@with_known_names
 def plot(
     motion: DrawableMotion,
     *panels: Panel,
@@ -67,7 +70,7 @@ def plot(
     >>> plot(motion, x, units={x: "m"}).axes[0].get_ylabel()
     '$x$ [m]'
     """
-    figure = figure_over(motion, with_unit("time", time), panels, units or {}, time)
+    figure = figure_over(motion, with_unit("time", time), panels, checked_units(units, "plot"), time)
     return finished(figure, title or motion.system.name, path)
 
 

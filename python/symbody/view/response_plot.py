@@ -17,6 +17,7 @@ from symbody.symbolic import Expr
 from symbody.symbolic.given.arguments import described
 from symbody.view.figure import NotebookFigure, finished, symbol_of, with_unit
 from symbody.view.overview import overview
+from symbody.view.plot_argument import checked_units
 
 __all__ = ["plot_frequency_response", "plot_time_response"]
 
@@ -89,7 +90,8 @@ def plot_frequency_response(
     """
     if kind not in ("bode", "nyquist"):
         raise ViewError(f"FrequencyResponse.plot, kind: {described(kind)}; expected 'bode' or 'nyquist'")
-    names = _labels(response.linear.system, response.inputs, response.outputs, units or {})
+    where = f"{type(response).__name__}.plot"
+    names = _labels(response.linear.system, response.inputs, response.outputs, checked_units(units, where))
     columns, rows = len(response.inputs), 2 if kind == "bode" else 1
     figure = NotebookFigure(figsize=(6.0 * columns + 1.5, 2.8 * rows + 1.4), layout="constrained")
     grid = figure.subplots(rows, columns, squeeze=False, sharex="col" if kind == "bode" else False)
@@ -167,7 +169,8 @@ def plot_time_response(
     Raises:
         PictureError: the file can't be written.
     """
-    names = _labels(response.linear.system, response.inputs, response.outputs, units or {})
+    where = f"{type(response).__name__}.plot"
+    names = _labels(response.linear.system, response.inputs, response.outputs, checked_units(units, where))
     rows = len(response.outputs)
     figure = NotebookFigure(figsize=(7.5, 2.4 * rows + 0.8), layout="constrained")
     grid = figure.subplots(rows, 1, sharex=True, squeeze=False)[:, 0]

@@ -15,6 +15,7 @@ from symbody.errors import ViewError
 from symbody.symbolic import Expr
 from symbody.symbolic.given.arguments import described
 from symbody.view.figure import NotebookFigure, finished, symbol_of, with_unit
+from symbody.view.plot_argument import checked_limits
 
 __all__ = ["plot_root_locus"]
 
@@ -100,7 +101,11 @@ def plot_root_locus(
         PictureError: the file can't be written.
     """
     if kind not in _KINDS:
-        raise ViewError(f"plot_root_locus, kind: {described(kind)}; expected 'both', 'plane' or 'over'")
+        raise ViewError(f"RootLocus.plot, kind: {described(kind)}; expected 'both', 'plane' or 'over'")
+    real, imaginary = (
+        checked_limits(given, f"RootLocus.plot, {name}")
+        for name, given in (("real", real), ("imaginary", imaginary))
+    )
     columns = 2 if kind == "both" else 1
     figure = NotebookFigure(figsize=(6.5 * columns + 1, 6.0), layout="constrained")
     grid = figure.add_gridspec(2, columns)

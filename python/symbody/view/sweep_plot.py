@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from symbody.errors import ViewError
 from symbody.symbolic import Expr
 from symbody.view.figure import NotebookFigure, finished, symbol_of, with_unit
+from symbody.view.plot_argument import checked_units
 
 __all__ = ["plot_sweep"]
 
@@ -59,7 +60,8 @@ def plot_sweep(
         ViewError: the cases are neither those of one parameter nor those of a grid of two.
         PictureError: the file can't be written.
     """
-    labels = [_label(name, units or {}) for name in sweep.varying]
+    units = checked_units(units, "Sweep.plot")
+    labels = [_label(name, units) for name in sweep.varying]
     if len(labels) == 1:
         figure = _over_one(sweep, labels[0])
     elif len(labels) == 2 and _is_grid(sweep):

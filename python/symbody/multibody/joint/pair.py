@@ -81,12 +81,12 @@ class Pair(ABC):
         return ()
 
     def measured(self, sides: Sides) -> Mapping[str, Expr]:
-        """Return the values of the coordinates between any two frames, by their names; those that can be told."""
+        """Return the values of the coordinates between any two frames, by their names; those that can be computed."""
         del sides
         return {}
 
     def travel(self, sides: Sides, name: str) -> Travel | None:
-        """Return how the child moves along a coordinate between any two frames; None where it can't be told."""
+        """Return how the child moves along a coordinate between any two frames; None where it can't be computed."""
         del sides, name
         return None
 

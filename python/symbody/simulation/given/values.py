@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from difflib import get_close_matches
 from typing import Any
 
 import numpy as np
@@ -15,6 +14,7 @@ from symbody.multibody import Variables
 from symbody.symbolic import Expr, ExprLike, t
 from symbody.symbolic.given.arguments import brief, described, expression
 from symbody.symbolic.given.namesake import namesake_note
+from symbody.symbolic.given.similar_name import did_you_mean
 
 from .closing_joint import closing_joint
 from .column import column_of
@@ -319,14 +319,11 @@ def _found(name: object) -> str:
 def _near(name: object, known: Sequence[Expr]) -> str:
     """Return a suggestion: the variable for a text with its name, similar names, or all of them."""
     names = [str(each) for each in known]
-    near = get_close_matches(str(name), names, n=3, cutoff=0.6)
     if not names:
         return "there are none: leave it out"
     if not isinstance(name, Expr) and str(name) in names:
         return f"expected the variable itself, {name}, and not its name"
-    if near:
-        return f"did you mean {' or '.join(near)}?"
-    return f"expected one of {_listed(known)}"
+    return did_you_mean([name], names) or f"expected one of {_listed(known)}"
 
 
 def _listed(names: Iterable[object]) -> str:

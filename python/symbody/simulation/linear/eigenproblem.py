@@ -75,7 +75,7 @@ def spectrum(E: Array, A0: Array) -> Spectrum:
         values, left, right = _eig(A0, E)
         finite = np.isfinite(values) & (np.abs(values) < _scale(A0) / (_EPS * max(_scale(E), _EPS)) ** 0.5)
         kept = np.flatnonzero(finite)
-        # Each vector by itself: the pencil has no matrix whose kernels would tell repeated ones.
+        # Each vector by itself: the pencil has no matrix whose kernels would show repeated ones.
         shares = [_shares((left[:, [k]].conj().T @ E).conj().T, right[:, [k]]) for k in kept]
         found = [
             Cluster(complex(values[k]), 1, right[:, [k]], share)

@@ -17,7 +17,7 @@ from symbody.simulation.given.column import column_of
 from symbody.simulation.given.values import check_parameters
 from symbody.symbolic import Expr, Matrix, free_symbols
 from symbody.symbolic.expression.html_table import html_table
-from symbody.symbolic.given.arguments import brief, described
+from symbody.symbolic.given.arguments import brief, described, with_known_names
 
 from .export import Exported, control_system, matlab_text, scipy_system
 from .regular_pencil import check_regular, rates_matrix
@@ -188,6 +188,7 @@ class SecondOrderMatrices:
     coordinates: tuple[Expr, ...]
 
 
+@with_known_names
 def state_space(linear: Linear, parameters: Mapping[Expr, ArrayLike] | None = None) -> StateSpace:
     """Return A, B, C and D for one set of parameters, or for many at once.
 
@@ -328,6 +329,10 @@ class _Values:
         where: str,
         names: tuple[Expr, ...] = (),
     ) -> None:
+        if not isinstance(linear, Linear):
+            raise ArgumentError(
+                f"{where}: {described(linear)}; expected a linear model: linearize(equations)"
+            )
         given: Mapping[Any, ArrayLike] = {} if parameters is None else parameters
         self.names = names or linear.parameters
         check_parameters(self.names, given, where, linear.variables)

@@ -30,7 +30,7 @@ Course: TypeAlias = float | Callable[[float], float]
 _SAME = 1e-6
 """The difference of motions that are the same one, relative to the largest value: at a fold, rounding has its root."""
 _TINY = 1e-12
-"""The same of a variable that is zero along the branch, but for rounding."""
+"""The same of a variable that is zero along the branch, up to rounding."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -165,8 +165,8 @@ def _over(linear: Linear, over: object, where: str) -> tuple[Expr, Array]:
     if name not in linear.parameters:
         listed = ", ".join(map(str, linear.parameters)) or "none"
         raise ParameterError(
-            f"{where}, over: {described(name) if not isinstance(name, Expr) else name} is not a parameter of this "
-            f"linear model; expected one of {listed}"
+            f"{where}, over: {described(name) + ', which' if not isinstance(name, Expr) else name} is not a parameter "
+            f"of this linear model; expected one of {listed}"
         )
     values = np.unique(column_of(name, given, f"{where}, over"))
     if len(values) < 2 or not np.isfinite(values).all():

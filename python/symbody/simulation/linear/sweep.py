@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import warnings
 from collections.abc import Iterator, Mapping
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExecutor, wait
 from dataclasses import dataclass, field
@@ -13,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symbody.dynamics import Linear
-from symbody.errors import ArgumentError, ModelNotice, ParameterError
+from symbody.errors import ArgumentError, ParameterError, notify
 from symbody.simulation.batch.workers import core_count
 from symbody.simulation.given.column import column_of
 from symbody.simulation.motion.drawing import drawing_function
@@ -21,7 +20,7 @@ from symbody.simulation.terminal.interruption import Interruption
 from symbody.simulation.terminal.progress import progress_bar
 from symbody.symbolic import Expr
 from symbody.symbolic.expression.html_table import html_table
-from symbody.symbolic.given.arguments import counted, described
+from symbody.symbolic.given.arguments import counted, described, with_known_names
 
 from .matrices import check_linear, pencil
 from .regular_pencil import rates_matrix
@@ -99,6 +98,7 @@ class Sweep:
         header = [*map(str, self.varying), "largest real part [1/s]", "least damping ratio"]
         return html_table(repr(self), header, rows)
 
+    @with_known_names
     def plot(
         self,
         *,
@@ -120,6 +120,7 @@ class Sweep:
         return figure
 
 
+@with_known_names
 def sweep(
     linear: Linear,
     parameters: Mapping[Expr, ArrayLike] | None = None,
@@ -204,6 +205,9 @@ def _columns(
                 )
             found[name] = column_of(name, values, f"{_WHERE}, {kind}")
     lengths = {str(name): len(column) for name, column in found.items() if column.ndim == 1}
+    empty = next((name for name, length in lengths.items() if not length), None)
+    if empty is not None:
+        raise ParameterError(f"{_WHERE}: {empty} has no values; expected one for each case")
     several = [name for name, column in found.items() if column.ndim > 1]
     if several or len({*lengths.values()}) > 1:
         listed = ", ".join(f"{name} has {length}" for name, length in lengths.items())
@@ -267,5 +271,4 @@ def _eigenvalues(E: Array, A0: Array) -> Complex:
 def _warn(missing: int, count: int, *, is_interrupted: bool) -> None:
     if missing:
         cause = "were not computed (interrupted)" if is_interrupted else "have a singular E"
-        text = f"{_WHERE}: {missing} of {counted(count, 'case')} {cause}; their eigenvalues are NaN"
-        warnings.warn(ModelNotice(text), stacklevel=3)
+        notify(f"{_WHERE}: {missing} of {counted(count, 'case')} {cause}; their eigenvalues are NaN")

@@ -15,7 +15,7 @@ from symbody.errors import ArgumentError, ModelError
 from symbody.simulation.motion.drawing import drawing_function
 from symbody.symbolic import Expr
 from symbody.symbolic.expression.html_table import html_table
-from symbody.symbolic.given.arguments import counted
+from symbody.symbolic.given.arguments import counted, with_known_names
 
 from .output_and_input import output_and_input
 from .regular_pencil import rates_matrix
@@ -28,6 +28,9 @@ if TYPE_CHECKING:
 __all__ = ["TimeResponse", "impulse_response", "step_response"]
 
 Array = NDArray[np.float64]
+
+_INSTANTS = 1001
+"""The instants of a span, as in `simulate`."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,7 +51,7 @@ class TimeResponse:
     >>> x, F = functions_of_time("x F")
     >>> linear = linearize(equations_of(Matrix([[1]]), [F - 4 * x - time_derivative(x)], [x]), outputs=[x])
     >>> step_response(linear, None, 20)
-    TimeResponse(step; x to F; 500 instants from 0 to 20 s)
+    TimeResponse(step; x to F; 1001 instants from 0 to 20 s)
     """
 
     linear: Linear = field(repr=False)
@@ -78,6 +81,7 @@ class TimeResponse:
         ]
         return html_table(repr(self), ["output", "input", "least", "largest", "last"], rows)
 
+    @with_known_names
     def plot(
         self,
         *,
@@ -96,6 +100,7 @@ class TimeResponse:
         return figure
 
 
+@with_known_names
 def step_response(linear: Linear, parameters: Mapping[Expr, ArrayLike] | None, t: ArrayLike) -> TimeResponse:
     """Return the outputs after each input has jumped by 1: ``y = C x + D``, ``x' = A x + B``, ``x(0) = 0``.
 
@@ -104,8 +109,8 @@ def step_response(linear: Linear, parameters: Mapping[Expr, ArrayLike] | None, t
     Args:
         linear: the linear model, with inputs and outputs.
         parameters: a number for each parameter.
-        t: the instants, in s, increasing from 0 or later, so that (0, 10) are two instants; or the last one alone,
-            for 500 instants.
+        t: the instants, in s, increasing from 0 or later; a pair such as (0, 10), or the last one alone, stands for
+            1001 evenly spaced instants, as in `simulate`.
 
     Raises:
         ParameterError: a value is missing, has an unknown key, is not finite, or is not one number.
@@ -123,6 +128,7 @@ def step_response(linear: Linear, parameters: Mapping[Expr, ArrayLike] | None, t
     return _response("step", linear, parameters, t)
 
 
+@with_known_names
 def impulse_response(
     linear: Linear, parameters: Mapping[Expr, ArrayLike] | None, t: ArrayLike
 ) -> TimeResponse:
@@ -131,13 +137,13 @@ def impulse_response(
     Args:
         linear: the linear model, with inputs and outputs.
         parameters: a number for each parameter.
-        t: the instants, in s, increasing from 0 or later, so that (0, 10) are two instants; or the last one alone,
-            for 500 instants.
+        t: the instants, in s, increasing from 0 or later; a pair such as (0, 10), or the last one alone, stands for
+            1001 evenly spaced instants, as in `simulate`.
 
     Raises:
         ParameterError: a value is missing, has an unknown key, is not finite, or is not one number.
         ModelError: there are no inputs or no outputs, E is singular, rates of inputs are inputs, or an output follows
-            an input at once, so that its response holds an impulse.
+            an input at once, so that its response contains an impulse.
         ArgumentError: the instants don't increase.
 
     >>> from symbody import Body, Force, System, functions_of_time, ground, linearize, newton_euler, symbols, translate
@@ -179,7 +185,7 @@ def _response(
         direct = [linear.outputs[i] for i in range(len(D)) if D[i].any()]
         if direct:
             raise ModelError(
-                f"{where}: {', '.join(direct)} follows an input at once, so that its response holds an impulse; "
+                f"{where}: {', '.join(direct)} follows an input at once, so that its response contains an impulse; "
                 "expected outputs such as positions and speeds, or use step_response"
             )
         values = C @ _states(A, B, instants)
@@ -196,7 +202,7 @@ def _states(A: Array, start: Array, t: Array) -> Array:
     steps = np.diff(t, prepend=0.0)
     uniform = float(np.median(steps[1:])) if len(steps) > 1 else 0.0
     for k, step in enumerate(steps.tolist()):
-        # instants of numpy.linspace differ by steps that are the same but for rounding
+        # instants of numpy.linspace differ by steps that are the same up to rounding
         span = uniform if abs(step - uniform) <= 1e-12 * max(abs(t[-1]), abs(uniform)) else t[k] - last
         if span:
             if span not in powers:
@@ -212,11 +218,12 @@ def _instants(t: ArrayLike, where: str) -> Array:
         fault = row_fault(t, instants, increasing=True)
     except (TypeError, ValueError):
         instants, fault = np.empty(0), row_fault(t, None)
-    if instants.ndim == 0 and np.isfinite(instants) and instants > 0:
-        return np.linspace(0.0, float(instants), 500)
-    if fault:
+    is_span = instants.ndim == 0 and np.isfinite(instants) and instants > 0 and not isinstance(t, bool)
+    if fault and not is_span:
         raise ArgumentError(
-            f"{where}, t: {fault}; expected instants in s that increase from 0, such as "
-            "numpy.linspace(0, 5, 500), or the last one"
+            f"{where}, t: {fault}; expected the first and the last instant in s, such as (0, 5), all instants, "
+            "increasing from 0, or the last one"
         )
-    return instants
+    if is_span:
+        return np.linspace(0.0, float(instants), _INSTANTS)
+    return np.linspace(instants[0], instants[1], _INSTANTS) if len(instants) == 2 else instants

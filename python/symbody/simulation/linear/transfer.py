@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -10,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symbody.dynamics import Linear
-from symbody.errors import ModelError, ModelNotice
+from symbody.errors import ModelError, notify
 from symbody.symbolic import Expr, time_derivative
 
 from .matrices import Pencil, check_linear, regular_pencil
@@ -76,12 +75,7 @@ class Transfer:
         if len(growing):
             worst = growing[np.argmax(growing.real)]
             value = f"{worst.real:.6g}" + (f" ± {abs(worst.imag):.6g}i" if worst.imag else "")
-            warnings.warn(
-                ModelNotice(
-                    f"{where}: the system is unstable, with the eigenvalue {value} 1/s: {consequence}"
-                ),
-                stacklevel=3,
-            )
+            notify(f"{where}: the system is unstable, with the eigenvalue {value} 1/s: {consequence}")
 
 
 def transfer(linear: Linear, parameters: Mapping[Expr, ArrayLike] | None, where: str) -> Transfer:
@@ -100,7 +94,7 @@ def transfer(linear: Linear, parameters: Mapping[Expr, ArrayLike] | None, where:
     check_linear(linear, where)
     if not linear.inputs:
         raise ModelError(
-            f"{where}: the linear model has no inputs; expected functions of time that loads or constraints hold: "
+            f"{where}: the linear model has no inputs; expected functions of time that occur in loads or constraints: "
             "linearize(..., inputs=[F])"
         )
     if not linear.outputs:

@@ -25,7 +25,7 @@ from symbody.simulation.model.switching import switching_functions
 from symbody.simulation.motion.motion import Motion
 from symbody.simulation.motion.simulate import simulate
 from symbody.symbolic import Expr, ExprLike, jacobian
-from symbody.symbolic.given.arguments import brief, described, expression
+from symbody.symbolic.given.arguments import brief, described, expression, with_known_names
 
 from .adjoint import BackwardMotion, adjoint_of
 
@@ -74,6 +74,7 @@ class MotionGradient:
         return self.derivatives[by]
 
 
+@with_known_names
 def gradient_of_motion(
     eqs: Equations,
     parameters: Mapping[Expr, float] | None = None,

@@ -80,6 +80,7 @@ class Equilibrium(Mapping[Expr, float]):
     inputs: dict[Expr, Expr] = field(default_factory=dict)
     slopes: ImplicitSlopes | None = field(default=None, repr=False)
 
+    @with_known_names
     def sensitivity(self, expression: Expr, by: Expr) -> float:
         """Return the derivative of an expression by a parameter, an input, or the value of a fixed coordinate.
 

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Iterable, Mapping
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symbody.dynamics import Equations
-from symbody.errors import ConstraintError, ModelNotice, SimulationError
+from symbody.errors import ConstraintError, SimulationError, notify
 from symbody.simulation.constraint.consistent_position import listed_values
 from symbody.simulation.given.wording import joined_by_and
 from symbody.symbolic import Expr, ExprLike
@@ -85,7 +84,7 @@ def steady(
         undetermined = UndeterminedForces(problem.balance, x, forces)
         found = SteadyMotion(problem, x, undetermined.least_forces)
     if undetermined.groups:
-        warnings.warn(f"{_WHERE}: {undetermined.notice()}", ModelNotice, stacklevel=2)
+        notify(f"{_WHERE}: {undetermined.notice()}")
     return found
 
 

@@ -14,6 +14,7 @@ from symbody.simulation.given.wording import joined_by_and
 from symbody.symbolic import Expr, free_symbols, t
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.given.arguments import expression as as_expression
+from symbody.symbolic.given.arguments import with_known_names
 
 from .implicit_slopes import ImplicitSlopes
 from .steady_problem import SteadyProblem
@@ -129,6 +130,7 @@ class SteadyMotion(Mapping[Expr, float]):
         ]
         return {name: float(value) + 0.0 for name, value in pairs}
 
+    @with_known_names
     def written(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
         """Return expressions by the names in `known`.
 
@@ -155,6 +157,7 @@ class SteadyMotion(Mapping[Expr, float]):
         (found,) = self.written([expression])
         return float(found.evaluate({name: self.known[name] for name in free_symbols([found])}))
 
+    @with_known_names
     def sensitivity(self, expression: Expr, by: Expr) -> float:
         """Return the derivative of an expression by a parameter, an input, or a variable that was given.
 
