@@ -89,29 +89,17 @@ def is_last_name(value: Value) -> bool:
 
 
 def resolved(session: State, value: Value) -> Value:
-    """Return what a reference, or a bare name, stands for."""
+    """Return what a reference, or a bare name, stands for in the session: names of procedures are not among them."""
     for _ in range(100):
         if isinstance(value, Reference) or (isinstance(value, Expr) and value.kind == "symbol"):
             name = value.name
         else:
             return value
-        found = _found(session, name)
+        found = session.names.get(name)
         if found is None:
             return value
         value = found
     return value
-
-
-def _found(session: State, name: str) -> Value | None:
-    scope = session.scope
-    while scope is not None:
-        if name in scope.names:
-            value: Value = scope.names[name]
-            return value
-        if name in scope.local:
-            return None
-        scope = scope.parent
-    return session.names.get(name)
 
 
 def named(session: State, name: str) -> Value:
@@ -169,7 +157,7 @@ def current(session: State, value: Value, *, arrays: bool = False) -> Value:
 
 
 def _reference(session: State, value: Reference) -> Value:
-    found = _found(session, value.name)
+    found = session.names.get(value.name)
     if found is None:
         return symbol(value.name)
     return value if is_last_name(found) else named(session, value.name)
@@ -192,12 +180,19 @@ def _container(session: State, value: Any, *, arrays: bool) -> Value:
         start, stop = current(session, value.start), current(session, value.stop)
         return value if start is value.start and stop is value.stop else Range(start, stop)
     if isinstance(value, Unevaluated):
-        arguments = tuple(current(session, each, arrays=arrays) for each in value.arguments)
+        arguments = tuple(_argument(session, each, arrays=arrays) for each in value.arguments)
         function = value.function
         if isinstance(function, Expr) and function.kind == "symbol" and function.name in session.names:
             return session.call(function, arguments)
         return replace(value, arguments=arguments)
     return value  # type: ignore[no-any-return]
+
+
+def _argument(session: State, value: Value, *, arrays: bool) -> Value:
+    """A field of an object that is shown by a name stays so: ``frame = ground``."""
+    if isinstance(value, Relation) and isinstance(value.right, Expr) and value.right.kind == "symbol":
+        return value
+    return current(session, value, arrays=arrays)
 
 
 def _array(session: State, value: Array) -> Array:

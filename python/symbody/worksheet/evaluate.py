@@ -140,7 +140,7 @@ class Evaluator:
             return symbol(node.name)
         if isinstance(node, syntax.Concatenation):
             return symbol(self.concatenation(node))
-        if isinstance(node, syntax.Integer | syntax.Decimal | syntax.Text | syntax.Delayed | syntax.Ditto):
+        if isinstance(node, syntax.Integer | syntax.Decimal | syntax.Text | syntax.Ditto):
             return self.evaluate(node)
         if isinstance(node, syntax.ListDisplay | syntax.SetDisplay | syntax.SequenceDisplay):
             items = flattened(self.unevaluated(item) for item in node.items)

@@ -86,6 +86,7 @@ class Interpreter:
         """
         session = self.session
         session.lines = []
+        session.unfinished = False
         session.limits.start()
         session.scopes.clear()
         session.resolving.clear()

@@ -110,6 +110,7 @@ class Session:
         opaque: what the names of scalars stand for that were made of other values.
         indexed: base and indices of names such as ``a[1]``.
         applied: names that were applied to arguments other than t.
+        unfinished: whether the last printed line has not ended.
         rules: the names of the sheet's own rules of derivatives, ``diff/f``.
         files: the files that ``fopen`` has opened.
         resolving: names that are being evaluated.
@@ -145,6 +146,7 @@ class Session:
     seen: dict[int, current.Seen] = field(default_factory=dict)
     resolving: list[str] = field(default_factory=list)
     depends: list[set[str]] = field(default_factory=list)
+    unfinished: bool = False
     rules: set[str] = field(default_factory=set)
     files: dict[Any, Any] = field(default_factory=dict)
     call: Callable[[Value, tuple[Value, ...]], Value] = field(default=lambda function, arguments: NULL)
@@ -251,7 +253,15 @@ class Session:
 
     def print(self, text: str) -> None:
         """Print a line, or several."""
+        self.unfinished = False
         self.lines.append(text)
+
+    def write(self, text: str) -> None:
+        """Print a text that may end within a line, as printf does."""
+        if self.unfinished and self.lines:
+            text = self.lines.pop() + text
+        self.unfinished = not text.endswith("\n")
+        self.lines.append(text.removesuffix("\n"))
 
     def notice(self, text: str) -> None:
         """Tell the user what Maple doesn't print; once."""

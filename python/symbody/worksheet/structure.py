@@ -281,12 +281,13 @@ def _term_order(term: Tree) -> tuple[bool, int, str]:
 
 
 def _degree(term: Tree) -> int:
+    """Return twice the degree of a term in names and functions; a sum counts as half a factor."""
     if term.kind == "product":
         return sum(_degree(factor) for factor in term.parts)
     if term.kind == "power" and term.parts[1].kind == "number":
         numerator, denominator = term.parts[1].value.ratio
-        return numerator if denominator == 1 and numerator > 0 else 0
-    return 0 if term.kind == "number" else 1
+        return 2 * numerator if denominator == 1 and numerator > 0 else 0
+    return {"number": 0, "sum": 1}.get(term.kind, 2)
 
 
 _MAKERS: dict[str, Callable[[Expr, list[Tree]], Tree]] = {

@@ -120,8 +120,8 @@ def _opened(session: Session, descriptor: Value) -> IO[str] | None:
 def fprintf(session: Session, file: Value, template: Value, *values: Value) -> Value:
     """fprintf(file, format, ..)."""
     text = formatted(session, template, values)
-    if unparsed(session, file) == "default":
-        session.print(text)
+    if unparsed(session, file) in ("default", "terminal"):
+        session.write(text)
         return NULL
     opened = _opened(session, file)
     if opened is not None:

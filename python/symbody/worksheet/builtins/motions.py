@@ -60,6 +60,8 @@ class NumericSolution:
         session.limits.check()
         if len(distinct) == 1:
             distinct = np.array([self.start, self.start + 1e-9])
+        if len(distinct) == 2:  # which simulate takes for a beginning and an end
+            distinct = np.array([distinct[0], distinct.mean(), distinct[1]])
         try:
             motion = simulate(self.equations, {}, self.initial, t=distinct, rtol=1e-9, atol=1e-10)
         except SymbodyError as fault:

@@ -90,7 +90,7 @@ def _piece(session: Session, flags: str, width: str, precision: str | None, kind
 
 def printf(session: Session, template: Value, *values: Value) -> Value:
     """printf(format, ..)."""
-    session.print(formatted(session, template, values))
+    session.write(formatted(session, template, values))
     return NULL
 
 
