@@ -276,8 +276,8 @@ MISTAKES: dict[str, tuple[Callable[[], object], type[SymbodyError], str]] = {
         lambda: frequency_response(cart(-k * x), NUMBERS, [1]),
         errors.ModelError,
         (
-            "frequency_response: the linear model has no inputs; expected functions of time that loads or "
-            "constraints hold: linearize(..., inputs=[F])"
+            "frequency_response: the linear model has no inputs; expected functions of time that "
+            "occur in loads or constraints: linearize(..., inputs=[F])"
         ),
     ),
     "no outputs": (
@@ -363,15 +363,15 @@ MISTAKES: dict[str, tuple[Callable[[], object], type[SymbodyError], str]] = {
         lambda: step_response(DRIVEN, {**NUMBERS, c: 1}, [1]),
         errors.ModelError,
         (
-            "step_response: x'' follows the rate of an input at once, so that its response holds an impulse; expected"
-            " outputs such as positions and speeds, or use frequency_response"
+            "step_response: x'' follows the rate of an input at once, so that its response contains an impulse; "
+            "expected outputs such as positions and speeds, or use frequency_response"
         ),
     ),
     "an impulse in an output": (
         lambda: impulse_response(cart(F - k * x, [time_derivative(x, 2)]), NUMBERS, 1),
         errors.ModelError,
         (
-            "impulse_response: x'' follows an input at once, so that its response holds an impulse; expected"
+            "impulse_response: x'' follows an input at once, so that its response contains an impulse; expected"
             " outputs such as positions and speeds, or use step_response"
         ),
     ),

@@ -146,8 +146,8 @@ def test_a_spring_that_is_wound_beyond_half_a_turn_is_told() -> None:
     (notice,) = notices
     assert str(notice.message) == (
         "simulate: coil is turned by more than half a turn from its free angle, first at about t = 2.1 s, where its "
-        "torque changes to the other side: its joint closes a loop, and tells angles from -pi to pi alone; make the "
-        "spring with all_turns=True, or let another joint close the loop by loop=True"
+        "torque changes to the other side: its joint closes a loop, and its angle is known from -pi to pi only; make "
+        "the spring with all_turns=True, or let another joint close the loop by loop=True"
     )
 
 

@@ -44,7 +44,7 @@ class Linear:
         A0: n x n.
         B0: n x number of inputs.
         C0: number of outputs x n.
-        C1: number of outputs x n; not zero for outputs that hold accelerations or multipliers.
+        C1: number of outputs x n; not zero for outputs that contain accelerations or multipliers.
         D0: number of outputs x number of inputs.
         second: the equations of second order, or a text why there are none.
         variables: all coordinates, then all speeds, dependent or not.

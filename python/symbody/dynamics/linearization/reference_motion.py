@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from difflib import get_close_matches
 from functools import cached_property
 from math import isfinite
 from numbers import Real
@@ -28,6 +27,7 @@ from symbody.symbolic import (
 )
 from symbody.symbolic.given.arguments import brief, described, expression
 from symbody.symbolic.given.namesake import namesake_note
+from symbody.symbolic.given.similar_name import did_you_mean
 
 from .dependent_columns import dependent_columns, solved
 from .input_course import input_course
@@ -297,8 +297,7 @@ def _near(name: object, known: Sequence[Expr]) -> str:
     note = namesake_note(known, [name], ("expected", "given"))
     if note:
         return note
-    near = get_close_matches(str(name), names, n=3, cutoff=0.6)
-    return f"; did you mean {' or '.join(near)}?" if near else f"; expected one of {brief(', '.join(names))}"
+    return "; " + (did_you_mean([name], names) or f"expected one of {brief(', '.join(names))}")
 
 
 def _speeds(

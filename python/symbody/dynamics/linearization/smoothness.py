@@ -46,7 +46,9 @@ def check_smooth(eqs: Equations, motion: ReferenceMotion) -> None:
             slopes = jacobian(whole, [*eqs.coordinates, *eqs.speeds, *eqs.states])
             try:
                 along = motion.at([*whole, *slopes.entries])
-            except SymbodyError:  # the equations are not defined there, which is told when they are needed
+            except (
+                SymbodyError
+            ):  # the equations are not defined there, which is reported when they are needed
                 return
             values = [value for value in along if side in value.free_symbols]
             if values and side not in idle_symbols(values):

@@ -216,7 +216,7 @@ def _along_fixed_axes(
 
 
 def _doubt(pivot: Expr, motion: ReferenceMotion) -> tuple[bool, int]:
-    """Return what puts pivots in order: those that hold no moving coordinates, then short ones."""
+    """Return what puts pivots in order: those that contain no moving coordinates, then short ones."""
     return bool(motion.varying(pivot)), cost([pivot]).total
 
 

@@ -77,7 +77,7 @@ center_of_mass(body), or a vector, such as Vector(frame, x, y, z)
 def _check_count(
     function: Callable[..., object], args: tuple[object, ...], kwargs: Mapping[str, object]
 ) -> None:
-    """Raise an error if arguments are missing or too many, which Python tells by a TypeError in its own words."""
+    """Raise an error if arguments are missing or too many, for which Python has a TypeError in its own words."""
     try:
         signature(function).bind(*args, **kwargs)
     except TypeError as fault:

@@ -220,7 +220,7 @@ def redundancy(system: Variables, gradients: Sequence[Array]) -> Redundancy:
 
 
 def _best(ratios: Mapping[int, float], preferred: Collection[int]) -> int:
-    """Return the row with the largest ratio; of rows with the same ratio but for rounding, the last.
+    """Return the row with the largest ratio; of rows with the same ratio up to rounding, the last.
 
     Args:
         ratios: the smallest ratio of singular values without each row.

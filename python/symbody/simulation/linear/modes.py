@@ -167,7 +167,7 @@ class Modes:
 def modes(linear: Linear, parameters: Mapping[Expr, ArrayLike] | None = None) -> Modes:
     """Return the modes of a linear model: ``A0 phi = s E phi``.
 
-    Eigenvalues that are zero but for rounding are zero, and those that coincide but for rounding are told as repeated
+    Eigenvalues that are zero up to rounding are zero, and those that coincide up to rounding are reported as repeated
     or, if they have fewer shapes, as defective.
 
     Args:

@@ -32,7 +32,7 @@ Course: TypeAlias = float | Callable[[float], float]
 _SAME = 1e-6
 """The difference of motions that are the same one, relative to the largest value: at a fold, rounding has its root."""
 _TINY = 1e-12
-"""The same of a variable that is zero along the branch, but for rounding."""
+"""The same of a variable that is zero along the branch, up to rounding."""
 
 
 @dataclass(frozen=True, eq=False)

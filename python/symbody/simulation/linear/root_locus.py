@@ -256,26 +256,7 @@ def _names(
     ]
     found = [""] * n
     for name, place in (given or {}).items():
-        try:
-            value, s = float(place[0]), complex(place[1])
-        except (TypeError, ValueError, IndexError):
-            raise ArgumentError(
-                f"{_WHERE}, names, {name}: {described(place)}; expected a value of the parameter and an eigenvalue, "
-                "such as (5, -0.8 + 4.5j)"
-            ) from None
-        if not values[0] <= value <= values[-1]:
-            raise ArgumentError(
-                f"{_WHERE}, names, {name}: {value:.6g} is not within the values of the parameter, from "
-                f"{values[0]:.6g} to {values[-1]:.6g}"
-            )
-        nearest = int(np.argmin(np.abs(values - value)))
-        here = branches[nearest]
-        k = int(np.argmin(np.abs(here - s)))
-        if not abs(here[k] - s) <= _NEAR * max(abs(s), abs(here[k])) + 1e-6 * np.abs(here).max():
-            raise ArgumentError(
-                f"{_WHERE}, names, {name}: {s:.4g} is far from every eigenvalue at {values[nearest]:.6g}; the nearest "
-                f"is {here[k]:.4g}"
-            )
+        here, k = _named(values, branches, name, place)
         pair = int(np.argmin(np.abs(here - here[k].conjugate()))) if here[k].imag else k
         found[k] = found[pair] = name
     count = 0
@@ -285,3 +266,31 @@ def _names(
             count += not twin
             found[k] = twin or f"branch {count}"
     return tuple(found)
+
+
+def _named(values: Array, branches: Complex, name: str, place: tuple[float, complex]) -> tuple[Complex, int]:
+    """Return the eigenvalues at the value that is nearest to the place of a name, and the branch that it names.
+
+    Raises:
+        ArgumentError: the place is not a value of the parameter and an eigenvalue near one of them.
+    """
+    where = f"{_WHERE}, names, {name}"
+    try:
+        value, s = float(place[0]), complex(place[1])
+    except (TypeError, ValueError, IndexError):
+        raise ArgumentError(
+            f"{where}: {described(place)}; expected a value of the parameter and an eigenvalue, such as "
+            "(5, -0.8 + 4.5j)"
+        ) from None
+    if not values[0] <= value <= values[-1]:
+        raise ArgumentError(
+            f"{where}: {value:.6g} is not within the values of the parameter, from {values[0]:.6g} to {values[-1]:.6g}"
+        )
+    nearest = int(np.argmin(np.abs(values - value)))
+    here = branches[nearest]
+    k = int(np.argmin(np.abs(here - s)))
+    if not abs(here[k] - s) <= _NEAR * max(abs(s), abs(here[k])) + 1e-6 * np.abs(here).max():
+        raise ArgumentError(
+            f"{where}: {s:.4g} is far from every eigenvalue at {values[nearest]:.6g}; the nearest is {here[k]:.4g}"
+        )
+    return here, k

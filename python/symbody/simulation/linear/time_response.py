@@ -172,7 +172,7 @@ def _response(
         cause = "the rate of an input" if kind == "step" else "an input"
         way = "use frequency_response" if kind == "step" else "use step_response"
         raise ModelError(
-            f"{where}: {', '.join(impulsive)} follows {cause} at once, so that its response holds an impulse; "
+            f"{where}: {', '.join(impulsive)} follows {cause} at once, so that its response contains an impulse; "
             f"expected outputs such as positions and speeds, or {way}"
         )
     if kind == "step":
@@ -194,7 +194,7 @@ def _states(A: Array, start: Array, t: Array) -> Array:
     steps = np.diff(t, prepend=0.0)
     uniform = float(np.median(steps[1:])) if len(steps) > 1 else 0.0
     for k, step in enumerate(steps.tolist()):
-        # instants of numpy.linspace differ by steps that are the same but for rounding
+        # instants of numpy.linspace differ by steps that are the same up to rounding
         span = uniform if abs(step - uniform) <= 1e-12 * max(abs(t[-1]), abs(uniform)) else t[k] - last
         if span:
             if span not in powers:

@@ -89,7 +89,7 @@ def transfer(linear: Linear, parameters: Mapping[Expr, ArrayLike] | None, where:
     check_linear(linear, where)
     if not linear.inputs:
         raise ModelError(
-            f"{where}: the linear model has no inputs; expected functions of time that loads or constraints hold: "
+            f"{where}: the linear model has no inputs; expected functions of time that occur in loads or constraints: "
             "linearize(..., inputs=[F])"
         )
     if not linear.outputs:

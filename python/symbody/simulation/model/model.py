@@ -87,7 +87,7 @@ class Model:
 
     @cached_property
     def state_rates(self) -> tuple[Expr, ...]:
-        """The rates of the states z, which may hold accelerations and multipliers."""
+        """The rates of the states z, which may contain accelerations and multipliers."""
         return tuple(self.equations.state_rates.values())
 
     @cached_property

@@ -125,7 +125,7 @@ class Path:
     def rescaled(self) -> Path:
         """Return the same with sizes such that no variable changes much more than the parameter.
 
-        The tangent tells this at first, and steady motions at a part of the range, if they are found, farther away.
+        The tangent shows this at first, and steady motions at a part of the range, if they are found, farther away.
         """
         z, along = self.scaled(*self.start), np.zeros(len(self.sizes) + self.balance.count)
         along[self.place] = 1

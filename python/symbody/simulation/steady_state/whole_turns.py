@@ -1,4 +1,4 @@
-"""Angles of steady motions: whole turns are taken off, and parts that are turned far from the guess are told."""
+"""Angles of steady motions: whole turns are taken off, and parts that are turned far from the guess are reported."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _SAME = 1e-9
 def without_whole_turns(problem: SteadyProblem, x: Array, forces: Array) -> Array:
     """Return the variables with angles at most half a turn from where the search began, within the limits.
 
-    A notice tells which angles are more than a quarter of a turn away: the search may have found another motion than
+    A notice says which angles are more than a quarter of a turn away: the search may have found another motion than
     the one that was meant, such as that of a bicycle with its fork turned round.
 
     Args:
