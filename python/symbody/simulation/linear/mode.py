@@ -145,12 +145,12 @@ class Mode:
         """Return the derivative of the eigenvalue by a parameter, ``ds/dp = w^H (dA0 - s dE) phi / (w^H E phi)``.
 
         w is the left vector [Lancaster 1964]. The real part is the change of growth, the imaginary part that of the
-        frequency in rad/s. If the parameter moves the steady motion, its derivatives belong to `together`.
+        frequency in rad/s. If the parameter moves the steady motion, linearize about symbols, such as
+        ``{q: q0}``: their derivatives follow from the conditions of this motion.
 
         Args:
             by: the parameter p.
-            together: the derivatives by p of other parameters that change with it, such as ``{q0: ...}`` of a model
-                that was linearised about ``{q: q0}``.
+            together: the derivatives by p of other parameters that change with it, such as a speed that was chosen.
 
         Raises:
             ParameterError: a name is not a parameter of the linear model.
