@@ -67,9 +67,10 @@ CASES = {
     ),
     "anti-bodies": (
         (
-            "f := proc(B::BODY) local C; C := copy(B); C[mass] := 0; C end: B := make_BODY(ground,m): f(B)[mass];"
+            "f := proc(B::BODY) local C; C := copy(B); C[mass] := -m; C end: B := make_BODY(ground,m): "
+            "f(B)[mass], B[mass];"
         ),
-        ["0"],
+        ["-m, m"],
     ),
     "names of values are not those of parameters": (
         "e := x^2+y: f := proc(x) local y; y := 7; e+x end proc: f(2); e;",

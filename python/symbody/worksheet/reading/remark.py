@@ -84,8 +84,7 @@ def _candidates(tokens: Sequence[Token], begin: int, index: int) -> Iterator[Spa
         if _is_tail(tokens, begin, end):
             yield Span(begin, end)
         yield from _behind_separators(tokens, begin, min(index, end - 1), end)
-    if begin < index < ends[-1] and tokens[index - 1].type in _CLOSING:
-        yield Span(index, ends[-1])
+    yield from _behind_operands(tokens, begin, last, ends[-1])
 
 
 def _is_tail(tokens: Sequence[Token], begin: int, end: int) -> bool:
@@ -111,6 +110,18 @@ def _behind_separators(tokens: Sequence[Token], begin: int, index: int, end: int
         trials += 1
         if trials == _TRIALS or tokens[separator].line != line:
             break
+
+
+def _behind_operands(tokens: Sequence[Token], begin: int, index: int, end: int) -> Iterator[Span]:
+    """Return where a remark can stand behind a complete operand: ``f(x) = 0   the first equation``."""
+    for place in range(index, max(begin, index - _TRIALS), -1):
+        if tokens[place - 1].line != tokens[place].line:
+            return
+        if (
+            tokens[place - 1].type in _CLOSING | {"INTEGER", "DECIMAL", "NAME"}
+            and tokens[place].type == "NAME"
+        ):
+            yield Span(place, end)
 
 
 def _depths(tokens: Sequence[Token]) -> list[int]:
