@@ -54,9 +54,7 @@ def _set_globals(session: Session, modes: Mechanics, linear: Triple, angular: Tr
     session.names |= {"VM": matrix, "omegaMV": spin, "mframe_flag": Boolean(True)}
     session.lines.append("Warning, The base frame <moving_frame> has been selected.")
     if modes.release < 6:
-        rows_of = [", ".join(map(str, matrix.entries[k : k + 4])) for k in range(0, 16, 4)]
-        session.lines.append("The moving velocity matrix is:")
-        session.lines.append(f"matrix([{', '.join(f'[{row}]' for row in rows_of)}])")
+        session.lines += ["The moving velocity matrix is:", session.text(matrix)]
 
 
 def _tracking(modes: Mechanics, pose: Frame, linear: Triple, angular: Triple) -> Listed:

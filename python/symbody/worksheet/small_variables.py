@@ -63,7 +63,7 @@ def _out(modes: Mechanics) -> dict[Expr, Expr]:
 
 
 def linear_modeling(session: Session, *sets: Value) -> Value:
-    """Keep first-order terms in small variables from now on, and second-order terms in energies.
+    """linear_modeling({x(t), ...}): keep first order in small variables from now on, and second order in energies.
 
     Later sets hold other small variables, such as forces. An equation ``x = a`` says that x deviates little from a.
     An empty set ends the mode.
@@ -83,7 +83,7 @@ def linear_modeling(session: Session, *sets: Value) -> Value:
 
 
 def linearize(session: Session, value: Value, about: Value | None = None) -> Value:
-    """Return the first-order terms of an expression, an equation, a list, a set or a matrix."""
+    """linearize(e [, {x(t), ...}]): the first-order terms of an expression, an equation, a list, a set or a matrix."""
     modes = mechanics(session)
     places = dict(_deviations(session, about, "linearize")) if about is not None else modes.small
     return _linear(session, session.current(value), places)
