@@ -50,6 +50,7 @@ from symbody.symbolic.expression.functions import (
 from symbody.symbolic.expression.leaves import (
     ExprLike,
     UndefinedFunction,
+    application,
     function,
     functions_of_time,
     number,
@@ -57,6 +58,7 @@ from symbody.symbolic.expression.leaves import (
     symbol,
     symbols,
     t,
+    time_function,
 )
 from symbody.symbolic.expression.matrix import Matrix, identity, zeros
 from symbody.symbolic.expression.multiple_of_pi import (
@@ -109,6 +111,7 @@ __all__ = [
     "UndefinedFunction",
     "acos",
     "add3",
+    "application",
     "are_small",
     "asin",
     "atan",
@@ -178,6 +181,7 @@ __all__ = [
     "taylor",
     "time_derivative",
     "time_derivatives",
+    "time_function",
     "to_sympy",
     "truncated",
     "with_shared_sums",
