@@ -68,6 +68,22 @@ MISTAKES: list[tuple[Callable[[], object], str]] = [
         ),
     ),
     (
+        lambda: sb.friction(x, on=block, coulomb=1, static=2, stribeck_speed=0, creep_speed=1),
+        "friction: stribeck_speed = 0; expected a positive speed",
+    ),
+    (
+        lambda: tire(sb.linear_tire(cornering=C), rolling_radius=-0.3),
+        "tire_kinematics: rolling_radius = -0.3; expected a positive number",
+    ),
+    (
+        lambda: sb.magic_formula(TIRE, pressure=0),
+        "magic_formula: pressure = 0; expected a positive number, in the unit of NOMPRES",
+    ),
+    (
+        lambda: sb.magic_formula(TIRE, version=6.1),  # type: ignore[arg-type]
+        "magic_formula: version = 6.1 is a float; expected '5.2' or '6.1'",
+    ),
+    (
         lambda: sb.magic_formula(TIRE | {"PDX1": math.nan}),
         f"magic_formula: PDX1 = nan is a float; {SCALAR}",
     ),
@@ -112,9 +128,9 @@ MISTAKES: list[tuple[Callable[[], object], str]] = [
     (
         lambda: pushed(sb.log, -1.0),
         (
-            "simulate: at t = 0 s: x'', the power are not finite there, at x = -1; the force of push is not finite "
-            "there; look for a division by zero, or a root or logarithm of a negative value, in its law, or parameters "
-            "that make no sense in it; what was computed is the error's motion"
+            "simulate: at t = 0 s: x'', the power are not finite there, at x = -1; push is not finite; look in it for "
+            "a division by zero, a root or logarithm of a negative value, or parameters that make no sense; what was "
+            "computed is the error's motion"
         ),
     ),
 ]

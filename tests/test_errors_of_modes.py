@@ -47,7 +47,7 @@ def cart(force: Expr, outputs: Sequence[Expr] = ()) -> Linear:
 
 
 SPRING, UNSTABLE = cart(F - k * x, [x]), cart(F + k * x, [x])
-DRIVEN = cart(k * (w - x) + c * time_derivative(w - x), [x])
+DRIVEN = cart(k * (w - x) + c * time_derivative(w - x), [time_derivative(x, 2)])
 LOOSE = linearize(equations_of(Matrix([[m, 0], [0, 0]]), [-k * x, 0 * y], [x, y]))
 MASSLESS = linearize(
     equations_of(Matrix([[m, 0], [0, 0]]), [-k * (x - y), k * (x - y) - c * time_derivative(y)], [x, y])
@@ -119,12 +119,12 @@ MISTAKES: dict[str, tuple[Callable[[], object], type[SymbodyError], str]] = {
             " neither mass, damping nor stiffness; give it one of them, or leave the coordinate out"
         ),
     ),
-    "a locus of a massless joint": (
-        lambda: root_locus(MASSLESS, {m: 1, c: 1}, over=OVER),
+    "a locus through a mass that vanishes": (
+        lambda: root_locus(MASSLESS, {k: 1, c: 1}, over={m: [0, 1, 2]}),
         errors.ModelError,
         (
-            "root_locus: E of E x' = A0 x is singular at k = 1: a combination of x', y' moves no mass; give "
-            "it some, or leave the massless coordinate out: modes(linear, parameters) takes singular E"
+            "root_locus: finite eigenvalues: 1 at m = 0, and 3 at 1, where E of E x' = A0 x loses or gains a "
+            "rank; expected values between which masses don't vanish: draw a locus on each side"
         ),
     ),
     "energies without bodies": (
@@ -359,12 +359,12 @@ MISTAKES: dict[str, tuple[Callable[[], object], type[SymbodyError], str]] = {
             "numpy.geomspace(0.1, 100, 500)"
         ),
     ),
-    "a step of an input whose rate is an input": (
+    "a step of an input on whose rate an output depends": (
         lambda: step_response(DRIVEN, {**NUMBERS, c: 1}, [1]),
         errors.ModelError,
         (
-            "step_response: w', the rate of an input, is an input, too, and a jump has no finite rate; "
-            "expected loads as inputs: use frequency_response for inputs that drive constraints"
+            "step_response: x'' follows the rate of an input at once, so that its response contains an impulse; "
+            "expected outputs such as positions and speeds, or use frequency_response"
         ),
     ),
     "an impulse in an output": (

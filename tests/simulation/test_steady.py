@@ -190,6 +190,17 @@ def test_the_fold_of_a_top_is_at_its_critical_spin():
     assert np.abs(residual).max() < 1e-7 * m * g * l
 
 
+@pytest.mark.parametrize("begin", [1.3, 2.7, 3.9])
+def test_a_branch_may_begin_at_the_end_of_its_range(begin: float):
+    eqs, about, tilt, numbers = pendulum()
+    turn = time_derivative(about)
+    hanging = steady(eqs, numbers, given={turn: begin})
+    for over in ((begin, 6), (0, begin)):
+        branch = continuation(hanging, turn, over)
+        assert branch.range == pytest.approx(over)
+        assert np.all(branch[tilt] == 0)
+
+
 def test_searches_from_many_starts_find_both_precessions():
     top = heavy_top()
     found = steady_motions(

@@ -104,5 +104,6 @@ def _check(dry: Expr, static: Scalar | None, stribeck: Scalar | None, creep: Sca
             f"{_WHERE}: static = {brief(most)} is less than coulomb = {brief(least)}; expected at least as much: a "
             "joint at rest resists more than one that slides"
         )
-    if creep is not None and expression(creep).is_zero:
-        raise LoadError(f"{_WHERE}: creep_speed = 0; expected a positive speed")
+    for name, speed in (("creep_speed", creep), ("stribeck_speed", stribeck)):
+        if speed is not None and expression(speed).is_zero:
+            raise LoadError(f"{_WHERE}: {name} = 0; expected a positive speed")

@@ -57,6 +57,8 @@ Coefficients: TypeAlias = Annotated[
     "a dictionary of coefficients by the names of tyre property files, such as {'FNOMIN': 4000, 'PCY1': 1.3}",
 ]
 
+Version: TypeAlias = Annotated[str, "'5.2' or '6.1'"]
+
 _TINY = number("1e-6")
 """The load in N, added where stiffnesses are divided by it, so that a wheel without load has no 0/0."""
 _AT_REST = number("1e-18")
@@ -338,7 +340,7 @@ def _weight(B: Expr, C: Expr, E: Expr, slip: Expr, shift: Expr) -> Expr:
 
 @checked(LoadError)
 def magic_formula(
-    coefficients: Coefficients, *, version: str = "5.2", pressure: Scalar | None = None
+    coefficients: Coefficients, *, version: Version = "5.2", pressure: Scalar | None = None
 ) -> MagicFormula:
     """Return the law of a tyre by the Magic Formula, for pure and combined slip and camber.
 
@@ -362,6 +364,10 @@ def magic_formula(
     _check_names(given)
     _check_values(given)
     known = DEFAULTS | given
+    if pressure is not None and expression(pressure).is_constant and float(expression(pressure)) <= 0:
+        raise LoadError(
+            f"magic_formula: pressure = {brief(pressure)}; expected a positive number, in the unit of NOMPRES"
+        )
     return MagicFormula(known if pressure is None else at_pressure(known, expression(pressure)), version)
 
 

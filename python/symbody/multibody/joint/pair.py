@@ -64,17 +64,20 @@ class Pair(ABC):
         """
         return ()
 
-    def meshing(self, where: str, sides: Mapping[Any, Sides]) -> tuple[Closure, ...]:
+    def meshing(
+        self, where: str, sides: Mapping[Any, Sides], values: Mapping[Any, Expr]
+    ) -> tuple[Closure, ...]:
         """Return the conditions on the coordinates of the coupled joints.
 
         Args:
             where: the joint, for messages.
             sides: those of all joints.
+            values: the coordinates of the coupled joints; where they close loops, what these would be.
 
         Raises:
             JointError: the coupled joints don't fit each other.
         """
-        del where, sides
+        del where, sides, values
         return ()
 
     def measured(self, sides: Sides) -> Mapping[str, Expr]:

@@ -22,6 +22,7 @@ from symbody.symbolic import Expr
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.given.arguments import counted, described, with_known_names
 
+from .finite_part import finite_part
 from .matrices import check_linear, pencil
 from .regular_pencil import rates_matrix
 
@@ -48,7 +49,7 @@ class Sweep:
         linear: the linear model.
         parameters: the values of all parameters, an array of shape (k,) for each.
         eigenvalues: in 1/s, the fastest growing first, shape (k, n); those of ignorable coordinates, which are zero,
-            are left out. NaN where E is singular.
+            are left out. NaN for those at infinity, where E is singular.
 
     >>> from symbody import functions_of_time, linearize, equations_of, sweep, symbols, Matrix
     >>> x, (m, k) = functions_of_time("x"), symbols("m k")
@@ -67,7 +68,7 @@ class Sweep:
     @property
     def growth(self) -> Array:
         """The largest real part of each case, in 1/s, shape (k,): negative where all modes decay."""
-        return np.asarray(self.eigenvalues.real.max(axis=1))
+        return np.asarray(np.fmax.reduce(self.eigenvalues.real, axis=1, initial=np.nan))
 
     @property
     def damping_ratio(self) -> Array:
@@ -75,7 +76,7 @@ class Sweep:
         size = np.abs(self.eigenvalues)
         oscillates = np.abs(self.eigenvalues.imag) > 1e-9 * size
         with np.errstate(invalid="ignore", divide="ignore"):
-            ratios = np.where(oscillates, -self.eigenvalues.real / size, 1.0)
+            ratios = np.where(oscillates, -self.eigenvalues.real / size, 1.0)  # 1 for infinite ones, too
         return np.asarray(np.where(np.isnan(self.growth), np.nan, ratios.min(axis=1)))
 
     @property
@@ -181,7 +182,9 @@ def sweep(
         finally:
             if executor is None:
                 pool.shutdown()
-    _warn(int(np.isnan(found).any(axis=1).sum()), count, is_interrupted=interruption.is_asked_for)
+    _warn(
+        int(np.isnan(found).all(axis=1).sum()) if kept else 0, count, is_interrupted=interruption.is_asked_for
+    )
     return Sweep(linear, columns, found)
 
 
@@ -256,12 +259,20 @@ def _computed(
 
 
 def _eigenvalues(E: Array, A0: Array) -> Complex:
-    """Return eigenvalues by falling real parts, (k, n); NaN where E is singular."""
+    """Return eigenvalues by falling real parts, (k, n); NaN for those that are infinite, as E is singular."""
     A = rates_matrix(E, A0)
     if A is None:
-        if len(E) == 1:
-            return np.full(E.shape[:2], complex(np.nan, np.nan))
-        return np.concatenate([_eigenvalues(E[[k]], A0[[k]]) for k in range(len(E))])
+        if len(E) > 1:
+            return np.concatenate([_eigenvalues(E[[k]], A0[[k]]) for k in range(len(E))])
+        part = finite_part(E[0], A0[0])
+        A = np.zeros((1, 0, 0)) if part is None else part.A[None]
+        infinite = np.full((1, E.shape[1] - A.shape[1]), complex(np.nan, np.nan))
+        return np.concatenate([_sorted(A), infinite], axis=1)
+    return _sorted(A)
+
+
+def _sorted(A: Array) -> Complex:
+    """Return the eigenvalues of matrices by falling real parts."""
     found = np.linalg.eigvals(A).astype(np.complex128)
     scale = np.abs(found).max(axis=1, initial=1e-300)[:, None]
     keys = (found.imag, np.abs(found.imag), -np.round(found.real / scale, 9))
@@ -270,5 +281,5 @@ def _eigenvalues(E: Array, A0: Array) -> Complex:
 
 def _warn(missing: int, count: int, *, is_interrupted: bool) -> None:
     if missing:
-        cause = "were not computed (interrupted)" if is_interrupted else "have a singular E"
+        cause = "were not computed (interrupted)" if is_interrupted else "have no finite eigenvalues"
         notify(f"{_WHERE}: {missing} of {counted(count, 'case')} {cause}; their eigenvalues are NaN")

@@ -18,7 +18,7 @@ from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.given.arguments import counted, with_known_names
 
 from .output_and_input import output_and_input
-from .regular_pencil import rates_matrix
+from .realization import realization
 from .row_fault import row_fault
 from .transfer import transfer
 
@@ -104,6 +104,8 @@ class TimeResponse:
 def step_response(linear: Linear, parameters: Mapping[Expr, ArrayLike] | None, t: ArrayLike) -> TimeResponse:
     """Return the outputs after each input has jumped by 1: ``y = C x + D``, ``x' = A x + B``, ``x(0) = 0``.
 
+    Where rates of inputs act, as that of a road on a damper, or E is singular, this is the limit of ever faster steps.
+
     ``exp([[A, B], [0, 0]] t)`` has the integral of ``exp(A t) B`` in its right column [Van Loan 1978], exactly.
 
     Args:
@@ -114,7 +116,7 @@ def step_response(linear: Linear, parameters: Mapping[Expr, ArrayLike] | None, t
 
     Raises:
         ParameterError: a value is missing, has an unknown key, is not finite, or is not one number.
-        ModelError: there are no inputs or no outputs, E is singular, or rates of inputs are inputs.
+        ModelError: there are no inputs or no outputs, or an output follows the rate of an input at once.
         ArgumentError: the instants don't increase.
 
     >>> from symbody import Body, Force, System, functions_of_time, ground, linearize, newton_euler, symbols, translate
@@ -142,8 +144,8 @@ def impulse_response(
 
     Raises:
         ParameterError: a value is missing, has an unknown key, is not finite, or is not one number.
-        ModelError: there are no inputs or no outputs, E is singular, rates of inputs are inputs, or an output follows
-            an input at once, so that its response contains an impulse.
+        ModelError: there are no inputs or no outputs, or an output follows an input at once, so that its response holds
+            an impulse.
         ArgumentError: the instants don't increase.
 
     >>> from symbody import Body, Force, System, functions_of_time, ground, linearize, newton_euler, symbols, translate
@@ -162,34 +164,24 @@ def _response(
 ) -> TimeResponse:
     where = f"{kind}_response"
     found = transfer(linear, parameters, where)
-    instants, m = _instants(t, where), found.matrices
-    if any(order for _, order in found.orders):
-        rates = ", ".join(str(r) for r in linear.inputs if r not in found.inputs)
+    instants, model = _instants(t, where), realization(found)
+    n, k = model.B.shape
+    sudden = model.D[1:] if kind == "step" else model.D
+    impulsive = [name for i, name in enumerate(linear.outputs) if any(D[i].any() for D in sudden)]
+    if impulsive:
+        cause = "the rate of an input" if kind == "step" else "an input"
+        way = "use frequency_response" if kind == "step" else "use step_response"
         raise ModelError(
-            f"{where}: {rates}, the rate of an input, is an input, too, and a jump has no finite rate; expected "
-            "loads as inputs: use frequency_response for inputs that drive constraints"
+            f"{where}: {', '.join(impulsive)} follows {cause} at once, so that its response contains an impulse; "
+            f"expected outputs such as positions and speeds, or {way}"
         )
-    solved = rates_matrix(m.E, np.eye(len(m.E)))
-    if solved is None:
-        raise ModelError(
-            f"{where}: E of E x' = A0 x + B0 r is singular: a combination of "
-            f"{', '.join(map(str, linear.speeds))} moves no mass; give it some"
-        )
-    A, B = solved @ m.A0, solved @ m.B0
-    C, D = m.C0 + m.C1 @ A, m.D0 + m.C1 @ B
-    n, k = B.shape
     if kind == "step":
-        whole = np.block([[A, B], [np.zeros((k, n + k))]])
-        values = C @ _states(whole, np.vstack([np.zeros((n, k)), np.eye(k)]), instants)[:, :n] + D
+        whole = np.block([[model.A, model.B], [np.zeros((k, n + k))]])
+        start = np.vstack([np.zeros((n, k)), np.eye(k)])
+        values = model.C @ _states(whole, start, instants)[:, :n] + model.D[0]
     else:
-        direct = [linear.outputs[i] for i in range(len(D)) if D[i].any()]
-        if direct:
-            raise ModelError(
-                f"{where}: {', '.join(direct)} follows an input at once, so that its response contains an impulse; "
-                "expected outputs such as positions and speeds, or use step_response"
-            )
-        values = C @ _states(A, B, instants)
-    return TimeResponse(linear, kind, instants, values, linear.inputs, linear.outputs)
+        values = model.C @ _states(model.A, model.B, instants)
+    return TimeResponse(linear, kind, instants, values, found.inputs, linear.outputs)
 
 
 def _states(A: Array, start: Array, t: Array) -> Array:

@@ -12,8 +12,8 @@ from symbody.dynamics import Linear
 from symbody.errors import ModelError, notify
 from symbody.symbolic import Expr, time_derivative
 
+from .finite_part import finite_part
 from .matrices import Pencil, check_linear, regular_pencil
-from .regular_pencil import rates_matrix
 
 __all__ = ["Transfer", "transfer"]
 
@@ -54,13 +54,8 @@ class Transfer:
         """The finite eigenvalues of the modes that are not ignorable, in 1/s."""
         kept = [k for k, x in enumerate(self.linear.states) if x not in self.linear.ignorable]
         E, A0 = (each[np.ix_(kept, kept)] for each in (self.matrices.E, self.matrices.A0))
-        A = rates_matrix(E, A0)
-        if A is not None:
-            return np.linalg.eigvals(A).astype(np.complex128)
-        from scipy.linalg import eigvals  # noqa: PLC0415 - slow to load
-
-        found = np.asarray(eigvals(A0, E), np.complex128)
-        return found[np.isfinite(found)]
+        part = finite_part(E, A0)
+        return np.linalg.eigvals(part.A).astype(np.complex128) if part else np.empty(0, np.complex128)
 
     def warn_if_unstable(self, where: str, consequence: str) -> None:
         """Warn if a mode grows.
