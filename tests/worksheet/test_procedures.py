@@ -72,6 +72,18 @@ CASES = {
         ),
         ["-m, m"],
     ),
+    "names of values are not those of parameters": (
+        "e := x^2+y: f := proc(x) local y; y := 7; e+x end proc: f(2); e;",
+        ["x^2+y+2", "x^2+y"],
+    ),
+    "a parameter t whose value is t": (
+        "f := proc(t) diff(x(t),t) end proc: f(t);",
+        ["diff(x(t),t)"],
+    ),
+    "operators as functions": (
+        "`+`(a,b,c), `*`(op([a,b])), `if`(1<2,a,b);",
+        ["a+b+c, a*b, a"],
+    ),
     "an alias hides a parameter": (
         "alias(c=cos): f := proc(x) c(x) end proc: f(0);",
         ["1"],

@@ -288,7 +288,7 @@ _READERS: Mapping[type, Callable[[_Values, Any], Value]] = {
     syntax.Columns: lambda values, node: Listed(values.values(node.items)),
     syntax.Rows: lambda values, node: Listed(values.values(node.items)),
     syntax.SetDisplay: lambda values, node: MapleSet(values.values(node.items)),
-    syntax.Selection: lambda values, node: symbol(_name(node)),
+    syntax.Selection: lambda values, node: values.named(_name(node)),
     syntax.Prefix: _Values.prefix,
     syntax.Infix: _Values.infix,
     syntax.Call: _Values.call,

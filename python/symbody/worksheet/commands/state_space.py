@@ -37,7 +37,8 @@ def state_space(
         states: functions of time and derivatives.
         inputs: the functions of time that are given from outside.
     """
-    del time
+    if not isinstance(session.resolve(time), Expr):  # (equations, states, inputs, t)
+        states, inputs = time, states
     residuals = _residuals(session, equations, "state_space")
     x = _functions(session, states, "state_space")
     u = [] if inputs is None else _functions(session, inputs, "state_space")
