@@ -72,13 +72,12 @@ def linear_modeling(session: Session, *sets: Value) -> Value:
     modes.small = {x: value for each in sets for x, value in _deviations(session, each, "linear_modeling")}
     if not modes.small:
         session.lines.append("Warning, Non-Linear Modeling option has been choosen")
-        session.names["small_vars"] = MapleSet(())
+        session.assign("small_vars", MapleSet(()))
         return NULL
     session.lines.append("Warning, Linear Modeling option has been choosen for the following variables:")
     names = [*modes.small, *(time_derivative(x) for x in modes.small if x.kind == "time_function"), number(0)]
     found = MapleSet(tuple(names))
-    session.names["small_vars"] = found
-    session.count += 1
+    session.assign("small_vars", found)
     return Relation("=", symbol("small_vars"), found)
 
 
@@ -116,6 +115,6 @@ def _deviations(session: Session, value: Value, where: str) -> Iterable[tuple[Ex
             continue
         if variable.kind not in {"symbol", "time_function"}:
             raise WorksheetError(
-                f"{where}: {variable} is not a variable; expected names and functions of time"
+                f"{where}: {session.text(variable)[:60]} is not a variable; expected names and functions of time"
             )
         yield variable, at

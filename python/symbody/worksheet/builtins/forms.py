@@ -305,11 +305,11 @@ def chosen(
 
 FORMS: dict[str, Form] = {
     "if": chosen,
+    "ifelse": chosen,
     "seq": seq,
     "add": add,
     "mul": mul,
     "sum": summed,
-    "Sum": summed,
     "product": product,
     "$": dollar_form,
     "evalm": evalm,
