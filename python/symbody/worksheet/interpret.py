@@ -224,15 +224,12 @@ class Interpreter:
             raise WorksheetError(f"attempting to assign to {name} which is protected", target.place)
         scope = session.scope
         while scope is not None:
-            if name in scope.names and scope is session.scope and self._is_parameter_name(scope.names[name]):
-                name = scope.names[name].name  # type: ignore[union-attr]
-                break
             if name in scope.names or name in scope.local:
                 scope.names[name] = value
                 return
             scope = scope.parent
-        if name == "Digits" and isinstance(value, Expr) and (digits := as_float(value)):
-            session.options.digits = int(digits)
+        if name in ("Digits", "printlevel") and isinstance(value, Expr) and (amount := as_float(value)):
+            self._set_option(name, int(amount))
         if isinstance(value, Expr) and value.kind == "symbol" and value.name == name:
             session.unassign(name)
             return
@@ -240,8 +237,11 @@ class Interpreter:
             return  # of the table that it is already
         session.assign(name, self._without_cycle(name, value, target))
 
-    def _is_parameter_name(self, value: Value) -> bool:
-        return False
+    def _set_option(self, name: str, amount: int) -> None:
+        if name == "Digits":
+            self.session.options.digits = min(max(amount, 1), 1000)
+        else:
+            self.session.options.printlevel = amount
 
     def _without_cycle(self, name: str, value: Value, target: syntax.Expression) -> Value:
         """A value that holds its own name uses the old value; there is none of a name that had no value."""

@@ -115,6 +115,6 @@ def _deviations(session: Session, value: Value, where: str) -> Iterable[tuple[Ex
             continue
         if variable.kind not in {"symbol", "time_function"}:
             raise WorksheetError(
-                f"{where}: {variable} is not a variable; expected names and functions of time"
+                f"{where}: {session.text(variable)[:60]} is not a variable; expected names and functions of time"
             )
         yield variable, at
