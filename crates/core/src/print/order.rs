@@ -181,8 +181,7 @@ pub(super) fn sorted_terms(terms: Vec<Term>) -> Vec<Term> {
     let bases: Vec<Base> = products.map(|factor| factor.base.clone()).collect();
     if !bases.is_empty() {
         for (rank, term) in &mut ranked {
-            rank.is_moment =
-                term.is_symbol() && !term.coefficient.is_negative() && !bases.contains(&term.factors[0].base);
+            rank.is_moment = term.is_symbol() && !bases.contains(&term.factors[0].base);
         }
     }
     ranked.sort_by(|(rank_a, a), (rank_b, b)| {
