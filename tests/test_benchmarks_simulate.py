@@ -49,9 +49,9 @@ def comparison(*curves: Curve) -> Comparison:
     return Comparison(double_pendulum(0.1), curves, (), {})
 
 
-@pytest.mark.parametrize("make", [lambda: double_pendulum(0.5), andrews])
-def test_all_contenders_find_the_reference(make) -> None:
-    problem = make()
+@pytest.mark.parametrize("name", ["pendulum", "mechanism"])
+def test_all_contenders_find_the_reference(name: str, request: pytest.FixtureRequest) -> None:
+    problem: Problem = request.getfixturevalue(name)
     ends, _ = reference(problem)
     n, duration, end = problem.size, problem.duration, ends[-1]
     for contender in (*by_symbody.contenders(problem), *by_scipy.contenders(problem)):

@@ -18,7 +18,8 @@ from benchmarks.linear.small_variables import (
 
 def test_all_contenders_agree() -> None:
     expected = by_sympy(1).residuals
-    for contender, _ in contenders().values():
+    others = [contender for contender, _ in contenders().values() if contender is not by_sympy]
+    for contender in others:
         assert contender(1).residuals == pytest.approx(expected, rel=1e-12, abs=1e-13)
 
 

@@ -36,6 +36,7 @@ from symbody.codegen.sources.generate import source
 from symbody.symbolic.calculus.rewrite import textbook_form
 from tests.reference.robot import robot
 from tests.reference.test_double_pendulum_natural import natural
+from tests.repeated import repeated
 from tests.symbolic import test_textbook_forms as textbook
 from tests.worksheets import test_trifilar_seed as trifilar
 
@@ -136,6 +137,8 @@ def test_the_order_in_which_names_are_made_does_not_show(capsys: pytest.CaptureF
     assert len(texts.pop().splitlines()) > 300
 
 
-@pytest.mark.parametrize(("seed", "busy"), [("1", False), ("12345", False), ("0", True), ("777", True)])
+@pytest.mark.parametrize(
+    ("seed", "busy"), [("1", False), ("777", True), *repeated([("12345", False), ("0", True)])]
+)
 def test_same_model_same_bytes(reference: bytes, seed: str, busy: bool) -> None:
     assert written_by_a_process(seed, busy=busy).splitlines() == reference.splitlines()

@@ -1219,7 +1219,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         lambda: gear("G", pin, revolute("Q", A, B), 1, 2),
         (
             "gear G: the parents of revolute P and revolute Q are ground and A; expected one carrier, against "
-            "which both move"
+            "which both move: in a planetary gear, all wheels turn about joints on the carrier"
         ),
     ),
     (
@@ -1287,8 +1287,8 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
             gear, revolute("Q", ground, B, at=(3, 0, 0), loop=True), 1, 2, spherical("S", ground, B)
         ),
         (
-            "assemble: gear G couples revolute Q, which closes a loop and has no coordinate; choose by loop=True "
-            "another joint that closes it"
+            "assemble: gear G couples revolute Q, which closes a loop in space, where its angle is known up to whole "
+            "turns; choose by loop=True another joint that closes it"
         ),
     ),
     (

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from typing import Any
 
 import pytest
 
@@ -12,8 +13,10 @@ from symbody import (
     ModelNotice,
     Motion,
     SymbodyError,
+    Torque,
     assemble,
     consistent_state,
+    equilibrium,
     errors,
     fixed,
     free,
@@ -28,7 +31,9 @@ from symbody import (
     revolute,
     rotate,
     simulate,
+    t,
     translate,
+    universal,
 )
 
 a, b = Link("a", 1, Iz=1), Link("b", 1, 1, 1, 1)
@@ -56,7 +61,111 @@ def gears(distance: float) -> object:
     return assemble([P, Q, gear("G", P, Q, 0.1, 0.2)])
 
 
+bar, rocker = Link("bar", 1, Iz=1), Link("rocker", 1, Iz=1)
+FOUR = (
+    revolute("A", ground, a),
+    revolute("B", a, bar, at=(0.3, 0, 0)),
+    revolute("C", bar, rocker, at=(1, 0, 0), to=(0.8, 0, 0)),
+    revolute("D", ground, rocker, at=(1, 0, 0)),
+)
+four_bar = assemble([*FOUR])
+IDLE = FOUR[3].coordinate
+NONE = "revolute D closes a loop, and has none; expected those of the tree, such as phi_A, or the joint with loop=False"
+TELLS = (
+    "revolute D closes a loop, and has no coordinate: "
+    "mechanism.joint('D').freedom(...).value tells what it would be"
+)
+
+
+def moving_four_bar(**options: Any) -> Motion:
+    start, guess = {FOUR[0].coordinate: 0.5}, {FOUR[1].coordinate: 0.2}
+    return simulate(newton_euler(four_bar.system()), {}, start, guess=guess, t=(0, 0.1), **options)
+
+
 MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
+    (
+        errors.JointError,
+        lambda: revolute("J", ground, a, coordinate=IDLE.diff(t)),
+        (
+            "revolute J: the coordinate phi_D' holds the rate phi_D'; expected a function of time, such as phi_D, or "
+            "an expression of such functions"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: universal("U", ground, a, axes=["X", "Y"]),  # type: ignore[arg-type]
+        "universal U: axes = ['X', 'Y'] is a list; expected a text of the letters X, Y and Z, such as 'ZYX'",
+    ),
+    (
+        errors.JointError,
+        lambda: point_on_curve("W", ground, a, curve=lambda s: (1, 2, 3)),
+        (
+            "point_on_curve W: the curve (1, 2, 3) doesn't depend on its parameter s_W; expected a function of it, "
+            "such as lambda s: (s, a*s**2, 0)"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: point_on_curve("W", ground, a, curve=lambda s: (s, 1 / 0, 0)),
+        (
+            "point_on_curve W: the curve fails at s_W: division by zero; expected a function of one parameter that "
+            "takes symbols, such as lambda s: (s, symbody.sin(s), 0), with sin of symbody, not of math or numpy"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: Link("ground", 1),
+        "Link: the name 'ground' is that of the ground; expected another one",
+    ),
+    (
+        errors.JointError,
+        lambda: assemble(
+            [pin, *(each := [revolute("P", ground, b)]), gear("G", pin, each[0], 1, 1, internal=True)]
+        ),
+        "gear G: both radii are 1; expected an internal gear that is larger than the wheel in it",
+    ),
+    (
+        errors.JointError,
+        lambda: four_bar.system(constraints=[IDLE - 3 * t]),
+        (
+            "Mechanism.system: phi_D - 3*t holds phi_D, and revolute D closes a loop, where it has no coordinate; "
+            "expected mechanism.joint('D').freedom(...).value in its place, or the joint with loop=False"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: four_bar.system([Torque(ground, 0, 0, -IDLE, on=four_bar.body("rocker"), name="coil")]),
+        (
+            "Mechanism.system: coil holds phi_D, and revolute D closes a loop, where it has no coordinate; expected "
+            "mechanism.joint('D').freedom(...).value in its place, or the joint with loop=False"
+        ),
+    ),
+    (
+        errors.ParameterError,
+        lambda: simulate(newton_euler(four_bar.system()), {}, {IDLE: 1.0}),
+        f"simulate, initial: phi_D is not a coordinate, a rate of one or a speed of this system: {NONE}",
+    ),
+    (
+        errors.ParameterError,
+        lambda: equilibrium(newton_euler(four_bar.system()), {}, guess={IDLE: 1.0}),
+        f"equilibrium, guess: phi_D is not a coordinate of this system: {NONE}",
+    ),
+    (
+        errors.SimulationError,
+        lambda: moving_four_bar()[IDLE],
+        (
+            "motion: no values of phi_D; this motion has values of time, the coordinates phi_A, phi_B and phi_C, the "
+            f"speeds phi_A', phi_B' and phi_C', accelerations, multipliers and parameters; {TELLS}"
+        ),
+    ),
+    (
+        errors.SimulationError,
+        lambda: moving_four_bar(outputs={"angle": IDLE}),
+        (
+            "simulate: the output 'angle' contains phi_D; expected an expression of time, coordinates, speeds, "
+            f"accelerations, multipliers and parameters; {TELLS}"
+        ),
+    ),
     (
         errors.JointError,
         lambda: assemble([free("F", ground, a), revolute("J", ground, a, loop=True, limits=(None, 4))]),

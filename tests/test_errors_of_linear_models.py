@@ -45,6 +45,13 @@ PENDULUM = newton_euler(System([BOB], coordinates=[theta], gravity=Vector(ground
 CART = Body(translate(x, 0, 0), m)
 PUSH = Force(ground, F - k * x, 0, 0, at=CART.center_of_mass, on=CART)
 OSCILLATOR = newton_euler(System([CART], [PUSH], coordinates=[x]))
+BELT = newton_euler(
+    System(
+        [CART],
+        [Force(ground, -k * (x - w) - c * (dx - time_derivative(w)), 0, 0, at=CART.center_of_mass, on=CART)],
+        coordinates=[x],
+    )
+)
 BEAD = Body(translate(x, y, 0), m)
 CIRCLE = newton_euler(
     System(
@@ -363,6 +370,32 @@ MISTAKES: dict[str, tuple[Callable[[], object], type[SymbodyError], str]] = {
             "StateSpace.to_matlab: the matrices are those of 2 parameter sets; expected one number for each "
             "parameter in state_space(linear, parameters)"
         ),
+    ),
+    "an input whose rate is another one than that of its course": (
+        lambda: linearize(BELT, {w: V * t, time_derivative(w): 2 * V}),
+        errors.ModelError,
+        (
+            "linearize, about: the values of w and w' contradict each other: the rate of V*t is V, not 2*V; leave the "
+            "rate out"
+        ),
+    ),
+    "a rate of an input with a course, and the input without": (
+        lambda: linearize(BELT, {time_derivative(w): V * t}),
+        errors.ModelError,
+        ("linearize, about: w' has the course V*t, and w has none; expected that of w, whose rates follow"),
+    ),
+    "an input that moves, on which a force depends": (
+        lambda: linearize(OSCILLATOR, {F: 0, x: 0, time_derivative(F): V}),
+        errors.ModelError,
+        (
+            "linearize, about: F' is not a coordinate, a rate of one, a speed, a state or an input of these "
+            "equations; did you mean F?"
+        ),
+    ),
+    "a value that is not a number": (
+        lambda: linearize(PENDULUM, {theta: float("nan")}),
+        errors.ModelError,
+        ("linearize, about: theta is nan; expected a finite number, or an expression"),
     ),
     "an export without inputs": (
         lambda: space(inputs=[]).to_scipy(),

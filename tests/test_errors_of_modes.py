@@ -26,6 +26,7 @@ from symbody import (
     modes,
     newton_euler,
     root_locus,
+    state_space,
     step_response,
     sweep,
     symbols,
@@ -46,7 +47,7 @@ def cart(force: Expr, outputs: Sequence[Expr] = ()) -> Linear:
 
 
 SPRING, UNSTABLE = cart(F - k * x, [x]), cart(F + k * x, [x])
-DRIVEN = cart(k * (w - x) + c * time_derivative(w - x), [x])
+DRIVEN = cart(k * (w - x) + c * time_derivative(w - x), [time_derivative(x, 2)])
 LOOSE = linearize(equations_of(Matrix([[m, 0], [0, 0]]), [-k * x, 0 * y], [x, y]))
 MASSLESS = linearize(
     equations_of(Matrix([[m, 0], [0, 0]]), [-k * (x - y), k * (x - y) - c * time_derivative(y)], [x, y])
@@ -118,12 +119,12 @@ MISTAKES: dict[str, tuple[Callable[[], object], type[SymbodyError], str]] = {
             " neither mass, damping nor stiffness; give it one of them, or leave the coordinate out"
         ),
     ),
-    "a locus of a massless joint": (
-        lambda: root_locus(MASSLESS, {m: 1, c: 1}, over=OVER),
+    "a locus through a mass that vanishes": (
+        lambda: root_locus(MASSLESS, {k: 1, c: 1}, over={m: [0, 1, 2]}),
         errors.ModelError,
         (
-            "root_locus: E of E x' = A0 x is singular at k = 1: a combination of x', y' moves no mass; give "
-            "it some, or leave the massless coordinate out: modes(linear, parameters) takes singular E"
+            "root_locus: finite eigenvalues: 1 at m = 0, and 3 at 1, where E of E x' = A0 x loses or gains a "
+            "rank; expected values between which masses don't vanish: draw a locus on each side"
         ),
     ),
     "energies without bodies": (
@@ -144,8 +145,8 @@ MISTAKES: dict[str, tuple[Callable[[], object], type[SymbodyError], str]] = {
     ),
     "an infinite amplitude": (
         lambda: modes(SPRING, NUMBERS)[0].motion(float("nan")),
-        errors.ModelError,
-        ("Mode.motion: amplitude=nan; expected a finite number"),
+        errors.ArgumentError,
+        ("Mode.motion: amplitude=nan is a float; expected a finite number"),
     ),
     "a locus over two parameters": (
         lambda: root_locus(SPRING, {}, over={m: [1, 2], k: [1, 2]}),
@@ -215,7 +216,56 @@ MISTAKES: dict[str, tuple[Callable[[], object], type[SymbodyError], str]] = {
     "an unknown kind of plot of a locus": (
         lambda: root_locus(SPRING, {m: 1}, over=OVER).plot("x"),
         errors.ViewError,
-        ("plot_root_locus, kind: 'x' is a str; expected 'both', 'plane' or 'over'"),
+        ("RootLocus.plot, kind: 'x' is a str; expected 'both', 'plane' or 'over'"),
+    ),
+    "limits of an axis that are one number": (
+        lambda: root_locus(SPRING, {m: 1}, over=OVER).plot(real=3),
+        errors.ViewError,
+        ("RootLocus.plot, real: 3 is an int; expected the least and the largest value, such as (-20, 5)"),
+    ),
+    "names of branches in a list": (
+        lambda: root_locus(SPRING, {m: 1}, over=OVER, names=["weave"]),  # type: ignore[arg-type]
+        errors.ArgumentError,
+        (
+            "root_locus, names: ['weave'] is a list; expected a dictionary of names, each with a value of the "
+            "parameter and an eigenvalue, such as {'weave': (5, -0.8 + 4.5j)}"
+        ),
+    ),
+    "no eigenvalue to be near to": (
+        lambda: modes(SPRING, NUMBERS).near("fast"),  # type: ignore[arg-type]
+        errors.ArgumentError,
+        ("Modes.near: 'fast' is a str; expected an eigenvalue in 1/s, such as -0.8 + 4.5j"),
+    ),
+    "the place of a mode that there isn't": (
+        lambda: modes(SPRING, NUMBERS)[3],
+        errors.ArgumentError,
+        ("Modes: [3] is not the place of a mode; expected a number below 1, or modes.near(eigenvalue)"),
+    ),
+    "derivatives in a list": (
+        lambda: modes(SPRING, NUMBERS)[0].sensitivity(k, together=[1]),  # type: ignore[arg-type]
+        errors.ArgumentError,
+        (
+            "Mode.sensitivity, together: [1] is a list; expected a dictionary of parameters and their "
+            "derivatives"
+        ),
+    ),
+    "a sweep without cases": (
+        lambda: sweep(SPRING, {m: 1, k: []}),
+        errors.ParameterError,
+        ("sweep: k has no values; expected one for each case"),
+    ),
+    "matrices of equations that are not linear": (
+        lambda: state_space(newton_euler(n_pendulum(1).system)),  # type: ignore[arg-type]
+        errors.ArgumentError,
+        (
+            "state_space: Equations(1 equation of motion, 0 constraints, coordinate theta1) is an Equations; expected "
+            "a linear model: linearize(equations)"
+        ),
+    ),
+    "units that are no dictionary": (
+        lambda: frequency_response(SPRING, NUMBERS, [1]).plot(units="N"),  # type: ignore[arg-type]
+        errors.ViewError,
+        ("FrequencyResponse.plot, units: 'N' is a str; expected a dictionary, such as {x: 'm'}"),
     ),
     "an unknown kind of plot of a response": (
         lambda: frequency_response(SPRING, NUMBERS, [1]).plot("x"),
@@ -226,8 +276,8 @@ MISTAKES: dict[str, tuple[Callable[[], object], type[SymbodyError], str]] = {
         lambda: frequency_response(cart(-k * x), NUMBERS, [1]),
         errors.ModelError,
         (
-            "frequency_response: the linear model has no inputs; expected functions of time that loads or "
-            "constraints hold: linearize(..., inputs=[F])"
+            "frequency_response: the linear model has no inputs; expected functions of time that "
+            "occur in loads or constraints: linearize(..., inputs=[F])"
         ),
     ),
     "no outputs": (
@@ -273,32 +323,32 @@ MISTAKES: dict[str, tuple[Callable[[], object], type[SymbodyError], str]] = {
         lambda: step_response(SPRING, NUMBERS, [1, 0]),
         errors.ArgumentError,
         (
-            "step_response, t: [1, 0] does not increase; expected instants in s that increase from 0, such as "
-            "numpy.linspace(0, 5, 500), or the last one"
+            "step_response, t: [1, 0] does not increase; expected the first and the last instant in s, such "
+            "as (0, 5), all instants, increasing from 0, or the last one"
         ),
     ),
     "no instants": (
         lambda: step_response(SPRING, NUMBERS, []),
         errors.ArgumentError,
         (
-            "step_response, t: [] is empty; expected instants in s that increase from 0, such as "
-            "numpy.linspace(0, 5, 500), or the last one"
+            "step_response, t: [] is empty; expected the first and the last instant in s, such "
+            "as (0, 5), all instants, increasing from 0, or the last one"
         ),
     ),
     "an instant before the step": (
         lambda: step_response(SPRING, NUMBERS, [-1, 1]),
         errors.ArgumentError,
         (
-            "step_response, t: [-1, 1] begins before 0; expected instants in s that increase from 0, such as "
-            "numpy.linspace(0, 5, 500), or the last one"
+            "step_response, t: [-1, 1] begins before 0; expected the first and the last instant in s, such "
+            "as (0, 5), all instants, increasing from 0, or the last one"
         ),
     ),
     "a last instant before the step": (
         lambda: step_response(SPRING, NUMBERS, -1),
         errors.ArgumentError,
         (
-            "step_response, t: -1 is not positive; expected instants in s that increase from 0, such as "
-            "numpy.linspace(0, 5, 500), or the last one"
+            "step_response, t: -1 is not positive; expected the first and the last instant in s, such "
+            "as (0, 5), all instants, increasing from 0, or the last one"
         ),
     ),
     "a frequency that is not a number": (
@@ -309,19 +359,19 @@ MISTAKES: dict[str, tuple[Callable[[], object], type[SymbodyError], str]] = {
             "numpy.geomspace(0.1, 100, 500)"
         ),
     ),
-    "a step of an input whose rate is an input": (
+    "a step of an input on whose rate an output depends": (
         lambda: step_response(DRIVEN, {**NUMBERS, c: 1}, [1]),
         errors.ModelError,
         (
-            "step_response: w', the rate of an input, is an input, too, and a jump has no finite rate; "
-            "expected loads as inputs: use frequency_response for inputs that drive constraints"
+            "step_response: x'' follows the rate of an input at once, so that its response contains an impulse; "
+            "expected outputs such as positions and speeds, or use frequency_response"
         ),
     ),
     "an impulse in an output": (
         lambda: impulse_response(cart(F - k * x, [time_derivative(x, 2)]), NUMBERS, 1),
         errors.ModelError,
         (
-            "impulse_response: x'' follows an input at once, so that its response holds an impulse; expected"
+            "impulse_response: x'' follows an input at once, so that its response contains an impulse; expected"
             " outputs such as positions and speeds, or use step_response"
         ),
     ),

@@ -13,6 +13,7 @@ import pytest
 
 import symbody
 from symbody import codegen, simulation, view
+from tests.type_check import ROOT, checked_types
 
 MODELS = "dynamics errors geometry multibody symbolic"
 CODEGEN = "codegen dynamics errors files geometry multibody symbolic"
@@ -130,16 +131,11 @@ def test_version() -> None:
 @pytest.mark.slow
 def test_type_checkers_know_the_names(tmp_path: Path) -> None:
     """And no others: a module with ``__getattr__`` would have them all."""
+    assert Path(symbody.__file__).with_name("py.typed").exists()  # which lets them read an installed package
     (tmp_path / "user.py").write_text(
         "import symbody as sb\nreveal_type(sb.grid)\nreveal_type(sb.__version__)\nsb.simulat\n"
     )
-    done = subprocess.run(
-        [sys.executable, "-m", "mypy", "--strict", "user.py"],
-        cwd=tmp_path,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
+    done = checked_types(ROOT, tmp_path, "-m", "user", mypy_path=str(tmp_path))
     first, second, third, *_ = done.stdout.splitlines()
     assert "def (" in first
     assert 'is "str"' in second or 'is "builtins.str"' in second

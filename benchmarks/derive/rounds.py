@@ -2,23 +2,17 @@
 
 from __future__ import annotations
 
-import subprocess
 import sys
 from collections.abc import Iterator
 from dataclasses import replace
-from pathlib import Path
 from statistics import median
 
+from ..own_process import in_own_process
 from .problem import Contender, Measurement, Problem, Results
 from .trial import from_json, trial
 
-ROOT = Path(__file__).resolve().parents[2]
-
 SLOW = 5.0
 """Seconds beyond which one trial is enough."""
-
-PATIENCE = 600.0
-"""Seconds after which a trial is given up."""
 
 TOLERANCE = 1e-9
 """Largest difference of outputs, relative to the largest output, that rounding explains."""
@@ -67,14 +61,8 @@ def _entries(problem: Problem, sizes: tuple[int, ...]) -> Iterator[tuple[Contend
 
 
 def _isolated_trial(problem: Problem, contender: Contender, size: int) -> Measurement | None:
-    command = [sys.executable, "-m", "benchmarks.derive.trial", problem.name, contender.label, str(size)]
-    try:
-        run = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE, check=False, cwd=ROOT)
-    except subprocess.TimeoutExpired:
-        return None
-    if run.returncode != 0:
-        raise RuntimeError(f"{problem.name}: {contender.label} failed at n = {size}:\n{run.stderr}")
-    return from_json(run.stdout)
+    printed = in_own_process("benchmarks.derive.trial", problem.name, contender.label, str(size))
+    return None if printed is None else from_json(printed)
 
 
 def _medians(measurements: list[Measurement]) -> Measurement:

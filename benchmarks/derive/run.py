@@ -8,14 +8,12 @@ A full run takes about half an hour and writes docs/benchmarks/derive.md; with -
 from __future__ import annotations
 
 import argparse
-from pathlib import Path
 
+from ..page import write_page
 from .problems import PROBLEMS
 from .report import introduction, section, targets
 from .rounds import in_this_process, in_turns
 from .ways import ways
-
-REPORT = Path(__file__).resolve().parents[2] / "docs" / "benchmarks" / "derive.md"
 
 
 def main() -> None:
@@ -34,7 +32,7 @@ def main() -> None:
     if arguments.quick or arguments.only:
         print(report)
     else:
-        _write(report)
+        write_page("derive.md", report)
 
 
 def quick(names: list[str]) -> list[str]:
@@ -51,15 +49,6 @@ def full(names: list[str], rounds: int) -> list[str]:
         results = in_turns(problem, rounds)
         parts += [section(problem, problem.sizes, results), targets(problem, results)]
     return [*parts, ways()] if names == list(PROBLEMS) else parts
-
-
-def _write(report: str) -> None:
-    """Write under a temporary name first, so that a report is whole or absent."""
-    REPORT.parent.mkdir(parents=True, exist_ok=True)
-    partial = REPORT.with_suffix(".partial")
-    partial.write_text(report, encoding="utf-8")
-    partial.replace(REPORT)
-    print(f"wrote {REPORT}")
 
 
 if __name__ == "__main__":

@@ -8,18 +8,17 @@ A full run takes about ten minutes and writes docs/benchmarks/evaluate.md; with 
 from __future__ import annotations
 
 import argparse
-from pathlib import Path
 
 from symbody import cost, newton_euler
 
 from ..derive.by_symbody import chain as symbolic_chain
+from ..page import write_page
 from . import by_symbody, report, scaling
 from .measure import Effort, Timing, compare, in_turns
 from .robot import chain, from_reference
 from .states import COUNT, random_states
 from .targets import INVERSE, PANDA, SOLO, Bound
 
-REPORT = Path(__file__).resolve().parents[2] / "docs" / "benchmarks" / "evaluate.md"
 MANY = 500_000
 """States that are shared among threads."""
 
@@ -35,9 +34,7 @@ def main() -> None:
     if arguments.quick:
         print(quick())
         return
-    REPORT.parent.mkdir(parents=True, exist_ok=True)
-    REPORT.write_text(full(arguments.rounds), encoding="utf-8")
-    print(f"wrote {REPORT}")
+    write_page("evaluate.md", full(arguments.rounds))
 
 
 def quick() -> str:

@@ -2,23 +2,16 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
-from pathlib import Path
 from statistics import median
 
 import numpy as np
 
+from ..own_process import in_own_process
 from .problem import Contender, Measurement, Problem
 from .trial import from_json, trial
 
-ROOT = Path(__file__).resolve().parents[2]
-
 SLOW = 5.0
 """Seconds beyond which one trial is enough."""
-
-PATIENCE = 600.0
-"""Seconds after which a trial is given up."""
 
 Results = dict[str, Measurement | None]
 """By label; None for a contender that gave no result in time."""
@@ -63,11 +56,5 @@ def agree(one: Measurement, other: Measurement) -> bool:
 
 
 def _isolated(problem: Problem, contender: Contender) -> Measurement | None:
-    command = [sys.executable, "-m", "benchmarks.linear.trial", problem.name, contender.label]
-    try:
-        run = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE, check=False, cwd=ROOT)
-    except subprocess.TimeoutExpired:
-        return None
-    if run.returncode != 0:
-        raise RuntimeError(f"{problem.name}: {contender.label} failed:\n{run.stderr}")
-    return from_json(run.stdout)
+    printed = in_own_process("benchmarks.linear.trial", problem.name, contender.label)
+    return None if printed is None else from_json(printed)

@@ -9,13 +9,11 @@ A full run takes some minutes, most of them SymPy's, and writes docs/benchmarks/
 from __future__ import annotations
 
 import argparse
-from pathlib import Path
 
+from ..page import write_page
 from .problems import PROBLEMS
 from .report import introduction, section
 from .rounds import in_this_process, in_turns
-
-REPORT = Path(__file__).resolve().parents[2] / "docs" / "benchmarks" / "linear.md"
 
 
 def main() -> None:
@@ -38,7 +36,7 @@ def main() -> None:
     if arguments.only or arguments.without_slow:
         print(report)
     else:
-        _write(report)
+        write_page("linear.md", report)
 
 
 def quick(names: list[str]) -> str:
@@ -52,14 +50,6 @@ def full(names: list[str], rounds: int, *, has_slow: bool) -> str:
     problems = [PROBLEMS[name] for name in names]
     tables = [section(each, in_turns(each, rounds, has_slow=has_slow)) for each in problems]
     return "\n".join([introduction(f"{rounds} rounds (one for trials that take more than 5 s)"), *tables])
-
-
-def _write(report: str) -> None:
-    """Write under a temporary name first, so that a report is whole or absent."""
-    partial = REPORT.with_suffix(".partial")
-    partial.write_text(report, encoding="utf-8")
-    partial.replace(REPORT)
-    print(f"wrote {REPORT}")
 
 
 if __name__ == "__main__":

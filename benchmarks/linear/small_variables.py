@@ -12,7 +12,6 @@ import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
-from pathlib import Path
 from random import Random
 from statistics import median
 from time import perf_counter
@@ -38,7 +37,8 @@ from symbody import (
     translate,
 )
 
-REPORT = Path(__file__).parents[2] / "docs/benchmarks/small_variables.md"
+from ..page import write_page
+
 SIZES, ROUNDS = (3, 10, 30), 5
 SYMPY_SIZES = (1,)
 PARAMETERS = "l m Ia Ib g"
@@ -191,7 +191,7 @@ def main() -> None:
             found = measure(contender, rods)
             rows.append(f"| {name} | {rods} | {found.seconds * 1000:.3g} ms | {found.operations} |")
             print(rows[-1], file=sys.stderr)
-    REPORT.write_text(TEXT + "\n".join(rows) + "\n", encoding="utf-8")
+    write_page("small_variables.md", TEXT + "\n".join(rows) + "\n")
 
 
 if __name__ == "__main__":

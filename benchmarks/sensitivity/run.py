@@ -11,15 +11,14 @@ import argparse
 import os
 import platform
 from importlib.metadata import PackageNotFoundError, version
-from pathlib import Path
 from statistics import median
 from time import perf_counter
 
 import numpy as np
 
+from ..page import write_page
 from .contenders import ATOL, CONTENDERS, DURATION, RTOL, Array, Solve, forward
 
-REPORT = Path(__file__).resolve().parents[2] / "docs" / "benchmarks" / "sensitivity.md"
 BOUND = 4.0
 """The most time of the sensitivities, in times of the motion alone."""
 
@@ -54,10 +53,7 @@ def main() -> None:
     if arguments.quick:
         print(text)
         return
-    partial = REPORT.with_suffix(".partial")
-    partial.write_text(text, encoding="utf-8")
-    partial.replace(REPORT)
-    print(f"wrote {REPORT}")
+    write_page("sensitivity.md", text)
 
 
 def report(rounds: int) -> str:

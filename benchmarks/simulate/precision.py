@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from functools import partial
+from functools import cache, partial
 from itertools import pairwise
 from math import exp, inf, log
 from statistics import median
@@ -132,6 +132,7 @@ def compared(problem: Problem, effort: Effort, tolerances: Sequence[float] | Non
     return Comparison(problem, tuple(curves[: len(contenders)]), own, check)
 
 
+@cache
 def reference(problem: Problem) -> tuple[list[Array], dict[str, float]]:
     """Return the ends of all durations by SciPy's DOP853 in small steps, and how far other results are from them."""
     rates, jacobian = by_scipy.rates(problem), by_scipy.jacobian(problem)

@@ -8,9 +8,9 @@ A full run takes some minutes and writes docs/benchmarks/simulate.md and .svg; w
 from __future__ import annotations
 
 import argparse
-from pathlib import Path
 from time import process_time
 
+from ..page import FOLDER, write_page
 from . import by_scipy, report
 from .andrews import andrews
 from .double_pendulum import double_pendulum
@@ -19,7 +19,6 @@ from .precision import Comparison, Effort, compared
 from .problem import Problem
 from .throughput import measured
 
-REPORT = Path(__file__).resolve().parents[2] / "docs" / "benchmarks" / "simulate.md"
 CALLS = 20_000
 """Calls of the rates whose time is taken together."""
 
@@ -38,10 +37,8 @@ def main() -> None:
         print(quick())
         return
     text, comparisons = full(arguments.rounds)
-    REPORT.parent.mkdir(parents=True, exist_ok=True)
-    write_plot(comparisons, REPORT.with_suffix(".svg"))
-    REPORT.write_text(text, encoding="utf-8")
-    print(f"wrote {REPORT}")
+    write_plot(comparisons, FOLDER / "simulate.svg")
+    write_page("simulate.md", text)
 
 
 def quick() -> str:

@@ -8,13 +8,11 @@ A full run takes three minutes and writes docs/benchmarks/singular.md and .svg; 
 from __future__ import annotations
 
 import argparse
-from pathlib import Path
 
+from ..page import FOLDER, write_page
 from . import report
 from .plot import write_plot
 from .scan import losses, others
-
-REPORT = Path(__file__).resolve().parents[2] / "docs" / "benchmarks" / "singular.md"
 
 
 def main() -> None:
@@ -27,10 +25,8 @@ def main() -> None:
         print(quick())
         return
     found = losses()
-    REPORT.parent.mkdir(parents=True, exist_ok=True)
-    write_plot(found, REPORT.with_suffix(".svg"))
-    REPORT.write_text(report.written(found, others()), encoding="utf-8")
-    print(f"wrote {REPORT}")
+    write_plot(found, FOLDER / "singular.svg")
+    write_page("singular.md", report.written(found, others()))
 
 
 def quick() -> str:

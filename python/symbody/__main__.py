@@ -1,4 +1,4 @@
-"""The command line: ``python -m symbody`` lists its commands."""
+"""The command line: ``symbody``, or ``python -m symbody``, lists its commands."""
 
 from __future__ import annotations
 
@@ -7,26 +7,34 @@ import sys
 from collections.abc import Sequence
 from importlib.metadata import version
 
+from symbody.worksheet.command_line import add_run_options
+
 COMMANDS = {
     "version": "print the version",
     "doctor": "report which packages, extras and programs are there, and how to get the missing ones",
+    "run": "run an MBSymba worksheet, without Maple",
 }
 
 EPILOG = """\
 symbody is a library: import symbody as sb. help(sb) lists its functions; the guides are in docs/.
 Exit status: 0 if all is well, 1 if the doctor finds that something that symbody needs is missing or broken, 2 if the
-command is unknown.
+command is unknown. Of run: 1 if statements failed, 2 if outputs differ (--check), 3 if the file is not readable.
 """
 
 
 def main(words: Sequence[str] | None = None) -> int:
     """Run a command and return the exit status."""
     parser = _parser()
-    command = parser.parse_args(words).command
+    given = parser.parse_args(words)
+    command = given.command
     if command == "version":
         print(f"symbody {version('symbody')}")
     elif command == "doctor":
         return _doctor()
+    elif command == "run":
+        from symbody.worksheet.run import run_file  # noqa: PLC0415 - the interpreter of worksheets
+
+        return run_file(given)
     else:
         parser.print_help()
     return 0
@@ -42,7 +50,9 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=f"symbody {version('symbody')}")
     commands = parser.add_subparsers(dest="command", title="commands", metavar="command")
     for name, purpose in COMMANDS.items():
-        commands.add_parser(name, help=purpose, description=f"{purpose.capitalize()}.")
+        command = commands.add_parser(name, help=purpose, description=f"{purpose[0].upper()}{purpose[1:]}.")
+        if name == "run":
+            add_run_options(command)
     return parser
 
 

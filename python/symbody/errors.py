@@ -101,6 +101,18 @@ class ReportError(SymbodyError, ValueError):
     """A report of something that is not a model, or in an unknown format."""
 
 
+class WorksheetError(SymbodyError, ValueError):
+    """A worksheet that can't be read, or a statement of it that can't be executed.
+
+    Attributes:
+        place: where it stands in the file (`symbody.worksheet.syntax.Place`), if that is known.
+    """
+
+    def __init__(self, message: str, place: object = None) -> None:
+        super().__init__(message)
+        self.place = place
+
+
 class ModelNotice(UserWarning):
     """A warning of something that the user should know, such as a part that was left out of a result on purpose.
 

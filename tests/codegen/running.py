@@ -10,10 +10,10 @@ from symbody.codegen.sources.generate import TARGETS
 from symbody.codegen.sources.toolchain import needed_tools
 
 
-def run_of(*values: str, is_slow: bool = False) -> object:
-    """The parameters of one test, the last of which is the target that it runs."""
+def run_of(*values: str, mark: pytest.MarkDecorator | None = None) -> object:
+    """The parameters of one test, the last of which is the target that it runs, with a further mark if there is one."""
     needs = pytest.mark.needs(*needed_tools(TARGETS[values[-1]]))
-    return pytest.param(*values, marks=[needs, pytest.mark.slow] if is_slow else needs)
+    return pytest.param(*values, marks=[needs, mark] if mark else needs)
 
 
 def run_of_each(targets: Iterable[str] = TARGETS) -> list[object]:

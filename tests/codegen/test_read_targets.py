@@ -34,4 +34,8 @@ def test_modelica_gives_the_values_of_other_programs(robot: str) -> None:
     program, sample = at_reference_state(robot)
     text = next(iter(target.files(module_of(program, target.language, target.limit, sample)).values()))
     assert Package(text).call("self_check")
+
+
+def test_a_mistake_in_modelica_is_found() -> None:
+    text = next(iter(source(PROGRAMS["double_pendulum"](), "modelica").values()))
     assert not Package(text.replace("cos(", "sin(")).call("self_check")

@@ -29,16 +29,22 @@ GOLDEN = ROOT / "tests" / "golden"
 COMPILES_LONG = ("long", "trifilar", "panda_7dof", "solo12_floating")
 
 
-def runs_of(programs: Iterable[str]) -> list[object]:
-    """The parameters of tests that run programs in all targets."""
+def runs_of(programs: Iterable[str], longest: str) -> list[object]:
+    """The parameters of tests that run programs in all targets.
+
+    Args:
+        programs: the names of the programs.
+        longest: the one that JAX compiles longest, in which it does what it does in others.
+    """
+    marks = dict.fromkeys(COMPILES_LONG, pytest.mark.slow) | {longest: pytest.mark.repeated}
     return [
-        run_of(program, target, is_slow=target == "jax" and program in COMPILES_LONG)
+        run_of(program, target, mark=marks.get(program) if target == "jax" else None)
         for program in programs
         for target in TARGETS
     ]
 
 
-@pytest.mark.parametrize(("program", "target"), runs_of(PROGRAMS))
+@pytest.mark.parametrize(("program", "target"), runs_of(PROGRAMS, "trifilar"))
 def test_against_the_evaluator(program: str, target: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """JAX compiles the trifilar pendulum here and robots in the next test, and runs other long programs uncompiled."""
     if target == "jax" and program in ("long", *REFERENCES):
@@ -48,7 +54,7 @@ def test_against_the_evaluator(program: str, target: str, monkeypatch: pytest.Mo
     assert report.count("  ok") == len(results)
 
 
-@pytest.mark.parametrize(("robot", "name"), runs_of(REFERENCES))
+@pytest.mark.parametrize(("robot", "name"), runs_of(REFERENCES, "solo12_floating"))
 def test_against_other_programs(robot: str, name: str) -> None:
     target = TARGETS[name]
     program, sample = at_reference_state(robot)
@@ -86,7 +92,7 @@ def digest() -> str:
     return sums.hexdigest()
 
 
-@pytest.mark.parametrize("seed", ["1", pytest.param("2", marks=pytest.mark.slow)])
+@pytest.mark.parametrize("seed", ["1", pytest.param("2", marks=pytest.mark.repeated)])
 def test_same_bytes_in_every_process(seed: str) -> None:
     code = "from tests.codegen.test_targets import digest; print(digest())"
     environment = os.environ | {"PYTHONHASHSEED": seed}

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 from numpy.testing import assert_allclose
 
 from symbody import (
     Body,
     Force,
+    Matrix,
     System,
     Vector,
     cos,
@@ -26,6 +28,7 @@ from symbody import (
     time_derivative,
     translate,
 )
+from symbody.errors import ModelError
 from symbody.models import bicycle
 
 m, M, l, g, k, c, Omega = symbols("m M l g k c Omega")
@@ -163,3 +166,24 @@ def test_rates_of_inputs_in_outputs_are_inputs() -> None:
     assert linear.B.tolist() == [[0, 0], [1 / m, 0]]
     assert linear.C.tolist() == [[0, 0], [0, 0]]
     assert linear.D.tolist() == [[0, F0], [0, 1]]
+
+
+def test_an_input_that_moves_at_a_constant_rate() -> None:
+    """``F = c (w' - x')``: a belt moves under a mass that rests on it, wherever the belt is."""
+    x, w = functions_of_time("x w")
+    m, c, V = symbols("m c V")
+    body = Body(translate(x, 0, 0), m)
+    load = Force(ground, c * (time_derivative(w) - time_derivative(x)), 0, 0, at=body.center_of_mass, on=body)
+    eqs = newton_euler(System([body], [load], coordinates=[x]))
+    for about in ({time_derivative(w): V}, {w: 0, time_derivative(w): V}, {w: 3 + V * t}):
+        assert Matrix([[0, 1], [0, -c / m]]) == linearize(eqs, {**about, time_derivative(x): V}).A
+
+
+def test_an_input_that_moves_where_its_value_matters() -> None:
+    x, w = functions_of_time("x w")
+    m, k, V = symbols("m k V")
+    body = Body(translate(x, 0, 0), m)
+    load = Force(ground, k * (w - x) + time_derivative(w), 0, 0, at=body.center_of_mass, on=body)
+    eqs = newton_euler(System([body], [load], coordinates=[x]))
+    with pytest.raises(ModelError, match=r"the motion is not steady.*changes with t"):
+        linearize(eqs, {w: 0, time_derivative(w): V})

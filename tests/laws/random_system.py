@@ -53,7 +53,7 @@ class Maker:
             return symbols(f"{name}{self.count}")
         return number(self.random.choice([round(self.random.uniform(-2, 2), 3), self.random.randint(1, 3)]))
 
-    def length(self, name: str) -> Expr:
+    def size(self, name: str) -> Expr:
         """Return a parameter that is not negative where it is a number."""
         drawn = self.parameter(name)
         return -drawn if drawn.is_constant and float(drawn) < 0 else drawn
@@ -139,8 +139,8 @@ class Maker:
     def spring(self, vector: Vector, frames: list[Frame], on: Body, reaction: Body | None) -> Load:
         """Return a spring to another body or to ground, with a damper or not; half of them have no free length."""
         del vector
-        free = {} if self.random.random() < 0.5 else {"free_length": self.length("l")}
-        damped = {} if self.random.random() < 0.5 else {"damping": self.parameter("d")}
+        free = {} if self.random.random() < 0.5 else {"free_length": self.size("l")}
+        damped = {} if self.random.random() < 0.5 else {"damping": self.size("d")}
         at, to = self.ends(frames, on, reaction)
         return spring(at, to, self.parameter("k"), **free, **damped, on=on, reaction=reaction)
 

@@ -30,6 +30,7 @@ from symbody import (
 )
 from symbody.errors import ModelNotice
 from tests.laws.random_system import random_system
+from tests.repeated import repeated
 
 FORMALISMS = [newton_euler, lagrange_equations, kane, gibbs_appell]
 a, m, k = symbols("a m k")
@@ -55,7 +56,7 @@ def inertia(equations: Equations) -> list[Expr]:
 
 
 @pytest.mark.parametrize("formalism", FORMALISMS)
-@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("seed", [*range(4), *repeated(range(4, 12))])
 def test_the_parts_make_the_residuals(formalism: type, seed: int) -> None:
     equations = formalism(pushed(seed))
     for residual, first, second in zip(equations.residuals, inertia(equations), equations.bias, strict=True):
@@ -65,7 +66,7 @@ def test_the_parts_make_the_residuals(formalism: type, seed: int) -> None:
     assert jacobian(equations.residuals, equations.accelerations) == equations.mass_matrix
 
 
-@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("seed", [*range(4), *repeated(range(4, 12))])
 def test_both_formalisms_give_the_same_nodes(seed: int) -> None:
     one, two = newton_euler(pushed(seed)), lagrange_equations(pushed(seed))
     for left, right in (

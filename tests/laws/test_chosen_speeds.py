@@ -31,8 +31,9 @@ from symbody import (
 from tests.laws.random_speeds import KINDS, by_chosen_speeds, drawn
 from tests.laws.random_system import random_system
 from tests.laws.test_formalisms import check_same_nodes
+from tests.repeated import repeated
 
-SEEDS = range(10)
+SEEDS = [*range(4), *repeated(range(4, 10))]
 a, b = symbols("a_y b_y")
 
 
@@ -67,7 +68,7 @@ def test_constraints_of_both_kinds_by_the_chain_rule(seed: int) -> None:
 
 
 @pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", [0, 1, *repeated(range(2, 6))])
 def test_all_formalisms_give_the_same_nodes(seed: int, kind: str) -> None:
     system = drawn(seed, kind)
     assert system.chosen

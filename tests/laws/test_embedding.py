@@ -42,16 +42,13 @@ from symbody.errors import ConstraintError, ModelError
 from symbody.symbolic import free_symbols
 from tests.laws.random_speeds import drawn
 from tests.laws.random_system import random_constrained_system
+from tests.repeated import repeated
 
 SEEDS = [(seed, floats) for seed in range(10) for floats in (False, True)]
 RATES_DEPEND = [
-    (seed, floats)
-    for seed, floats in SEEDS
-    if {
-        each.order
-        for each in embedded(newton_euler(random_constrained_system(seed, floats=floats))).system.eliminated
-    }
-    == {1}
+    *((seed, False) for seed in range(4)),
+    (7, True),
+    *repeated((seed, False) for seed in range(4, 10)),
 ]
 """Those whose dependent speeds are rates of coordinates, as kinematics have it."""
 
@@ -71,7 +68,7 @@ def by_independent_speeds(equations: Equations, reduced: Equations, method: str)
     return list(reduced.system.by_speeds(wanted))
 
 
-@pytest.mark.parametrize(("seed", "floats"), SEEDS)
+@pytest.mark.parametrize(("seed", "floats"), [*SEEDS[:8], *repeated(SEEDS[8:])])
 def test_embedding_is_the_null_space_is_the_multipliers(seed: int, floats: bool) -> None:
     check_three_ways(random_constrained_system(seed, floats=floats))
 
@@ -103,7 +100,7 @@ def check_three_ways(system: System) -> None:
 
 
 @pytest.mark.parametrize("kind", ["rates", "constrained", "floating and constrained"])
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", [0, *repeated(range(1, 4))])
 def test_every_formalism_is_reduced_to_the_same_nodes(seed: int, kind: str) -> None:
     """By rates, and by speeds of choice."""
     system = random_constrained_system(seed) if kind == "rates" else drawn(seed, kind)
@@ -114,7 +111,7 @@ def test_every_formalism_is_reduced_to_the_same_nodes(seed: int, kind: str) -> N
 
 
 @pytest.mark.parametrize("kind", ["constrained", "floating and constrained"])
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", [0, 1, *repeated(range(2, 6))])
 def test_embedding_is_the_null_space_is_the_multipliers_in_speeds_of_choice(seed: int, kind: str) -> None:
     check_three_ways(drawn(seed, kind))
 
@@ -124,6 +121,7 @@ def test_kinematics_embed_the_same_constraints(seed: int, floats: bool) -> None:
     """Dependent rates that the constraints give are kinematics of a system without constraints: the same equations."""
     whole = random_constrained_system(seed, floats=floats)
     reduced = embedded(newton_euler(whole))
+    assert {each.order for each in reduced.system.eliminated} == {1}
     linked = System(
         whole.bodies,
         whole.loads,

@@ -9,6 +9,7 @@ from symbody import Body, motor, power, time_derivative, torsion_spring
 from symbody.multibody.joint.placed_joint import PlacedJoint
 from symbody.symbolic import number
 from tests.laws.test_joints import Moving, moving
+from tests.repeated import repeated
 
 KINDS = (
     "revolute",
@@ -20,7 +21,8 @@ KINDS = (
     "screw",
     "point_on_curve",
 )
-CASES = [(kind, form, seed) for kind in KINDS for form in ("tree", "loop") for seed in range(2)]
+FORMS = [(kind, form) for kind in KINDS for form in ("tree", "loop")]
+CASES = [*((*form, 0) for form in FORMS), *repeated((*form, 1) for form in FORMS)]
 
 
 def joint_of(case: Moving, form: str) -> PlacedJoint:

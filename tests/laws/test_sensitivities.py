@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from symbody import (
     Body,
+    Equations,
     Expr,
     Motion,
     System,
@@ -65,6 +66,15 @@ def differences(
     return (4 * narrow - wide) / 3
 
 
+def motions_of(equations: Equations, **given: object) -> Callable[..., Motion]:
+    """Return precise motions as a function of parameters and initial values."""
+
+    def run(parameters: Mapping[Expr, float], initial: Mapping[Expr, float], **options: object) -> Motion:
+        return simulate(equations, parameters, initial, INSTANTS, **TIGHT, **given, **options)  # type: ignore[arg-type]
+
+    return run
+
+
 def compare(
     run: Callable[..., Motion],
     parameters: Mapping[Expr, float],
@@ -106,18 +116,7 @@ def test_classic_systems(model: Callable[[], ClassicSystem]) -> None:
     by = [p for p in parameters if p in equations.parameters][:4]
     by += [] if equations.constraints else list(classic.initial)[:2]
 
-    def run(parameters: Mapping[Expr, float], initial: Mapping[Expr, float], **options: object) -> Motion:
-        return simulate(
-            equations,
-            parameters,
-            initial,
-            INSTANTS,
-            inputs=classic.inputs,
-            guess=classic.guess,
-            **TIGHT,  # type: ignore[arg-type]
-            **options,  # type: ignore[arg-type]
-        )
-
+    run = motions_of(equations, inputs=classic.inputs, guess=classic.guess)
     compare(run, parameters, classic.initial, by)
 
 
@@ -140,11 +139,8 @@ def test_random_trees(seed: int) -> None:
     parameters = {m: 1.3, l: 0.7, c: 0.2, k: 3.0, a: 0.5, g: 9.81}
     initial = {name: random.uniform(-0.6, 0.6) for name in (*q, *map(time_derivative, q))}
 
-    def run(parameters: Mapping[Expr, float], initial: Mapping[Expr, float], **options: object) -> Motion:
-        return simulate(equations, parameters, initial, INSTANTS, **TIGHT, **options)  # type: ignore[arg-type]
-
     by = [p for p in parameters if p in equations.parameters]
-    compare(run, parameters, initial, [*by, *q, *map(time_derivative, q)])
+    compare(motions_of(equations), parameters, initial, [*by, *q, *map(time_derivative, q)])
 
 
 @pytest.mark.parametrize("constraints", ["projection", "baumgarte", "free"])
@@ -155,18 +151,7 @@ def test_a_loop_whose_start_follows_from_its_parameters(constraints: str) -> Non
     initial = {q: 1.1, time_derivative(q): 3.0}
     by = [*list(classic.parameters)[:3], q, time_derivative(q)]
 
-    def run(parameters: Mapping[Expr, float], initial: Mapping[Expr, float], **options: object) -> Motion:
-        return simulate(
-            equations,
-            parameters,
-            initial,
-            INSTANTS,
-            guess={x: 1.0, p: -0.4},
-            constraints=constraints,
-            **TIGHT,  # type: ignore[arg-type]
-            **options,  # type: ignore[arg-type]
-        )
-
+    run = motions_of(equations, guess={x: 1.0, p: -0.4}, constraints=constraints)
     motion = compare(run, classic.parameters, initial, by)
     for name in by:
         for constraint in equations.constraints:
@@ -184,17 +169,7 @@ def test_the_nearest_start_moves_with_the_parameters() -> None:
     equations = newton_euler(pendulum)
     v = time_derivative(x)
 
-    def run(parameters: Mapping[Expr, float], initial: Mapping[Expr, float], **options: object) -> Motion:
-        return simulate(
-            equations,
-            parameters,
-            initial,
-            INSTANTS,
-            guess={x: 1.0, y: -2.0, time_derivative(y): 1.0},
-            **TIGHT,  # type: ignore[arg-type]
-            **options,  # type: ignore[arg-type]
-        )
-
+    run = motions_of(equations, guess={x: 1.0, y: -2.0, time_derivative(y): 1.0})
     # the nearest state itself is found to 1e-8
     compare(run, {m: 1.0, l: 1.5, g: 9.81}, {}, [l, g], step=0.03, tolerance=1e-5)
     compare(run, {m: 1.0, l: 1.5, g: 9.81}, {v: 0.3}, [l, g, v], step=0.03, tolerance=1e-5)

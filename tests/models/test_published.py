@@ -91,6 +91,20 @@ def test_small_motions_of_n_pendulums_have_zeros_of_laguerre(n: int) -> None:
     assert_allclose(frequencies(models.n_pendulum(n), {}), np.sqrt(9.81 * np.sort(zeros)), rtol=1e-9)
 
 
+def test_numbers_of_furutas_pendulum() -> None:
+    """Its equations are among those of printed books; the frequency where it hangs is in their numbers."""
+    published = reference("furuta_pendulum")["parameters"]
+    model = models.furuta_pendulum()
+    numbers = {str(symbol): value for symbol, value in model.parameters.items()}
+    assert {name: numbers[name] for name in numbers if name != "g"} == {
+        name: published[name] for name in numbers if name != "g"
+    }
+    L1, l1, l2, m1, m2, J1, J2 = (published[name] for name in ("L1", "l1", "l2", "m1", "m2", "J1", "J2"))
+    arm, pole, coupling = J1 + m1 * l1**2 + m2 * L1**2, J2 + m2 * l2**2, m2 * L1 * l2
+    hanging = np.sqrt(numbers["g"] * m2 * l2 * arm / (arm * pole - coupling**2))
+    assert_allclose(frequencies(model, {}), [0, hanging], atol=1e-9)
+
+
 def test_poles_of_the_cart_with_a_pole() -> None:
     """Those that the tutorial prints, with four digits behind the point."""
     found = np.sort(eigenvalues(models.cart_pole(), {}).real)

@@ -146,9 +146,36 @@ def test_a_spring_that_is_wound_beyond_half_a_turn_is_told() -> None:
     (notice,) = notices
     assert str(notice.message) == (
         "simulate: coil is turned by more than half a turn from its free angle, first at about t = 2.1 s, where its "
-        "torque changes to the other side: its joint closes a loop, and tells angles from -pi to pi alone; let another "
-        "joint close the loop by loop=True"
+        "torque changes to the other side: its joint closes a loop, and its angle is known from -pi to pi only; make "
+        "the spring with all_turns=True, or let another joint close the loop by loop=True"
     )
+
+
+def test_a_spring_that_is_wound_up_counts_all_turns() -> None:
+    """I phi'' = -k (phi - phi0) over four turns: phi = phi0 (1 - cos(sqrt(k/I) t))."""
+    rotor = Link("rotor", 2.0, 1.0, 1.0, 0.5)
+    made = assemble([free("F", ground, rotor, axes="ZXY"), revolute("J", ground, rotor, loop=True)])
+    pin, on = made.joint("J").freedom(), made.body(rotor)
+    coil = torsion_spring(pin, 8.0, free_angle=14, on=on, all_turns=True, name="coil")
+    (state,) = coil.states
+    assert str(state) == "angle_coil"
+    rates = {time_derivative(state): coil.states[state]}
+    assert power(coil) + time_derivative(coil.potential).subs(rates) == 0
+    equations = newton_euler(made.system([coil]))
+    motion = simulate(equations, {}, {}, t=(0, 2), rtol=1e-10, atol=1e-12)
+    np.testing.assert_allclose(motion[coil["angle"]], -14 * np.cos(4 * motion.t), atol=1e-5)
+    assert motion.energy_drift < 1e-7
+    wound = simulate(equations, {}, {state: 14.0}, t=(0, 0.5), rtol=1e-10, atol=1e-12)
+    near = 14 - 4 * np.pi  # two turns before, which the state tells, and the pin does not
+    np.testing.assert_allclose(wound[coil["angle"]], -near * np.cos(4 * wound.t), atol=1e-5)
+
+
+def test_all_turns_of_a_coordinate_need_no_state() -> None:
+    rotor = Link("rotor", 2.0, 1.0, 1.0, 0.5)
+    made = assemble([revolute("J", ground, rotor)])
+    for angle in (made.joint("J").freedom(), made.coordinates[0]):
+        coil = torsion_spring(angle, k, on=made.body(rotor), all_turns=True)
+        assert (coil.states, coil["angle"]) == ({}, made.coordinates[0])
 
 
 def test_a_motor_on_an_euler_angle_is_one_between_massless_gimbals() -> None:

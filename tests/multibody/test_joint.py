@@ -18,6 +18,7 @@ from symbody import (
     ModelNotice,
     Point,
     System,
+    Torque,
     Vector,
     angular_velocity,
     assemble,
@@ -255,6 +256,40 @@ def test_a_planetary_gear_turns_as_willis_says() -> None:
     assert motion.energy_drift < 1e-9
     teeth = [motion.evaluate(reaction(equations, name).force.components) for name in ("G1", "G2")]
     assert all(np.abs(each).max() < 1e-9 for each in teeth)  # nothing accelerates
+
+
+def test_gears_couple_joints_that_close_loops_in_the_plane() -> None:
+    """The carrier turns about the ground, so that the joint of the ring closes a loop: its angle is -q.
+
+    With the torque M on the sun, ``(I_s n^2 + I_c + m_p e^2 + I_p (w_p/w_c)^2) q'' = n M``, where n = 1 + r_ring/r_sun.
+    """
+    r_sun, r_planet, M = 0.2, 0.1, 0.7
+    r_ring = r_sun + 2 * r_planet
+    carrier, sun, planet = (
+        Link(name, 1, Iz=I) for name, I in (("carrier", 0.3), ("sun", 0.02), ("planet", 0.01))
+    )
+    C = revolute("C", ground, carrier, coordinate=q, loop=False)
+    S, P = revolute("S", carrier, sun), revolute("P", carrier, planet, at=(r_sun + r_planet, 0, 0))
+    R = revolute("R", carrier, ground)
+    made = assemble(
+        [C, S, P, R, gear("G1", S, P, r_sun, r_planet), gear("G2", P, R, r_planet, r_ring, internal=True)]
+    )
+    assert made.coordinates[0] == q
+    assert not made.joint("R").opens
+    drive = Torque(ground, 0, 0, M, on=made.body(sun))
+    motion = simulate(newton_euler(made.system([drive])), {}, {}, t=(0, 1))
+    n, planet_rate = 1 + r_ring / r_sun, 1 - r_ring / r_planet
+    inertia = 0.02 * n**2 + 0.3 + (r_sun + r_planet) ** 2 + 0.01 * planet_rate**2
+    np.testing.assert_allclose(motion[q], n * M / inertia * motion.t**2 / 2, atol=1e-9)
+
+
+def test_a_rack_couples_a_slide_that_closes_a_loop() -> None:
+    """A pinion drives a bar, whose guide closes a loop with another one of the same axis."""
+    pinion, bar = Link("pinion", 1, Iz=1), Link("bar", 1)
+    A, B = revolute("A", ground, pinion, coordinate=p), prismatic("B", ground, bar, at=(0, -r, 0), loop=False)
+    D = prismatic("D", ground, bar, at=(0, -r, 0))
+    (mesh,) = assemble([A, B, D, rack("K", A, D, r)]).constraints
+    assert mesh.condition == B.coordinate - r * p
 
 
 def velocity_at(place: Point, frame: Frame) -> Vector:

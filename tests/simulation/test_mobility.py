@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 
 import numpy as np
@@ -10,9 +11,15 @@ import pytest
 from symbody import (
     Body,
     Constraint,
+    Frame,
+    Link,
+    Mechanism,
     System,
+    assemble,
     functions_of_time,
+    ground,
     mobility,
+    revolute,
     rotate,
     symbols,
     time_derivative,
@@ -112,3 +119,49 @@ def test_messages() -> None:
         match=re.escape("mobility: at t = 0 s constraint 1 (x**2 + k = 0) can't be satisfied"),
     ):
         plate(Constraint(x**2 + k)).mobility({k: 1.0})
+
+
+def bennett(*, digits: int) -> Mechanism:
+    """Bennett's linkage: two lengths and two twists, ``b sin(alpha) = a sin(beta)``, rounded to some digits."""
+    a, alpha, b = 1.0, 0.7, 1.5
+    beta = math.asin(b / a * math.sin(alpha))
+    a, alpha, b, beta = (round(each, digits) for each in (a, alpha, b, beta))
+    one, two, three = (Link(name, 1, 1, 1, 1) for name in ("one", "two", "three"))
+
+    def far(length: float, twist: float) -> Frame:
+        return translate(length, 0, 0) * rotate("X", twist)
+
+    return assemble(
+        [
+            revolute("A", ground, one),
+            revolute("B", one, two, at=far(a, alpha)),
+            revolute("C", two, three, at=far(b, beta)),
+            revolute("D", three, ground, at=far(a, alpha), to=rotate("X", -beta) * translate(-b, 0, 0)),
+        ]
+    )
+
+
+def test_a_mechanism_of_numbers_is_moved_without_further_arguments() -> None:
+    """Five equations of three angles lock them almost everywhere, and Bennett's linkage moves nevertheless."""
+    found = bennett(digits=17).system().mobility()
+    assert (found.generic_freedom, found.freedom, found.redundant) == (0, 1, 3)
+    assert "degrees of freedom where the mechanism moves: 1" in str(found)
+    with_rounded = bennett(digits=7).system().mobility()
+    assert with_rounded.freedom == 0
+    assert str(with_rounded).endswith(
+        "it may move because of special dimensions: mobility(parameters, q), with a closed position q, tells"
+    )
+
+
+def test_a_loop_that_closes_but_for_rounding_is_named() -> None:
+    made = bennett(digits=7)
+    system = made.system()
+    phi = made.joint("A").joint.coordinate
+    with pytest.raises(
+        ConstraintError,
+        match=r"the loop nearly closes at t = 0 s: .* the sides of revolute D on three and ground stay \d.\d+e-\d+ "
+        r"apart and are turned by \d.\d+e-\d+ rad; it has more constraints than coordinates, so that it closes with "
+        r"exact dimensions alone: give them with all digits, or as expressions such as pi/6, or let joints of the loop "
+        r"have more freedoms, such as spherical",
+    ):
+        mobility(system, {}, {phi: 0.5})

@@ -145,6 +145,18 @@ def test_a_motorcycle_turns_with_a_torque_on_its_rear_wheel():
     assert 0 < found[model["drive"]] < 1
 
 
+def test_an_unknown_input_has_a_guess():
+    car = single_track_car()
+    found = steady(
+        newton_euler(car.system),
+        car.parameters,
+        given={car["r"]: 0.2},
+        guess={car["delta"]: 0.1},
+        unknown=[car["delta"]],
+    )
+    assert found.residual < 1e-9
+
+
 def test_values_of_expressions_may_be_given():
     car = single_track_car()
     acceleration = car["u"] * car["r"]
@@ -176,6 +188,17 @@ def test_the_fold_of_a_top_is_at_its_critical_spin():
         (A + m * l**2 - C) * np.sin(height) * branch[turn] ** 2 - C * branch[spin] * branch[turn] + m * g * l
     )
     assert np.abs(residual).max() < 1e-7 * m * g * l
+
+
+@pytest.mark.parametrize("begin", [1.3, 2.7, 3.9])
+def test_a_branch_may_begin_at_the_end_of_its_range(begin: float):
+    eqs, about, tilt, numbers = pendulum()
+    turn = time_derivative(about)
+    hanging = steady(eqs, numbers, given={turn: begin})
+    for over in ((begin, 6), (0, begin)):
+        branch = continuation(hanging, turn, over)
+        assert branch.range == pytest.approx(over)
+        assert np.all(branch[tilt] == 0)
 
 
 def test_searches_from_many_starts_find_both_precessions():

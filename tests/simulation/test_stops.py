@@ -223,7 +223,7 @@ def test_limits_that_a_pin_in_space_cannot_tell_are_refused(limits):
 def test_limits_with_symbols_that_turn_out_too_wide_are_reported():
     equations, _ = spatial_pin(-a, a)
     with pytest.warns(
-        ModelNotice, match="the limits of revolute J are a turn apart or more, and don't tell when it"
+        ModelNotice, match="the limits of revolute J are a turn apart or more, and can't be checked: it"
     ):
         simulate(equations, {a: 3.5}, {}, t=(0, 0.1))
 

@@ -117,6 +117,7 @@ def expression(text: str) -> Any:
 
 
 @cache
+@cache
 def agrees(left: str, right: str) -> bool:
     """Return whether mpmath finds the two texts equal at every random point where both exist."""
     met = False

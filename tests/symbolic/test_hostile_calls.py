@@ -17,6 +17,7 @@ import numpy as np
 import pytest
 
 from symbody.symbolic import _core
+from tests.repeated import repeated
 from tests.symbolic.hostile_values import MAKERS, functions
 
 CALLS = 10_000
@@ -29,9 +30,7 @@ def _run(*arguments: object) -> subprocess.CompletedProcess[str]:
 
 @pytest.mark.slow
 @pytest.mark.skipif(not hasattr(signal, "alarm"), reason="calls are timed by POSIX")
-@pytest.mark.parametrize(
-    "seed", [*range(3), *(pytest.param(seed, marks=pytest.mark.repeated) for seed in range(3, 30))]
-)
+@pytest.mark.parametrize("seed", [*range(3), *repeated(range(3, 30))])
 def test_hostile_calls(seed: int, tmp_path: Path) -> None:
     journal = tmp_path / "journal"
     done = _run(seed, CALLS, journal)
@@ -107,7 +106,7 @@ def _long(count: int) -> _core.Expr:
     return _core.application("f", [_core.symbol(f"x{k}") for k in range(count)])
 
 
-GIANTS = {"deep": lambda: _deep(100_000), "wide": lambda: _wide(70_000), "long": lambda: _long(40_000)}
+GIANTS = {"deep": lambda: _deep(50_000), "wide": lambda: _wide(70_000), "long": lambda: _long(40_000)}
 """Expressions that are too large for the many calls."""
 
 CALLS_OF_GIANTS: dict[str, Callable[[_core.Expr], object]] = {

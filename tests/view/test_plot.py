@@ -23,8 +23,8 @@ from symbody import (
 )
 from symbody.errors import PictureError, ViewError
 from symbody.view import plot
+from symbody.view.figure import NotebookFigure
 from symbody.view.overview import overview
-from symbody.view.plot import NotebookFigure
 from tests.view.prescribed import hanging_plate, q1, q2, swinging, tumbling
 
 

@@ -4,6 +4,7 @@ from symbody.dynamics.equations import of_sympy as _of_sympy  # noqa: F401  ente
 from symbody.dynamics.equations.canonical import CanonicalEquations
 from symbody.dynamics.equations.equations import Equations
 from symbody.dynamics.equations.equations_of import equations_of
+from symbody.dynamics.equations.from_differential import equations_from_differential
 from symbody.dynamics.formalism.euler import euler_equations
 from symbody.dynamics.formalism.generalized_force import generalized_force
 from symbody.dynamics.formalism.gibbs_appell import gibbs_appell
@@ -29,6 +30,7 @@ __all__ = [
     "Reaction",
     "dependent_speeds",
     "embedded",
+    "equations_from_differential",
     "equations_of",
     "euler_equations",
     "forward_dynamics",

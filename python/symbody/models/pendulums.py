@@ -102,7 +102,7 @@ def furuta_pendulum() -> ClassicSystem:
     """Return Furuta's pendulum: an arm that turns about the vertical, and a pendulum on its end.
 
     The arm has the length L1 and the centre of mass at l1, the pendulum at l2; theta2 is zero where it hangs. The input
-    tau1 is the torque of the motor on the arm. The numbers are quoted from the source; no test compares them.
+    tau1 is the torque of the motor on the arm. The numbers are those of the source, without its dampings.
 
     >>> from symbody import newton_euler
     >>> newton_euler(furuta_pendulum().system).mass_matrix[0, 1]

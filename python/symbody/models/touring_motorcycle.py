@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from math import radians
 
-from symbody.geometry import Point, Vector, ground, rotate, translate
+from symbody.geometry import Frame, Point, Vector, ground, rotate, translate
 from symbody.multibody import Body, System, air_force, friction, motor, tire_kinematics, torsion_spring
-from symbody.symbolic import cos, functions_of_time, sin, symbols, time_derivative
+from symbody.symbolic import Expr, cos, functions_of_time, sin, symbols, time_derivative
 
 from .classic_system import ClassicSystem
-from .lagging_tyre import TyreLaw, lagging_tyre
+from .lagging_tyre import LaggingTyre, TyreLaw, lagging_tyre
 
 _NUMBERS = {
     "w": 1.448,
@@ -85,63 +85,27 @@ def touring_motorcycle() -> ClassicSystem:
     """
     p = dict(zip(_NUMBERS, symbols(" ".join(_NUMBERS)), strict=True))
     coordinates = functions_of_time("x y z psi phi theta delta beta phir phif")
-    x, y, z, psi, phi, theta, delta, beta, phir, phif = coordinates
-    Yr, Mr, Yf, Mf, Nr, Nf, tau, drive = functions_of_time("Yr Mr Yf Mf Nr Nf tau drive")
-    ce, se = cos(p["eps"]), sin(p["eps"])
-
-    heading = translate(x, y, z) * rotate("Z", psi)
-    main = heading * rotate("X", phi) * rotate("Y", theta)
-    straight = main * translate(p["w"] + p["an"] * ce, 0, p["an"] * se) * rotate("Y", -p["eps"])
-    fork = straight * rotate("Z", delta)
-    bent = fork * translate(0, 0, p["lb"]) * rotate("X", beta) * translate(0, 0, -p["lb"])
-    hub = translate(p["Rf"] * se - p["an"], 0, p["Rf"] * ce)
-
-    frame = Body(
-        Point(main, p["b"], 0, p["h"]), p["m"], p["Ixx"], p["Iyy"], p["Izz"], Cxz=p["Ixz"], name="frame"
-    )
-    front = p["ef"], 0, (p["hf"] - (p["an"] + p["ef"]) * se) / ce
-    low = p["eb"], 0, (p["hb"] - (p["an"] + p["eb"]) * se) / ce
-    of_fork, of_low = ((p[f"m{k}"], p[f"I{k}xx"], p[f"I{k}yy"], p[f"I{k}zz"]) for k in ("f", "b"))
-    bodies = [
-        frame,
-        Body(Point(straight, *front), *(-each for each in of_fork), name="front, taken away"),
-        steered := Body(Point(fork, *front), *of_fork, name="front"),
-        Body(Point(fork, *low), *(-each for each in of_low), name="fork, taken away"),
-        lower := Body(Point(bent, *low), *of_low, name="fork"),
-        rear_wheel := Body(
-            main * translate(0, 0, p["Rr"]) * rotate("Y", phir), 0, Iy=p["Iwr"], name="rear wheel"
-        ),
-        front_wheel := Body(bent * hub * rotate("Y", phif), 0, Iy=p["Iwf"], name="front wheel"),
-    ]
-    rear_law, front_law = (
-        TyreLaw(
-            p[f"ka{k}"],
-            p[f"kg{k}"],
-            p[f"ka{k}"] * p["m"] * p["g"] * share / p[f"kl{k}"],
-            N,
-            -p[f"ks{k}"],
-            p[f"kt{k}"],
-        )
-        for k, N, share in (("r", Nr, 1 - p["b"] / p["w"]), ("f", Nf, p["b"] / p["w"]))
-    )
-    on_rear = tire_kinematics(rear_wheel, p["Rr"], crown_radius=p["rhor"], carrier=heading)
-    on_front = tire_kinematics(front_wheel, p["Rf"], crown_radius=p["rhof"])
-    tyres = [
-        lagging_tyre(rear_wheel, on_rear, Yr, rear_law, Mr),
-        lagging_tyre(front_wheel, on_front, Yf, front_law, Mf),
-    ]
+    x, _, _, _, phi, _, delta, beta, phir, _ = coordinates
+    tau, drive = functions_of_time("tau drive")
+    bodies = _bodies(p, coordinates)
+    frame, steered, lower, rear_wheel = (bodies[name] for name in ("frame", "front", "fork", "rear wheel"))
+    tyres = _tyres(p, rear_wheel, bodies["front wheel"], _heading(coordinates))
     loads = [
         motor(delta, tau, on=steered, reaction=frame, name="steering torque"),
         friction(delta, viscous=p["cd"], on=steered, reaction=frame, name="steering damper"),
         torsion_spring(beta, p["kb"], on=lower, reaction=steered, name="bending of the fork"),
         motor(phir, drive, on=rear_wheel, reaction=frame, name="drive"),
         air_force(
-            Point(main, p["b"], 0, p["hA"]), on=frame, density=p["rho"], drag_area=p["CdA"], name="drag"
+            Point(frame.frame, 0, 0, p["hA"] - p["h"]),
+            on=frame,
+            density=p["rho"],
+            drag_area=p["CdA"],
+            name="drag",
         ),
         *(load for tyre in tyres for load in tyre.loads),
     ]
     system = System(
-        bodies,
+        [*bodies.values()],
         loads,
         coordinates,
         [constraint for tyre in tyres for constraint in tyre.constraints],
@@ -158,3 +122,51 @@ def touring_motorcycle() -> ClassicSystem:
         {time_derivative(x): _SPEED, time_derivative(phi): 0.05},
         {tau: 0.0, drive: drag * _NUMBERS["Rr"]},
     )
+
+
+def _heading(coordinates: tuple[Expr, ...]) -> Frame:
+    x, y, z, psi, *_ = coordinates
+    return translate(x, y, z) * rotate("Z", psi)
+
+
+def _bodies(p: dict[str, Expr], coordinates: tuple[Expr, ...]) -> dict[str, Body]:
+    """Return the bodies by their names."""
+    phi, theta, delta, beta, phir, phif = coordinates[4:]
+    ce, se = cos(p["eps"]), sin(p["eps"])
+    main = _heading(coordinates) * rotate("X", phi) * rotate("Y", theta)
+    straight = main * translate(p["w"] + p["an"] * ce, 0, p["an"] * se) * rotate("Y", -p["eps"])
+    fork = straight * rotate("Z", delta)
+    bent = fork * translate(0, 0, p["lb"]) * rotate("X", beta) * translate(0, 0, -p["lb"])
+    hub = translate(p["Rf"] * se - p["an"], 0, p["Rf"] * ce)
+    front = p["ef"], 0, (p["hf"] - (p["an"] + p["ef"]) * se) / ce
+    low = p["eb"], 0, (p["hb"] - (p["an"] + p["eb"]) * se) / ce
+    of_fork, of_low = ((p[f"m{k}"], p[f"I{k}xx"], p[f"I{k}yy"], p[f"I{k}zz"]) for k in ("f", "b"))
+    center = Point(main, p["b"], 0, p["h"])
+    bodies = (
+        Body(center, p["m"], p["Ixx"], p["Iyy"], p["Izz"], Cxz=p["Ixz"], name="frame"),
+        Body(Point(straight, *front), *(-each for each in of_fork), name="front, taken away"),
+        Body(Point(fork, *front), *of_fork, name="front"),
+        Body(Point(fork, *low), *(-each for each in of_low), name="fork, taken away"),
+        Body(Point(bent, *low), *of_low, name="fork"),
+        Body(main * translate(0, 0, p["Rr"]) * rotate("Y", phir), 0, Iy=p["Iwr"], name="rear wheel"),
+        Body(bent * hub * rotate("Y", phif), 0, Iy=p["Iwf"], name="front wheel"),
+    )
+    return {body.name: body for body in bodies}
+
+
+def _tyres(p: dict[str, Expr], rear: Body, front: Body, heading: Frame) -> list[LaggingTyre]:
+    Yr, Mr, Yf, Mf, Nr, Nf = functions_of_time("Yr Mr Yf Mf Nr Nf")
+    rear_law, front_law = (
+        TyreLaw(
+            p[f"ka{k}"],
+            p[f"kg{k}"],
+            p[f"ka{k}"] * p["m"] * p["g"] * share / p[f"kl{k}"],
+            N,
+            -p[f"ks{k}"],
+            p[f"kt{k}"],
+        )
+        for k, N, share in (("r", Nr, 1 - p["b"] / p["w"]), ("f", Nf, p["b"] / p["w"]))
+    )
+    on_rear = tire_kinematics(rear, p["Rr"], crown_radius=p["rhor"], carrier=heading)
+    on_front = tire_kinematics(front, p["Rf"], crown_radius=p["rhof"])
+    return [lagging_tyre(rear, on_rear, Yr, rear_law, Mr), lagging_tyre(front, on_front, Yf, front_law, Mf)]

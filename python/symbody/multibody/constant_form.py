@@ -28,7 +28,7 @@ _ROUNDED = 1e-12
 
 
 def agree(one: Expr, other: Expr) -> bool:
-    """Return whether two entries of a symmetric matrix are equal; numbers but for rounding.
+    """Return whether two entries of a symmetric matrix are equal; numbers up to rounding.
 
     >>> from symbody import number
     >>> agree(number(0.1 + 0.2), number(0.3)), agree(number(1), number(2))

@@ -25,7 +25,7 @@ def displaced(thing: Thing, motion: Frame, *, frame: Frame | None = None) -> Thi
     Args:
         thing: the point, vector, body or load. A load acts on the same bodies afterwards, elsewhere and in another
             direction. An element keeps its potential energy if the power of its actions stays the same, as that of a
-            torque which is shifted; otherwise a notice tells that it has none any more.
+            torque which is shifted; otherwise a notice says that it has none any more.
         motion: the displacement in the axes of the frame, such as ``translate(1, 0, 0)`` or ``rotate("Z", alpha)``.
         frame: the frame that is displaced; by default that of the thing.
 
@@ -89,8 +89,9 @@ def _element(element: Element, actions: Sequence[Action]) -> Element:
         "states": element.states,
         "quantities": element.quantities,
         "name": element.name,
-        "line": element.line,
+        "undefined": element.undefined,
         "jumping": element.jumping,
+        "sizes": element.sizes,
     }
     moved = Element(element.kind, actions, **more)
     if element.potential is None:

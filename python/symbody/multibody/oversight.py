@@ -78,7 +78,7 @@ def _lost_reactions(loads: Iterable[Load], known: Set[Expr]) -> Iterator[str]:
         bodies = dict.fromkeys(action.body for action in load.actions)
         moved = {leaf for body in bodies for motion in body.frame.motions for leaf in motion.leaves}
         held = load.potential.free_symbols if load.potential is not None else frozenset[Expr]()
-        lost = sorted(str(leaf) for leaf in (held & known) - moved)
+        lost = sorted(str(leaf) for leaf in (held & known) - moved - {*load.states})
         if lost:
             yield (
                 f"{load} is stretched by {lost[0]}, which moves none of its bodies, so that its reaction is lost; give "

@@ -378,7 +378,7 @@ class Variables:
 
     @cached_property
     def _leaves_without_rates(self) -> frozenset[Expr]:
-        """The same without the rates of states, which may hold multipliers."""
+        """The same without the rates of states, which may contain multipliers."""
         return frozenset({*self.coordinates, *self.quasi_velocities, *self.states}).union(
             *(value.free_symbols for value in self._values())
         )

@@ -22,6 +22,7 @@ from symbody.simulation.motion.occurrence import Occurrence
 from symbody.simulation.motion.simulate import simulate
 from symbody.simulation.sensitivity.gradient_of_motion import MotionGradient, gradient_of_motion
 from symbody.simulation.steady_state.branch import Branch
+from symbody.simulation.steady_state.branch_switching import crossing_branch
 from symbody.simulation.steady_state.continuation import continuation
 from symbody.simulation.steady_state.equilibrium import Equilibrium, equilibrium
 from symbody.simulation.steady_state.steady import steady
@@ -50,6 +51,7 @@ __all__ = [
     "TimeResponse",
     "consistent_state",
     "continuation",
+    "crossing_branch",
     "equilibrium",
     "frequency_response",
     "gradient_of_motion",

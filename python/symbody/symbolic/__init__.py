@@ -49,6 +49,7 @@ from symbody.symbolic.expression.functions import (
 from symbody.symbolic.expression.leaves import (
     ExprLike,
     UndefinedFunction,
+    application,
     function,
     functions_of_time,
     number,
@@ -56,6 +57,7 @@ from symbody.symbolic.expression.leaves import (
     symbol,
     symbols,
     t,
+    time_function,
 )
 from symbody.symbolic.expression.matrix import Matrix, identity, zeros
 from symbody.symbolic.expression.multiple_of_pi import (
@@ -108,6 +110,7 @@ __all__ = [
     "UndefinedFunction",
     "acos",
     "add3",
+    "application",
     "are_small",
     "asin",
     "atan",
@@ -175,6 +178,7 @@ __all__ = [
     "taylor",
     "time_derivative",
     "time_derivatives",
+    "time_function",
     "to_sympy",
     "truncated",
     "without_idle_symbols",

@@ -3,9 +3,10 @@
 from symbody.view.animation import Animation, animate
 from symbody.view.branch_plot import plot_branch
 from symbody.view.drawable_motion import DrawableMotion
+from symbody.view.figure import save
 from symbody.view.free_body import free_body_diagram
 from symbody.view.mode_plot import plot_mode
-from symbody.view.plot import plot, save
+from symbody.view.plot import plot
 from symbody.view.response_plot import plot_frequency_response, plot_time_response
 from symbody.view.root_locus_plot import plot_root_locus
 from symbody.view.shape import Box, Cylinder, Ellipsoid, Plate, Shape

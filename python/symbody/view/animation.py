@@ -19,6 +19,7 @@ from symbody.errors import ViewError
 from symbody.geometry import Frame, Point
 from symbody.multibody import Body, Load, Variables
 from symbody.symbolic import Expr
+from symbody.symbolic.given.arguments import with_known_names
 from symbody.view.drawable_motion import DrawableMotion, mechanism_of
 from symbody.view.drawing_options import DrawingOptions
 from symbody.view.scene import scene
@@ -86,6 +87,7 @@ def animate(
 ) -> Path: ...
 
 
+@with_known_names
 def animate(
     motion: DrawableMotion,
     path: str | os.PathLike[str] | None = None,

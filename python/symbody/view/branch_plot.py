@@ -13,8 +13,10 @@ from numpy.typing import NDArray
 
 from symbody.multibody import Variables
 from symbody.symbolic import Expr
+from symbody.view.figure import finished, symbol_of, with_unit
 from symbody.view.overview import overview
-from symbody.view.plot import Units, figure_over, save, symbol_of
+from symbody.view.plot import Units, figure_over
+from symbody.view.plot_argument import checked_units
 
 __all__ = ["plot_branch"]
 
@@ -103,9 +105,10 @@ def plot_branch(
     values = branch.evaluate([branch.parameter])[0]
     kinds = (group for part in overview(branch.system) for group in part)
     usual = next((group.unit("s") for group in kinds if branch.parameter in group.expressions), "")
-    unit = (units or {}).get(branch.parameter, usual)
+    units = checked_units(units, "Branch.plot")
+    unit = units.get(branch.parameter, usual)
     name = symbol_of(branch.parameter)
-    figure = figure_over(_Over(branch, values), f"{name} [{unit}]" if unit else name, shown, units or {}, "s")
+    figure = figure_over(_Over(branch, values), with_unit(name, unit), shown, units, "s")
     for axes in figure.axes:
         axes.margins(x=0.02)
         for line in [*axes.get_lines()]:
@@ -113,8 +116,4 @@ def plot_branch(
             for mark, places in branch.marks.items():
                 (dots,) = axes.plot(x[places], y[places], MARKERS[mark], color=line.get_color(), zorder=3)
                 dots.set(clip_on=False, in_layout=False)
-    if title or branch.system.name:
-        figure.suptitle(title or branch.system.name)
-    if path is not None:
-        save(figure, path)
-    return figure
+    return finished(figure, title or branch.system.name, path)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
+from numbers import Real
 from typing import Protocol
 
 import numpy as np
@@ -13,8 +14,9 @@ from matplotlib.projections.polar import PolarAxes
 from symbody.errors import ViewError
 from symbody.multibody import Variables
 from symbody.symbolic import Expr
+from symbody.symbolic.given.arguments import described
+from symbody.view.figure import NotebookFigure, finished, symbol_of, with_unit
 from symbody.view.overview import overview
-from symbody.view.plot import NotebookFigure, save, symbol_of
 
 __all__ = ["plot_mode"]
 
@@ -65,6 +67,8 @@ def plot_mode(
         ViewError: nothing moves.
         PictureError: the file can't be written.
     """
+    if isinstance(least, bool) or not isinstance(least, Real):
+        raise ViewError(f"Mode.plot, least: {described(least)}; expected a number, such as 0.01")
     coordinates, speeds = overview(mode.linear.system)
     groups, phasors = coordinates, mode.shape
     if not any(phasors.values()):
@@ -72,7 +76,8 @@ def plot_mode(
     largest = max((abs(value) for value in phasors.values()), default=0.0)
     if not largest:
         raise ViewError(
-            "plot_mode: no coordinate and no speed moves in this mode; expected one of states only"
+            "Mode.plot: no coordinate and no speed moves in this mode, only states beside the mechanics; "
+            "mode.participation has these"
         )
     kinds: dict[tuple[str, str], dict[Expr, complex]] = {}
     for group in groups:
@@ -86,11 +91,8 @@ def plot_mode(
         axes = figure.add_subplot(1, len(kinds), k + 1, projection="polar")
         assert isinstance(axes, PolarAxes)
         _compass(axes, moved)
-        axes.set_title(f"{kind} [{unit}]" if unit else kind, fontsize="medium")
-    figure.suptitle(title or mode.title)
-    if path is not None:
-        save(figure, path)
-    return figure
+        axes.set_title(with_unit(kind, unit), fontsize="medium")
+    return finished(figure, title or mode.title, path)
 
 
 def _compass(axes: PolarAxes, phasors: Mapping[Expr, complex]) -> None:

@@ -5,9 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from io import BytesIO
 from itertools import dropwhile, takewhile
-from pathlib import Path
 from typing import TypeAlias
 
 from matplotlib.axes import Axes
@@ -15,10 +13,12 @@ from matplotlib.figure import Figure
 
 from symbody.errors import ViewError
 from symbody.symbolic import Expr
+from symbody.symbolic.given.arguments import with_known_names
 from symbody.view.drawable_motion import DrawableMotion
+from symbody.view.figure import NotebookFigure, finished, symbol_of, with_unit
 from symbody.view.overview import Group, overview
+from symbody.view.plot_argument import checked_units
 from symbody.view.pose import values
-from symbody.view.whole_file import file_of, write_whole
 
 Panel: TypeAlias = Expr | Sequence[Expr] | Mapping[str, Expr]
 """The contents of a panel: an expression, several, or several by name."""
@@ -32,6 +32,7 @@ WIDE = 4
 """The number of panels from which there are two per row."""
 
 
+@with_known_names
 def plot(
     motion: DrawableMotion,
     *panels: Panel,
@@ -69,12 +70,8 @@ def plot(
     >>> plot(motion, x, units={x: "m"}).axes[0].get_ylabel()
     '$x$ [m]'
     """
-    figure = figure_over(motion, f"time [{time}]" if time else "time", panels, units or {}, time)
-    if title or motion.system.name:
-        figure.suptitle(title or motion.system.name)
-    if path is not None:
-        save(figure, path)
-    return figure
+    figure = figure_over(motion, with_unit("time", time), panels, checked_units(units, "plot"), time)
+    return finished(figure, title or motion.system.name, path)
 
 
 def figure_over(
@@ -102,43 +99,6 @@ def figure_over(
         places[len(column) - 1].set_xlabel(label)
         places[len(column) - 1].tick_params(labelbottom=True)
     return figure
-
-
-class NotebookFigure(Figure):
-    """A figure that a notebook shows as a picture, also without ``%matplotlib inline``."""
-
-    def _repr_png_(self) -> bytes:
-        content = BytesIO()
-        self.savefig(content, format="png", dpi=100)
-        return content.getvalue()
-
-
-def save(figure: Figure, path: str | os.PathLike[str]) -> Path:
-    """Write a figure to a file, as a whole or not at all; the suffix is the format.
-
-    Args:
-        figure: the figure.
-        path: the file.
-
-    Raises:
-        PictureError: the file can't be written.
-        ViewError: the suffix is not a format.
-
-    >>> import tempfile
-    >>> with tempfile.TemporaryDirectory() as folder:
-    ...     save(Figure(), Path(folder) / "empty.svg").name
-    'empty.svg'
-    """
-    file = file_of(path, "motion.png")
-    kind = file.suffix.removeprefix(".").lower()
-    known = figure.canvas.get_supported_filetypes()
-    if kind not in known:
-        raise ViewError(
-            f"plot: {file} ends in {kind!r}; expected a format such as {', '.join(sorted(known))}"
-        )
-    content = BytesIO()  # the writer reports a full disk; the formats have other names for it
-    figure.savefig(content, format=kind, dpi=150)
-    return write_whole(file, lambda temporary: temporary.write_bytes(content.getvalue()))
 
 
 @dataclass(frozen=True)
@@ -255,24 +215,17 @@ def _strange(what: object) -> ViewError:
     )
 
 
-def symbol_of(expression: Expr) -> str:
-    """Return an expression in mathematical type if it is short and matplotlib can typeset it."""
-    text = str(expression)
-    latex = expression.latex()
-    return f"${latex}$" if len(text) <= 40 and not {"begin", "text"} & set(latex.split("\\")) else text[:60]
-
-
 def _draw(axes: Axes, motion: DrawableMotion, panel: _Curves) -> None:
     rows = values(motion, list(panel.curves.values()))
     for name, unit, row in zip(panel.curves, panel.units, rows, strict=True):
         short = _distinction(name, panel.kind)
-        label = f"{short} [{unit}]" if unit and not panel.unit else short
+        label = short if panel.unit else with_unit(short, unit)
         axes.plot(motion.t, row, label=label, marker="o" if len(row) == 1 else "")
     name = next(iter(panel.curves)) if len(panel.curves) == 1 else panel.kind
     if len(name) > LONG and "$" not in name:
         axes.set_title(name, fontsize="medium")
         name = ""
-    axes.set_ylabel(f"{name} [{panel.unit}]".strip() if panel.unit else name)
+    axes.set_ylabel(with_unit(name, panel.unit).strip())
     axes.grid(visible=True, alpha=0.3)
     axes.margins(x=0)
     axes.ticklabel_format(axis="y", useOffset=False)

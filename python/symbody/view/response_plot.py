@@ -15,8 +15,9 @@ from symbody.errors import ViewError
 from symbody.multibody import Variables
 from symbody.symbolic import Expr
 from symbody.symbolic.given.arguments import described
+from symbody.view.figure import NotebookFigure, finished, symbol_of, with_unit
 from symbody.view.overview import overview
-from symbody.view.plot import NotebookFigure, save, symbol_of
+from symbody.view.plot_argument import checked_units
 
 __all__ = ["plot_frequency_response", "plot_time_response"]
 
@@ -89,7 +90,8 @@ def plot_frequency_response(
     """
     if kind not in ("bode", "nyquist"):
         raise ViewError(f"FrequencyResponse.plot, kind: {described(kind)}; expected 'bode' or 'nyquist'")
-    names = _labels(response.linear.system, response.inputs, response.outputs, units or {})
+    where = f"{type(response).__name__}.plot"
+    names = _labels(response.linear.system, response.inputs, response.outputs, checked_units(units, where))
     columns, rows = len(response.inputs), 2 if kind == "bode" else 1
     figure = NotebookFigure(figsize=(6.0 * columns + 1.5, 2.8 * rows + 1.4), layout="constrained")
     grid = figure.subplots(rows, columns, squeeze=False, sharex="col" if kind == "bode" else False)
@@ -100,7 +102,7 @@ def plot_frequency_response(
             _nyquist(grid[0, j], response, names, j)
         grid[0, j].set_title(f"input {names[r]}", fontsize="medium")
     grid[0, -1].legend(loc="upper left", bbox_to_anchor=(1, 1), frameon=False, title="output")
-    return _finished(figure, title or response.linear.name, path)
+    return finished(figure, title or response.linear.name, path)
 
 
 def _bode(
@@ -167,7 +169,8 @@ def plot_time_response(
     Raises:
         PictureError: the file can't be written.
     """
-    names = _labels(response.linear.system, response.inputs, response.outputs, units or {})
+    where = f"{type(response).__name__}.plot"
+    names = _labels(response.linear.system, response.inputs, response.outputs, checked_units(units, where))
     rows = len(response.outputs)
     figure = NotebookFigure(figsize=(7.5, 2.4 * rows + 0.8), layout="constrained")
     grid = figure.subplots(rows, 1, sharex=True, squeeze=False)[:, 0]
@@ -179,7 +182,7 @@ def plot_time_response(
         grid[i].margins(x=0)
     grid[0].legend(loc="upper left", bbox_to_anchor=(1, 1), frameon=False, title=f"{response.kind} of")
     grid[-1].set_xlabel("time [s]")
-    return _finished(figure, title or response.linear.name, path)
+    return finished(figure, title or response.linear.name, path)
 
 
 def _labels(
@@ -205,13 +208,5 @@ def _labels(
     for name in every:
         shown, unit = usual.get(str(name), (symbol_of(name) if isinstance(name, Expr) else name, ""))
         unit = given.get(str(name), unit)
-        found[name] = f"{shown} [{unit}]" if unit else shown
+        found[name] = with_unit(shown, unit)
     return found
-
-
-def _finished(figure: Figure, title: str, path: str | os.PathLike[str] | None) -> Figure:
-    if title:
-        figure.suptitle(title)
-    if path is not None:
-        save(figure, path)
-    return figure

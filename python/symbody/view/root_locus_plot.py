@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 from symbody.errors import ViewError
 from symbody.symbolic import Expr
 from symbody.symbolic.given.arguments import described
-from symbody.view.plot import NotebookFigure, save, symbol_of
+from symbody.view.figure import NotebookFigure, finished, symbol_of, with_unit
+from symbody.view.plot_argument import checked_limits
 
 __all__ = ["plot_root_locus"]
 
@@ -100,12 +101,16 @@ def plot_root_locus(
         PictureError: the file can't be written.
     """
     if kind not in _KINDS:
-        raise ViewError(f"plot_root_locus, kind: {described(kind)}; expected 'both', 'plane' or 'over'")
+        raise ViewError(f"RootLocus.plot, kind: {described(kind)}; expected 'both', 'plane' or 'over'")
+    real, imaginary = (
+        checked_limits(given, f"RootLocus.plot, {name}")
+        for name, given in (("real", real), ("imaginary", imaginary))
+    )
     columns = 2 if kind == "both" else 1
     figure = NotebookFigure(figsize=(6.5 * columns + 1, 6.0), layout="constrained")
     grid = figure.add_gridspec(2, columns)
     name = symbol_of(locus.parameter)
-    label = f"{name} [{unit}]" if unit else name
+    label = with_unit(name, unit)
     if kind != "over":
         plane = figure.add_subplot(grid[:, 0])
         _plane(plane, locus, name, unit)
@@ -120,11 +125,7 @@ def plot_root_locus(
         lower.set_ylim(None if imaginary is None else (min(0.0, *imaginary) * 0.02, max(imaginary)))
         lower.set_xlabel(label)
         upper.tick_params(labelbottom=False)
-    if title or locus.linear.name:
-        figure.suptitle(title or locus.linear.name)
-    if path is not None:
-        save(figure, path)
-    return figure
+    return finished(figure, title or locus.linear.name, path)
 
 
 def _colors(locus: DrawableLocus) -> dict[str, str]:

@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 
 from symbody.errors import ViewError
 from symbody.symbolic import Expr
-from symbody.view.plot import NotebookFigure, save, symbol_of
+from symbody.view.figure import NotebookFigure, finished, symbol_of, with_unit
+from symbody.view.plot_argument import checked_units
 
 __all__ = ["plot_sweep"]
 
@@ -59,7 +60,8 @@ def plot_sweep(
         ViewError: the cases are neither those of one parameter nor those of a grid of two.
         PictureError: the file can't be written.
     """
-    labels = [_label(name, units or {}) for name in sweep.varying]
+    units = checked_units(units, "Sweep.plot")
+    labels = [_label(name, units) for name in sweep.varying]
     if len(labels) == 1:
         figure = _over_one(sweep, labels[0])
     elif len(labels) == 2 and _is_grid(sweep):
@@ -70,16 +72,12 @@ def plot_sweep(
             f"plot_sweep: the cases vary {listed}; expected those of one parameter, or a grid of two: "
             "cases=grid({...})"
         )
-    if title or sweep.linear.name:
-        figure.suptitle(title or sweep.linear.name)
-    if path is not None:
-        save(figure, path)
-    return figure
+    return finished(figure, title or sweep.linear.name, path)
 
 
 def _label(name: Expr, units: Units) -> str:
     unit = units.get(name, units.get(str(name), ""))
-    return f"{symbol_of(name)} [{unit}]" if unit else symbol_of(name)
+    return with_unit(symbol_of(name), unit)
 
 
 def _is_grid(sweep: DrawableSweep) -> bool:

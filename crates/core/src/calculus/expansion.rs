@@ -1,17 +1,12 @@
 //! Expansions in powers of small variables, by Taylor's formula at every node, children first.
 //!
-//! A node has *parts*: its terms of degree 0, 1, ... in the small variables together. With the parts `a_k` and `b_k` of
-//! two factors, and the deviation `d = a - a_0` of an argument,
-//!
-//! ```text
-//!     (a b)_k = sum_j a_j b_(k-j)          f(a) = sum_m f^(m)(a_0) d^m / m!
-//! ```
-//!
-//! so that a truncated expression is made from truncated ones, and nothing of higher degree is ever built. Within a
+//! A node has *parts*: its terms of degree 0, 1, ... in the small variables together. They are made from the parts of its
+//! children by the rules for series ([`super::series`]), so that nothing of higher degree is ever built. Within a
 //! derivation the parts are kept: whatever is made of truncated expressions needs a few operations more.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
+use super::series::{constant_series, without_constant};
 use crate::error::{Error, quoted};
 use crate::graph::{Assumption, Flags, Function, Graph, Id, NumberId, View};
 use crate::value::Number;
@@ -219,27 +214,6 @@ impl Graph {
         self.sum(&parts)
     }
 
-    /// The product of two series.
-    fn convolved(&mut self, a: &[Id], b: &[Id]) -> Result<Vec<Id>, Error> {
-        let mut product = Vec::with_capacity(a.len());
-        for k in 0..a.len() {
-            let mut terms = Vec::new();
-            for j in 0..=k {
-                if a[j] != Id::ZERO && b[k - j] != Id::ZERO {
-                    terms.push((NumberId::ONE, self.mul(a[j], b[k - j])?));
-                }
-            }
-            product.push(self.sum(&terms));
-        }
-        Ok(product)
-    }
-
-    fn one(order: usize) -> Vec<Id> {
-        let mut one = vec![Id::ZERO; order + 1];
-        one[0] = Id::ONE;
-        one
-    }
-
     fn parts_of_product(
         &mut self,
         id: Id,
@@ -247,67 +221,14 @@ impl Graph {
         expansion: &Expansion,
     ) -> Result<Vec<Id>, Error> {
         let constant: Vec<_> = factors.iter().copied().filter(|&(base, _)| !expansion.varies(base)).collect();
-        let mut parts = Self::one(expansion.order);
-        parts[0] = self.product(&constant)?;
+        let mut parts = constant_series(self.product(&constant)?, expansion.order);
         for &(base, exponent) in factors.iter().filter(|&&(base, _)| expansion.varies(base)) {
             let exponent = self.get_number(exponent).clone();
-            let power = self.parts_of_power(id, base, &exponent, expansion)?;
-            parts = self.convolved(&parts, &power)?;
+            let power = self.power_of_series(&expansion.all_of(base), &exponent)?;
+            let Some(power) = power else { return Err(self.no_expansion(id, expansion)) };
+            parts = self.product_of_series(&parts, &power)?;
         }
         Ok(parts)
-    }
-
-    /// Newton's binomial series, `sum_m r (r-1) ... (r-m+1)/m! b_0^(r-m) d^m`.
-    fn parts_of_power(
-        &mut self,
-        id: Id,
-        base: Id,
-        exponent: &Number,
-        expansion: &Expansion,
-    ) -> Result<Vec<Id>, Error> {
-        let (base, order) = (&expansion.all_of(base)[..], expansion.order);
-        let natural = exponent.to_i64().filter(|&n| n > 0 && exponent.is_integer());
-        if self.equal(base[0], Id::ZERO) {
-            let Some(n) = natural else { return Err(self.no_expansion(id, expansion)) };
-            let mut power = Self::one(order);
-            for _ in 0..usize::try_from(n).map_or(order + 1, |n| n.min(order + 1)) {
-                power = self.convolved(&power, base)?;
-            }
-            return Ok(power);
-        }
-        let mut coefficient = Number::integer(1);
-        let mut slopes = Vec::with_capacity(base.len());
-        for m in (0_i64..).take(order + 1) {
-            if m > 0 {
-                let next = exponent.sub(&Number::integer(m - 1)).mul(&Number::rational(1, m));
-                coefficient = coefficient.mul(&next);
-            }
-            if coefficient.is_zero() {
-                break;
-            }
-            let power = self.pow_number(base[0], &exponent.sub(&Number::integer(m)))?;
-            let factor = self.number_id(&coefficient);
-            slopes.push(self.scale(factor, power));
-        }
-        self.composed(&slopes, base)
-    }
-
-    /// `sum_m slopes[m] d^m`, where d is the argument without its part of degree 0.
-    fn composed(&mut self, slopes: &[Id], argument: &[Id]) -> Result<Vec<Id>, Error> {
-        let deviation = without_constant(argument);
-        let mut power = Self::one(argument.len() - 1);
-        let mut terms = vec![Vec::new(); argument.len()];
-        for (m, &slope) in slopes.iter().enumerate() {
-            if m > 0 {
-                power = self.convolved(&power, &deviation)?;
-            }
-            for (k, &part) in power.iter().enumerate() {
-                if part != Id::ZERO && slope != Id::ZERO {
-                    terms[k].push((NumberId::ONE, self.mul(slope, part)?));
-                }
-            }
-        }
-        Ok(terms.iter().map(|terms| self.sum(terms)).collect())
     }
 
     fn parts_of_function(
@@ -318,7 +239,9 @@ impl Graph {
         expansion: &Expansion,
     ) -> Result<Vec<Id>, Error> {
         match function {
-            Function::Sin | Function::Cos => return self.parts_of_wave(function, args[0], expansion),
+            Function::Sin | Function::Cos => {
+                return self.wave_of_series(function, &expansion.all_of(args[0]));
+            }
             Function::Abs | Function::Sign if self.equal(expansion.of(args[0], 0), Id::ZERO) => {
                 return Err(self.no_expansion(id, expansion));
             }
@@ -336,29 +259,6 @@ impl Graph {
             let pairs: Vec<(Id, Id)> = places.iter().copied().zip(at.iter().copied()).collect();
             Ok(graph.substitute(&[slope], &pairs)?[0])
         })
-    }
-
-    /// The sine or cosine: their derivatives are sines and cosines in turn.
-    fn parts_of_wave(
-        &mut self,
-        function: Function,
-        argument: Id,
-        expansion: &Expansion,
-    ) -> Result<Vec<Id>, Error> {
-        let at = expansion.of(argument, 0);
-        let (sine, cosine) = (self.apply(Function::Sin, &[at])?, self.apply(Function::Cos, &[at])?);
-        let turns = [sine, cosine, self.neg(sine), self.neg(cosine)];
-        let first = usize::from(function == Function::Cos);
-        let mut factorial = Number::integer(1);
-        let mut slopes = Vec::new();
-        for (m, divisor) in (0..=expansion.order).zip(0_i64..) {
-            if m > 0 {
-                factorial = factorial.mul(&Number::rational(1, divisor));
-            }
-            let factor = self.number_id(&factorial);
-            slopes.push(self.scale(factor, turns[(first + m) % 4]));
-        }
-        self.composed(&slopes, &expansion.all_of(argument))
     }
 
     /// Two arguments that are equal where small variables vanish leave open which of them is the extremum.
@@ -389,12 +289,12 @@ impl Graph {
             for (&place, &n) in varying.iter().zip(&chosen) {
                 orders[place] = n;
             }
-            let mut power = Self::one(expansion.order);
+            let mut power = constant_series(Id::ONE, expansion.order);
             let mut factor = Number::integer(1);
             for (&arg, &n) in args.iter().zip(&orders) {
                 let deviation = without_constant(&expansion.all_of(arg));
                 for m in 1..=n {
-                    power = self.convolved(&power, &deviation)?;
+                    power = self.product_of_series(&power, &deviation)?;
                     factor = factor.mul(&Number::rational(1, m.into()));
                 }
             }
@@ -481,13 +381,6 @@ impl Graph {
         }
         Error::NoExpansion { expression, variables: quoted(&names.join(", ")) }
     }
-}
-
-/// A series without its part of degree 0.
-fn without_constant(parts: &[Id]) -> Vec<Id> {
-    let mut deviation = parts.to_vec();
-    deviation[0] = Id::ZERO;
-    deviation
 }
 
 /// All tuples of `length` orders whose sum is at most `most`.

@@ -2,7 +2,8 @@
 //!
 //! [`diff`] has forward derivatives by a variable or by time, and gradients by one reverse sweep; [`linear_system`] has
 //! the rules for solutions of linear systems; [`substitute`] replaces whatever has the value of a target;
-//! [`expansion`] truncates power series in small variables; [`idle`] replaces variables on which a value does not depend.
+//! [`expansion`] drops terms of high degree in small variables, by the arithmetic of [`series`]; [`idle`] replaces
+//! variables on which a value does not depend.
 //!
 //! Invariant: each node below the roots is visited once, so that the time is linear in the size of the graph, and no
 //! function is recursive in its depth.
@@ -11,4 +12,5 @@ mod diff;
 mod expansion;
 mod idle;
 mod linear_system;
+mod series;
 mod substitute;

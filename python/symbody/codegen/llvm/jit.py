@@ -27,11 +27,12 @@ from symbody.symbolic.numeric.kernel import kernel_address
 
 __all__ = ["Compiled", "check_available", "compile_assembly", "is_available", "lanes", "watched"]
 
-_OPTIONS: dict[str, Any] = {"opt": 2, "jit": True, "reloc": "pic", "codemodel": "large"}
+_OPTIONS: dict[str, Any] = {"opt": 1, "jit": True, "reloc": "pic", "codemodel": "large"}
 """Code addresses its constants relative to itself, as in a shared library: absolute addresses take a register each.
 
 Code and its constants may lie more than 2 GB apart in a process with much memory: addresses of 32 bits would not
-reach, and LLVM would abort the process.
+reach, and LLVM would abort the process. A higher level of the selection of instructions takes a third more time,
+and code runs as fast with this one.
 """
 
 _LEVEL = 1

@@ -1,7 +1,7 @@
 """Linear systems in languages that have a library for them: the least-squares solution of minimum norm.
 
 Each equation is divided by the power of two below its largest coefficient, as in the other files of this folder. Where
-units for the unknowns, too, leave the matrix singular but for rounding, a rank-revealing decomposition takes over.
+units for the unknowns, too, leave the matrix singular up to rounding, a rank-revealing decomposition takes over.
 """
 
 from __future__ import annotations

@@ -143,7 +143,7 @@ class Equations:
 
     @cached_property
     def state_rates(self) -> dict[Expr, Expr]:
-        """The rates z' of the states, which may hold accelerations and multipliers: the rates are the keys."""
+        """The rates z' of the states, which may contain accelerations and multipliers: the rates are the keys."""
         values = self.system.state_rates
         return dict(zip(values, truncated([*values.values()], MOTION), strict=True))
 

@@ -65,7 +65,7 @@ def equations_of(
         name: what the system is called.
 
     Raises:
-        ModelError: sizes disagree, M or f hold accelerations, or a multiplier is in them.
+        ModelError: sizes disagree, M or f contain accelerations, or a multiplier is in them.
         ConstraintError: a constraint is no condition on positions or velocities, or contradicts another one.
 
     >>> from symbody import forward_dynamics, functions_of_time, sin, symbols, time_derivative

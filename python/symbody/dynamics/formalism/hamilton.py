@@ -64,7 +64,7 @@ def hamilton(system: System) -> CanonicalEquations:
     compiled.
 
     Raises:
-        ModelError: a coordinate moves no mass, or loads hold accelerations.
+        ModelError: a coordinate moves no mass, or loads contain accelerations.
 
     >>> from symbody import Body, System, Vector, ground, functions_of_time, rotate, symbols, translate
     >>> theta, (m, l, g) = functions_of_time("theta"), symbols("m l g")

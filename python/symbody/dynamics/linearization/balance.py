@@ -51,16 +51,21 @@ def force_balance(eqs: Equations, motion: ReferenceMotion, vary: Variation) -> B
     with derivation(fresh=True):
         rest = dict.fromkeys(eqs.accelerations, number(0)) if still else {}
         R = substitute(eqs.residuals, rest)
-    R_lambda = motion.matrix(slopes_of(R, eqs.multipliers))
+    powers = motion.axes.powers
+    R_lambda = powers(motion.matrix(slopes_of(R, eqs.multipliers)))
     known = _with_multipliers(eqs, motion, R, R_lambda, pivots)
     names = [*eqs.coordinates, *eqs.speeds, *columns.states, *columns.inputs]
-    slopes = known.matrix(slopes_of(R, names))
+    slopes = powers(known.matrix(slopes_of(R, names)))
     N, n, k = len(eqs.coordinates), len(eqs.speeds), len(columns.states)
-    M = known.matrix(slopes_of(eqs.residuals, eqs.accelerations))
+    M = powers(known.matrix(slopes_of(eqs.residuals, eqs.accelerations)))
     direct = columns.spread({"z": slopes[:, N + n : N + n + k], "r": slopes[:, N + n + k :]}, n)
     whole = M @ vary.a + slopes[:, :N] @ vary.q + slopes[:, N : N + n] @ vary.u + direct
     W = _without_multipliers(R_lambda, pivots)
-    column = Matrix.column(known.at(eqs.residuals))
+    along = Matrix.column(known.at(eqs.residuals))
+    column = powers(along)
+    if not motion.axes.are_fixed:
+        place = eqs.coordinates.index(motion.axes.heading)
+        whole += motion.axes.turned_powers(along) @ vary.q[place : place + 1, :]
     found = solved(R_lambda, Pivots(pivots.columns, pivots.rows), -whole)
     places = {row: i for i, row in enumerate(pivots.rows)}
     nothing = [number(0)] * columns.count
@@ -84,7 +89,7 @@ def _with_multipliers(
     if not eqs.multipliers:
         return motion
     none = dict.fromkeys(eqs.multipliers, number(0))
-    rest = Matrix.column([-each for each in motion.at(substitute(R, none))])
+    rest = motion.axes.powers(Matrix.column([-each for each in motion.at(substitute(R, none))]))
     found = solved(R_lambda, Pivots(pivots.columns, pivots.rows), rest).entries
     values = none | dict(zip((eqs.multipliers[k] for k in pivots.rows), found, strict=True))
     return replace(motion, others={**motion.others, **values})

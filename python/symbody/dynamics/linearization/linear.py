@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import accumulate, pairwise
 from typing import Annotated, TypeAlias
@@ -44,7 +44,7 @@ class Linear:
         A0: n x n.
         B0: n x number of inputs.
         C0: number of outputs x n.
-        C1: number of outputs x n; not zero for outputs that hold accelerations or multipliers.
+        C1: number of outputs x n; not zero for outputs that contain accelerations or multipliers.
         D0: number of outputs x number of inputs.
         second: the equations of second order, or a text why there are none.
         variables: all coordinates, then all speeds, dependent or not.
@@ -53,6 +53,7 @@ class Linear:
         ignorable: the coordinates on which nothing else depends, left out or not.
         conditions: what values of parameters must fulfil, so that `about` is a steady motion.
         system: the system that deviates.
+        definitions: speeds in the state that the system doesn't have, such as those along axes that turn, by its own.
 
     >>> from symbody import (
     ...     Body, Force, System, functions_of_time, ground, linearize, newton_euler, symbols, time_derivative, translate
@@ -82,6 +83,7 @@ class Linear:
     ignorable: tuple[Expr, ...]
     conditions: tuple[Condition, ...]
     system: Variables
+    definitions: Mapping[Expr, Expr] = field(default_factory=dict)
 
     @cached_property
     def parameters(self) -> tuple[Expr, ...]:

@@ -99,6 +99,7 @@ def linear_of(
         ignorable=tuple(columns.coordinates[k] for k in ignorable),
         conditions=conditions,
         system=eqs.system,
+        definitions=motion.axes.definitions,
     )
 
 
@@ -217,7 +218,7 @@ def _way_out(row: int, states: Sequence[Expr], ignorable: Sequence[Expr]) -> str
 
 
 def _at_first(motion: ReferenceMotion, parts: Mapping[str, Matrix]) -> dict[str, Matrix]:
-    """Return matrices at the first instant, in forms that hold no variables on which no value depends."""
+    """Return matrices at the first instant, in forms that contain no variables on which no value depends."""
     entries = without_idle_symbols([entry for matrix in parts.values() for entry in matrix.entries])
     left = iter(motion.first(entries))
     return {

@@ -65,7 +65,7 @@ def linear_program(linear: Linear, *, name: str | None = None) -> Program:
 
 
 def _of_conditions(linear: Linear) -> Routine:
-    """Return the routine of what the parameters must make zero; a notice tells of it."""
+    """Return the routine of what the parameters must make zero; a notice reports it."""
     names = "; ".join(each.name for each in linear.conditions)
     values = tuple(each.value for each in linear.conditions)
     notify(

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from difflib import get_close_matches
 from functools import cached_property
+from math import isfinite
+from numbers import Real
 from typing import Any
 
 from symbody.dynamics.equations.equations import Equations
-from symbody.errors import ArgumentError, DivisionByZeroError, ModelError
+from symbody.errors import ArgumentError, DivisionByZeroError, ExpressionError, ModelError
 from symbody.symbolic import (
     Expr,
     Matrix,
@@ -26,10 +27,13 @@ from symbody.symbolic import (
 )
 from symbody.symbolic.given.arguments import brief, described, expression
 from symbody.symbolic.given.namesake import namesake_note
+from symbody.symbolic.given.similar_name import did_you_mean
 
 from .dependent_columns import dependent_columns, solved
+from .input_course import input_course
 from .nonlinear_slopes import slopes_of, velocity_level
 from .sampled_dependence import sampled_dependence
+from .turning_axes import TurningAxes, fixed_axes, turning_axes
 
 __all__ = ["ReferenceMotion", "reference_motion"]
 
@@ -48,6 +52,7 @@ class ReferenceMotion:
         others: the values of states and inputs; later, of multipliers.
         is_particular: whether given values may belong to particular parameters: decimals, and symbols of the user's
             own.
+        axes: the speeds whose deviations are looked at: in a turn, those along axes that turn.
     """
 
     given: Mapping[Expr, Expr]
@@ -56,6 +61,7 @@ class ReferenceMotion:
     speeds: Mapping[Expr, Expr]
     others: Mapping[Expr, Expr]
     is_particular: bool
+    axes: TurningAxes
 
     @cached_property
     def values(self) -> dict[Expr, Expr]:
@@ -69,7 +75,7 @@ class ReferenceMotion:
         """Return expressions along the motion."""
         try:
             return substitute([*expressions], self.values)
-        except DivisionByZeroError as failure:
+        except (DivisionByZeroError, ExpressionError) as failure:
             raise ModelError(
                 f"linearize: the equations, or their derivatives, are not defined in this motion: {failure}; expected "
                 "another motion in about, or laws that are defined there: a slip needs a speed, a spring a length"
@@ -122,8 +128,9 @@ def reference_motion(
     own = free_symbols([*raw.values()]) - {t, *eqs.parameters}
     is_particular = bool(own) or any(value.is_decimal for value in raw.values())
     given = _without_noise(raw)
+    turning = getattr(about, "turning", None)
     if is_particular and hasattr(about, "turning"):
-        given = _in_a_turn(eqs, given, getattr(about, "turning", None))
+        given = _in_a_turn(eqs, given, turning)
     others = {z: given.get(z, number(0)) for z in eqs.states}
     others |= _of_inputs(given, known)
     with_course = {q: value for q, value in given.items() if q in eqs.coordinates and not _is_constant(value)}
@@ -138,17 +145,33 @@ def reference_motion(
             if q not in with_course and (q in moving or not rate.is_zero)
         }
         if [*found] == [*moving]:
-            return ReferenceMotion(given, resting, found, speeds, others, is_particular)
+            axes = _axes(eqs, turning, speeds, found)
+            return ReferenceMotion(given, resting, found, speeds, others, is_particular, axes)
         moving = found
 
 
+def _axes(
+    eqs: Equations,
+    turning: tuple[Expr, Expr, Expr] | None,
+    speeds: Mapping[Expr, Expr],
+    moving: Mapping[Expr, Expr],
+) -> TurningAxes:
+    """Return axes that turn with the heading of a motion, if it turns and moves in the plane."""
+    if turning is None or turning[2] not in moving:
+        return fixed_axes(eqs.speeds)
+    dx, dy = map(time_derivative, turning[:2])
+    taken = (*eqs.coordinates, *eqs.speeds, *eqs.states, *eqs.inputs, *eqs.multipliers, *eqs.parameters)
+    return turning_axes(eqs.speeds, turning, (speeds[dx], speeds[dy]), taken)
+
+
 def _of_inputs(given: Mapping[Expr, Expr], known: Sequence[Expr]) -> dict[Expr, Expr]:
-    """Return the values of inputs and of their rates: those that are given, or the rates of given values, or zeros."""
+    """Return the values of inputs and of their rates along the motion."""
+    lowest = {r.name: r.order for r in sorted(known, key=lambda r: -r.order)}
     values: dict[Expr, Expr] = {}
     for r in known:
-        function = functions_of_time(r.name)
-        course = given.get(function, number(0))
-        values[r] = given.get(r, time_derivative(course, r.order) if r.order else course)
+        course = input_course(r.name, given, lowest[r.name], _WHERE)
+        above = r.order - lowest[r.name]
+        values[r] = time_derivative(course, above) if above else course
     return values
 
 
@@ -177,7 +200,7 @@ def _given(eqs: Equations, about: Mapping[Any, Any] | None) -> dict[Expr, Expr]:
                 f"{_WHERE}: {brief(name)} is not a coordinate, a rate of one, a speed, a state or an input of these "
                 f"equations{_near(name, known)}"
             )
-        found = expression(value, f"{_WHERE}, {name}")
+        found = _finite(name, value)
         held = [
             leaf for leaf in free_symbols([found]) if leaf.kind == "time_function" and leaf.name in unknowns
         ]
@@ -189,6 +212,12 @@ def _given(eqs: Equations, about: Mapping[Any, Any] | None) -> dict[Expr, Expr]:
             )
         given[name] = found
     return given
+
+
+def _finite(name: Expr, value: Any) -> Expr:
+    if isinstance(value, Real) and not isfinite(float(value)):
+        raise ModelError(f"{_WHERE}: {name} is {float(value)}; expected a finite number, or an expression")
+    return expression(value, f"{_WHERE}, {name}")
 
 
 def _closed(name: Expr) -> str:
@@ -268,8 +297,7 @@ def _near(name: object, known: Sequence[Expr]) -> str:
     note = namesake_note(known, [name], ("expected", "given"))
     if note:
         return note
-    near = get_close_matches(str(name), names, n=3, cutoff=0.6)
-    return f"; did you mean {' or '.join(near)}?" if near else f"; expected one of {brief(', '.join(names))}"
+    return "; " + (did_you_mean([name], names) or f"expected one of {brief(', '.join(names))}")
 
 
 def _speeds(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from symbody.dynamics.equations.equations import Equations
-from symbody.errors import ModelError
+from symbody.errors import ModelError, SymbodyError
 from symbody.symbolic import Expr, derivation, idle_symbols, jacobian, substitute, symbols
 from symbody.symbolic.expression.traverse import post_order
 from symbody.symbolic.given.arguments import brief
@@ -47,8 +47,8 @@ def check_smooth(eqs: Equations, motion: ReferenceMotion) -> None:
             try:
                 along = motion.at([*whole, *slopes.entries])
             except (
-                ModelError
-            ):  # the equations themselves are not defined there, which is told when they are needed
+                SymbodyError
+            ):  # the equations are not defined there, which is reported when they are needed
                 return
             values = [value for value in along if side in value.free_symbols]
             if values and side not in idle_symbols(values):

@@ -118,8 +118,9 @@ def variation(
     s = [k for k in range(len(eqs.coordinates)) if k not in dependent]
     v = [k for k in range(len(eqs.speeds)) if k not in pivots.columns]
     columns = Columns(
-        tuple(eqs.coordinates[k] for k in s), tuple(eqs.speeds[k] for k in v), eqs.states, inputs
+        tuple(eqs.coordinates[k] for k in s), tuple(motion.axes.names[k] for k in v), eqs.states, inputs
     )
+    Z, Y, Y_r = _along_fixed_axes(eqs, motion, (Z, Y, Y_r), (P, P_r))
     N, n = len(eqs.coordinates), len(eqs.speeds)
     q = columns.spread({"s": P, "r": P_r}, N)
     u = columns.spread({"s": Y, "v": Z, "r": Y_r}, n)
@@ -170,6 +171,7 @@ def _velocities(
     general = slopes_of(psi, [*u, *q, *inputs])
     slopes = motion.matrix(general)
     A, B, C = slopes[:, : len(u)], slopes[:, len(u) : len(u) + len(q)], slopes[:, len(u) + len(q) :]
+    A, B = motion.axes.columns(A), B + A @ _turned_with(motion, q)
     follow = {time_derivative(q[k]) for k in dependent}
     stay = {time_derivative(each) for each in chosen}
     allowed = [k for k, each in enumerate(u) if each not in chosen]
@@ -185,8 +187,36 @@ def _velocities(
     return Z, rest[:, : P.columns], rest[:, P.columns :], pivots
 
 
+def _turned_with(motion: ReferenceMotion, q: Sequence[Expr]) -> Matrix:
+    """Return how the speeds u change with the coordinates at constant speeds along axes that turn."""
+    shift, heading = motion.axes.shift, motion.axes.heading
+    entries = [entry if each is heading else number(0) for entry in shift.entries for each in q]
+    return Matrix.from_entries(shift.rows, len(q), entries)
+
+
+def _along_fixed_axes(
+    eqs: Equations,
+    motion: ReferenceMotion,
+    found: tuple[Matrix, Matrix, Matrix],
+    along: tuple[Matrix, Matrix],
+) -> tuple[Matrix, Matrix, Matrix]:
+    """Return Z, Y and Y_r of the speeds u, given those of speeds along axes that turn.
+
+    Args:
+        eqs: the equations of motion.
+        motion: the motion.
+        found: Z, Y and Y_r.
+        along: P and P_r.
+    """
+    if motion.axes.are_fixed:
+        return found
+    turned, T = _turned_with(motion, eqs.coordinates), motion.axes.turn
+    (Z, Y, Y_r), (P, P_r) = found, along
+    return T @ Z, T @ Y + turned @ P, T @ Y_r + turned @ P_r
+
+
 def _doubt(pivot: Expr, motion: ReferenceMotion) -> tuple[bool, int]:
-    """Return what puts pivots in order: those that hold no moving coordinates, then short ones."""
+    """Return what puts pivots in order: those that contain no moving coordinates, then short ones."""
     return bool(motion.varying(pivot)), cost([pivot]).total
 
 

@@ -44,7 +44,7 @@ def embedded(eqs: Equations, independent: Speeds | None = None) -> Equations:
     Args:
         eqs: the equations of motion, by any formalism.
         independent: as many speeds as there are degrees of freedom, in the order of the equations. By default, the
-            dependent speeds are those with coefficients that hold no coordinates, where there are such, so that they
+            dependent speeds are those with coefficients that contain no coordinates, where there are such, so that they
             never vanish; then those with the shortest ones, and the last.
 
     Raises:
@@ -212,7 +212,7 @@ def _pivots(A: Matrix, columns: Sequence[int], eqs: Equations) -> tuple[list[int
 
 
 def _doubt(pivot: Expr, column: int, eqs: Equations) -> tuple[bool, int, int]:
-    """Return what puts pivots in order: those that hold no coordinates, then short ones, then the last."""
+    """Return what puts pivots in order: those that contain no coordinates, then short ones, then the last."""
     holds = not pivot.free_symbols.isdisjoint(eqs.coordinates)
     return holds, cost([pivot]).total, -column
 

@@ -77,11 +77,16 @@ center_of_mass(body), or a vector, such as Vector(frame, x, y, z)
 def _check_count(
     function: Callable[..., object], args: tuple[object, ...], kwargs: Mapping[str, object]
 ) -> None:
-    """Raise an error if arguments are missing or too many, which Python tells by a TypeError in its own words."""
+    """Raise an error if arguments are missing or too many, for which Python has a TypeError in its own words."""
     try:
         signature(function).bind(*args, **kwargs)
     except TypeError as fault:
-        raise ArgumentError(f"{function.__qualname__.removesuffix('.__init__')}: {fault}") from None
+        raise ArgumentError(f"{_called(function)}: {fault}") from None
+
+
+def _called(function: Callable[..., object]) -> str:
+    """Return the name by which users call a function, or a method that makes or calls an object."""
+    return function.__qualname__.removesuffix(".__init__").removesuffix(".__call__")
 
 
 class _Door(NamedTuple):
@@ -115,7 +120,7 @@ class _Door(NamedTuple):
         in_order = [p.name for p in parameters if p.kind is Parameter.POSITIONAL_OR_KEYWORD]
         repeated = [p.name for p in parameters if p.kind is Parameter.VAR_POSITIONAL]
         return cls(
-            function.__qualname__.removesuffix(".__init__"),
+            _called(function),
             error,
             tuple((name, named[name]) for name in in_order),
             (repeated[0], named[repeated[0]]) if repeated else None,

@@ -10,7 +10,7 @@ from symbody.multibody.body import Body
 from symbody.symbolic import ENERGY, Expr, derivation, number
 from symbody.symbolic.given.arguments import brief
 
-from .attachment import check_fixed, check_not_negative, forces
+from .attachment import check_fixed, forces, not_negative
 from .element import Element
 from .norm import norm
 
@@ -54,7 +54,7 @@ def air_force(
     """
     check_fixed(_WHERE, "at", at, on)
     lifting = expression(lift_area)
-    check_not_negative(_WHERE, density=density, drag_area=drag_area)
+    sizes = not_negative(_WHERE, density=density, drag_area=drag_area)
     _check_span(lifting, span)
     if lifting.is_zero and expression(drag_area).is_zero:
         raise LoadError(f"{_WHERE}: neither drag_area nor lift_area; expected at least one of them")
@@ -72,7 +72,7 @@ def air_force(
             "drag": half * speed * drag_area,
             "lift": number(0) if span is None else half * lifting * norm(cross(v, span)),
         }
-        return Element(_WHERE, forces(force, at, on, None), quantities=quantities, name=name)
+        return Element(_WHERE, forces(force, at, on, None), quantities=quantities, name=name, sizes=sizes)
 
 
 def _check_span(lifting: Expr, span: Vector | None) -> None:

@@ -82,11 +82,20 @@ def torques(vector: Vector, on: Body, reaction: Body | None) -> list[Action]:
     return [direct] if reaction is None else [direct, Action(reaction, -vector)]
 
 
-def check_not_negative(where: str, **values: Scalar | None) -> None:
-    """Raise an error for numbers that are negative, by the names of the arguments."""
-    for name, value in values.items():
-        given = None if value is None else expression(value)
-        if given is not None and given.is_constant and float(given) < 0:
-            raise LoadError(
-                f"{where}: {name} = {brief(given)}; expected a number that isn't negative, as a size or a resistance is"
-            )
+def not_negative(where: str, **values: Scalar | None) -> dict[str, Expr]:
+    """Return sizes and resistances by the names of the arguments; those left out, and numbers, are not among them.
+
+    Raises:
+        LoadError: a number is negative. Values of symbols are checked when a simulation begins.
+    """
+    given = {name: expression(value) for name, value in values.items() if value is not None}
+    for name, value in given.items():
+        if value.is_constant and float(value) < 0:
+            raise LoadError(f"{where}: {negative_fault(name, value)}")
+    return {name: value for name, value in given.items() if not value.is_constant}
+
+
+def negative_fault(name: str, value: Expr | float) -> str:
+    """Return what is wrong with a size or a resistance that is negative."""
+    shown = f"{value:.6g}" if isinstance(value, float) else brief(value)
+    return f"{name} = {shown}; expected a number that isn't negative, as a size or a resistance is"

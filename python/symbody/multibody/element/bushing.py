@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Annotated, NamedTuple, TypeAlias
 
+import numpy as np
+
 from symbody.errors import LoadError
 from symbody.geometry import Frame, Scalar, Triple, Vector, origin
 from symbody.geometry.component.triple import expression
@@ -16,10 +18,11 @@ from symbody.multibody.constant_form import agree
 from symbody.symbolic import ENERGY, Expr, Matrix, derivation, dot3, number, scale3, sub3
 from symbody.symbolic.given.arguments import brief
 
-from .attachment import check_bodies, check_fixed, forces, torques
+from .attachment import check_bodies, check_fixed, forces, not_negative, torques
 from .element import Element
 
 _WHERE = "bushing"
+_ROUNDED = 1e-12
 _NAMES = ("x", "y", "z", "rotation x", "rotation y", "rotation z")
 
 Coefficients: TypeAlias = Annotated[
@@ -72,13 +75,16 @@ def bushing(
         rate = rate_by({**frame.coordinate_rates, **to.coordinate_rates})
         effort = _product(K, place.values)
         potential = -sum((a * b for a, b in zip(effort, place.values, strict=True)), start=number(0)) / 2
+        sizes: dict[str, Expr] = {}
         if damping is not None:
-            drag = _product(_matrix(damping, "damping"), rate(place.values))
+            resisting = _matrix(damping, "damping")
+            sizes = _resistances(resisting)
+            drag = _product(resisting, rate(place.values))
             effort = [a + b for a, b in zip(effort, drag, strict=True)]
         force, torque = Vector(to, *effort[:3]), Vector(to, *place.torque((effort[3], effort[4], effort[5])))
         actions = [*forces(force, origin(frame), on, reaction), *torques(torque, on, reaction)]
         quantities = dict(zip(_NAMES, place.values, strict=True))
-        return Element(_WHERE, actions, potential=potential, quantities=quantities, name=name)
+        return Element(_WHERE, actions, potential=potential, quantities=quantities, name=name, sizes=sizes)
 
 
 class _Place(NamedTuple):
@@ -121,6 +127,23 @@ def _product(matrix: Sequence[Sequence[Expr]], values: Sequence[Expr]) -> list[E
         -sum((a * x for a, x in zip(row, values, strict=True) if not a.is_zero), start=number(0))
         for row in matrix
     ]
+
+
+def _resistances(damping: Sequence[Sequence[Expr]]) -> dict[str, Expr]:
+    """Return the damping in each direction by its name, after a check that a matrix of numbers takes energy.
+
+    Raises:
+        LoadError: there are velocities at which the damping would give energy.
+    """
+    entries = [entry for row in damping for entry in row]
+    if all(entry.is_constant for entry in entries):
+        found = np.linalg.eigvalsh(np.array([float(entry) for entry in entries]).reshape(6, 6))
+        if found[0] < -_ROUNDED * found[-1] or found[-1] < 0:
+            raise LoadError(
+                f"{_WHERE}: damping has the eigenvalue {found[0]:.6g}, so that it would give energy; expected a matrix "
+                "without negative eigenvalues, or six numbers that aren't negative"
+            )
+    return not_negative(_WHERE, **{f"damping of {name}": damping[k][k] for k, name in enumerate(_NAMES)})
 
 
 def _matrix(given: Coefficients, what: str) -> list[list[Expr]]:

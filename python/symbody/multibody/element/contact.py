@@ -10,7 +10,7 @@ from symbody.multibody.body import Body
 from symbody.symbolic import ENERGY, Expr, Max, derivation, number, sqrt
 from symbody.symbolic.given.arguments import brief
 
-from .attachment import check_bodies, check_fixed, check_not_negative, forces, is_fixed
+from .attachment import check_bodies, check_fixed, forces, is_fixed, not_negative
 from .element import Element
 
 _WHERE = "contact"
@@ -62,7 +62,7 @@ def contact(
     check_bodies(_WHERE, on, reaction)
     check_fixed(_WHERE, "center", center, on)
     check_fixed(_WHERE, "plane", plane, reaction)
-    check_not_negative(
+    sizes = not_negative(
         _WHERE,
         radius=radius,
         stiffness=stiffness,
@@ -90,7 +90,7 @@ def contact(
         potential = expression(stiffness) * overlap ** (n + 1) / (n + 1)
         quantities = {"overlap": overlap, "normal": normal, "gap": z - radius}
         actions = forces(force, place, on, reaction)
-        return Element(_WHERE, actions, potential=potential, quantities=quantities, name=name)
+        return Element(_WHERE, actions, potential=potential, quantities=quantities, name=name, sizes=sizes)
 
 
 def _slip(place: Point, on: Body, plane: Frame, reaction: Body | None) -> Vector:

@@ -4,13 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from functools import cached_property
-from typing import Any, final
+from typing import Any, NamedTuple, final
 
 from symbody.errors import LoadError
 from symbody.multibody.load import Action, Load
 from symbody.symbolic import Expr
 from symbody.symbolic.expression.container import Container, contains
 from symbody.symbolic.given.arguments import brief
+
+
+class Undefined(NamedTuple):
+    """Where a law has no value, such as a force along a line of length zero.
+
+    Attributes:
+        where_zero: the expression that is zero there, such as the length.
+        words: what is wrong there, and the way out: the rest of a sentence that the name of the element begins.
+    """
+
+    where_zero: Expr
+    words: str
 
 
 @final
@@ -27,9 +39,9 @@ class Element(Load):
         states: functions of time beside the mechanics, and their rates.
         quantities: expressions by name, such as the length of a spring, for plots and events.
         name: what the element is called where it is shown.
-        line: the length of the line of two points along which it acts, if it does; the line has no direction where this
-            is zero.
+        undefined: where the law has no value, if it is so anywhere.
         jumping: an angle in its law that is known from -pi to pi alone, and jumps there.
+        sizes: sizes and resistances of its law, by the names of the arguments, which make no sense below zero.
 
     >>> from symbody import Body, functions_of_time, ground, origin, spring, symbols, translate
     >>> x, k = functions_of_time("x"), symbols("k")
@@ -48,13 +60,15 @@ class Element(Load):
         states: Mapping[Expr, Expr] | None = None,
         quantities: Mapping[str, Expr] | None = None,
         name: str = "",
-        line: Expr | None = None,
+        undefined: Undefined | None = None,
         jumping: Expr | None = None,
+        sizes: Mapping[str, Expr] | None = None,
     ) -> None:
         self.kind, self.name, self.potential = kind, name, potential
-        self.line, self.jumping = line, jumping
+        self.undefined, self.jumping = undefined, jumping
         self.states = dict(states or {})
         self.quantities = dict(quantities or {})
+        self.sizes = dict(sizes or {})
         self._actions = tuple(actions)
 
     @cached_property
@@ -84,13 +98,16 @@ class Element(Load):
         return self.name or f"{self.kind}(on {bodies})"
 
 
-_OPTIONAL = ("potential", "line", "jumping")
+_OPTIONAL = ("potential", "jumping")
 
 
 def _parts(element: Element) -> tuple[Any, ...]:
     optional = (getattr(element, name) for name in _OPTIONAL)
-    given = (each for each in optional if each is not None)
-    return *element.actions, *element.states.values(), *element.quantities.values(), *given
+    given = [each for each in optional if each is not None]
+    if element.undefined is not None:
+        given.append(element.undefined.where_zero)
+    named = (element.states, element.quantities, element.sizes)
+    return *element.actions, *(value for each in named for value in each.values()), *given
 
 
 def _rebuilt(element: Element, parts: Sequence[Any]) -> Element:
@@ -98,8 +115,11 @@ def _rebuilt(element: Element, parts: Sequence[Any]) -> Element:
     actions = [next(remaining) for _ in element.actions]
     states = {state: next(remaining) for state in element.states}
     quantities = {name: next(remaining) for name in element.quantities}
+    sizes = {name: next(remaining) for name in element.sizes}
     given = {name: next(remaining) for name in _OPTIONAL if getattr(element, name) is not None}
-    return Element(element.kind, actions, states=states, quantities=quantities, name=element.name, **given)
+    undefined = None if element.undefined is None else element.undefined._replace(where_zero=next(remaining))
+    named: dict[str, Any] = {"states": states, "quantities": quantities, "sizes": sizes}
+    return Element(element.kind, actions, name=element.name, undefined=undefined, **named, **given)
 
 
 contains(Element, Container(_parts, _rebuilt, advice="its potential and its quantities have one"))

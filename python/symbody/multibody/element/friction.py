@@ -10,7 +10,7 @@ from symbody.multibody.body import Body
 from symbody.symbolic import ENERGY, Expr, derivation, exp, tanh
 from symbody.symbolic.given.arguments import brief
 
-from .attachment import check_not_negative
+from .attachment import not_negative
 from .element import Element
 from .joint_motion import Along, joint_motion
 
@@ -62,7 +62,7 @@ def friction(
             f"{_WHERE}: no friction is given; expected viscous=c, or coulomb=Fc with creep_speed=v0"
         )
     _check(dry, static, stribeck_speed, creep_speed)
-    check_not_negative(
+    sizes = not_negative(
         _WHERE,
         viscous=viscous,
         coulomb=coulomb,
@@ -78,7 +78,11 @@ def friction(
         if creep_speed is not None:
             effort -= dry * tanh(v / creep_speed)
         return Element(
-            _WHERE, joint.actions(effort), quantities={"effort": effort, "rate": joint.rate}, name=name
+            _WHERE,
+            joint.actions(effort),
+            quantities={"effort": effort, "rate": joint.rate},
+            name=name,
+            sizes=sizes,
         )
 
 
@@ -100,5 +104,6 @@ def _check(dry: Expr, static: Scalar | None, stribeck: Scalar | None, creep: Sca
             f"{_WHERE}: static = {brief(most)} is less than coulomb = {brief(least)}; expected at least as much: a "
             "joint at rest resists more than one that slides"
         )
-    if creep is not None and expression(creep).is_zero:
-        raise LoadError(f"{_WHERE}: creep_speed = 0; expected a positive speed")
+    for name, speed in (("creep_speed", creep), ("stribeck_speed", stribeck)):
+        if speed is not None and expression(speed).is_zero:
+            raise LoadError(f"{_WHERE}: {name} = 0; expected a positive speed")

@@ -11,6 +11,13 @@ from symbody.geometry.motion.floating import rate_by
 from symbody.symbolic import ENERGY, Expr, derivation, dot3, sqrt
 from symbody.symbolic.given.arguments import brief
 
+from .element import Undefined
+
+_NO_DIRECTION = (
+    "has the length zero there, so that its line has no direction; keep its ends apart, or replace it: a spring of "
+    "free length zero without damping, or a bushing, is safe there"
+)
+
 
 class Line(NamedTuple):
     """The vector from one point to another.
@@ -29,6 +36,11 @@ class Line(NamedTuple):
     def length(self) -> Expr:
         """The length l."""
         return sqrt(self.square)
+
+    @property
+    def undefined(self) -> Undefined:
+        """Where a force along the line has no direction."""
+        return Undefined(self.length, _NO_DIRECTION)
 
     @property
     def rate(self) -> Expr:

@@ -48,4 +48,4 @@ def line_force(
         check_apart(_WHERE, to, on, reaction)
         actions = forces(line.vector * (size / line.length), at, on, reaction, to)
         quantities = {"length": line.length, "rate": line.rate, "force": size}
-    return Element(_WHERE, actions, quantities=quantities, name=name, line=line.length)
+    return Element(_WHERE, actions, quantities=quantities, name=name, undefined=line.undefined)

@@ -11,7 +11,7 @@ from symbody.geometry.component.triple import expression
 from symbody.geometry.given.argument import checked
 from symbody.symbolic import ENERGY, Expr, derivation, number
 
-from .attachment import check_not_negative
+from .attachment import not_negative
 from .tire_force import TireForce, pressing
 
 
@@ -27,10 +27,16 @@ class LinearTire:
     per_load: bool
 
     @property
+    def sizes(self) -> dict[str, Expr]:
+        """The stiffnesses in symbols that make no sense below zero."""
+        return not_negative("linear_tire", longitudinal=self.longitudinal, cornering=self.cornering)
+
+    @property
     def has_no_forces(self) -> bool:
         """Whether all stiffnesses are zero: the tyre only carries."""
         return all(each.is_zero for each in (self.longitudinal, self.cornering, self.camber_stiffness))
 
+    @checked(LoadError)
     def __call__(
         self, load: Scalar, kappa: Scalar = 0, lateral_slip: Scalar = 0, camber: Scalar = 0
     ) -> TireForce:
@@ -68,6 +74,6 @@ def linear_tire(
     >>> linear_tire(cornering=C)(1000, lateral_slip=alpha).lateral
     -alpha*C
     """
-    check_not_negative("linear_tire", longitudinal=longitudinal, cornering=cornering)
+    not_negative("linear_tire", longitudinal=longitudinal, cornering=cornering)
     along, across, leaning, lever = (expression(each) for each in (longitudinal, cornering, camber, trail))
     return LinearTire(along, across, leaning, lever, per_load)

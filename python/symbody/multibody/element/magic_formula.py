@@ -19,17 +19,45 @@ from typing import Annotated, NamedTuple, TypeAlias, final
 from symbody.errors import LoadError
 from symbody.geometry import Scalar
 from symbody.geometry.component.triple import expression
-from symbody.geometry.given.argument import checked
-from symbody.symbolic import ENERGY, Abs, Expr, Min, atan, cos, derivation, exp, number, sign, sin, sqrt, tan
-from symbody.symbolic.given.arguments import brief
+from symbody.geometry.given.argument import accepts, checked
+from symbody.symbolic import (
+    ENERGY,
+    Abs,
+    Expr,
+    ExprLike,
+    Min,
+    atan,
+    cos,
+    derivation,
+    exp,
+    number,
+    sign,
+    sin,
+    sqrt,
+    tan,
+)
+from symbody.symbolic.given.arguments import brief, counted, described
 
-from .tire_coefficient import COEFFICIENTS, DEFAULTS, EXCLUDED, IGNORED, NEEDED, SCALES, at_pressure
+from .attachment import not_negative
+from .tire_coefficient import (
+    COEFFICIENTS,
+    DEFAULTS,
+    DIVISORS,
+    EXCLUDED,
+    IGNORED,
+    NEEDED,
+    POSITIVE,
+    SCALES,
+    at_pressure,
+)
 from .tire_force import TireForce, pressing
 
 Coefficients: TypeAlias = Annotated[
     Mapping[str, Scalar],
     "a dictionary of coefficients by the names of tyre property files, such as {'FNOMIN': 4000, 'PCY1': 1.3}",
 ]
+
+Version: TypeAlias = Annotated[str, "'5.2' or '6.1'"]
 
 _TINY = number("1e-6")
 """The load in N, added where stiffnesses are divided by it, so that a wheel without load has no 0/0."""
@@ -55,13 +83,14 @@ class _Curve(NamedTuple):
 
 
 @final
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class MagicFormula:
     """The law of a tyre by the Magic Formula, made by `magic_formula`."""
 
     coefficients: Mapping[str, Expr]
     version: str
 
+    @checked(LoadError)
     def __call__(
         self, load: Scalar, kappa: Scalar = 0, lateral_slip: Scalar = 0, camber: Scalar = 0
     ) -> TireForce:
@@ -70,6 +99,7 @@ class MagicFormula:
             slips = (expression(each) for each in (kappa, lateral_slip, camber))
             return _Forces(self.coefficients, self.version, pressing(load), *slips).found
 
+    @checked(LoadError)
     def relaxation_lengths(self, load: Scalar, camber: Scalar = 0) -> tuple[Expr, Expr]:
         """Return the longitudinal and the lateral relaxation length of set 5.2, in m."""
         p, N = self.coefficients, expression(load)
@@ -85,6 +115,15 @@ class MagicFormula:
             across *= 1 - p["PKY3"] * Abs(expression(camber))
             R0 = p["UNLOADED_RADIUS"]
             return along * R0 * N / p["FNOMIN"], across * R0 * p["LFZO"]
+
+    @property
+    def sizes(self) -> dict[str, Expr]:
+        """The coefficients in symbols that make no sense below zero."""
+        return not_negative("magic_formula", **{name: self.coefficients[name] for name in sorted(POSITIVE)})
+
+    def __repr__(self) -> str:
+        given = [name for name, value in self.coefficients.items() if value != DEFAULTS.get(name)]
+        return f"MagicFormula(version {self.version}, {counted(len(given), 'coefficient')} given)"
 
 
 @dataclass(frozen=True, eq=False)
@@ -301,7 +340,7 @@ def _weight(B: Expr, C: Expr, E: Expr, slip: Expr, shift: Expr) -> Expr:
 
 @checked(LoadError)
 def magic_formula(
-    coefficients: Coefficients, *, version: str = "5.2", pressure: Scalar | None = None
+    coefficients: Coefficients, *, version: Version = "5.2", pressure: Scalar | None = None
 ) -> MagicFormula:
     """Return the law of a tyre by the Magic Formula, for pure and combined slip and camber.
 
@@ -321,10 +360,39 @@ def magic_formula(
     """
     if version not in ("5.2", "6.1"):
         raise LoadError(f"magic_formula: version = {brief(repr(version))}; expected '5.2' or '6.1'")
-    given = {name: expression(value) for name, value in coefficients.items() if name not in IGNORED}
+    given = {name: _scalar(name, value) for name, value in coefficients.items() if name not in IGNORED}
     _check_names(given)
+    _check_values(given)
     known = DEFAULTS | given
+    if pressure is not None and expression(pressure).is_constant and float(expression(pressure)) <= 0:
+        raise LoadError(
+            f"magic_formula: pressure = {brief(pressure)}; expected a positive number, in the unit of NOMPRES"
+        )
     return MagicFormula(known if pressure is None else at_pressure(known, expression(pressure)), version)
+
+
+def _scalar(name: str, value: Scalar) -> Expr:
+    """Return a coefficient as an expression, or raise an error that names it."""
+    if not accepts(ExprLike, value):
+        raise LoadError(
+            f"magic_formula: {name} = {described(value)}; expected an expression, such as symbols('a'), or a finite "
+            "number"
+        )
+    return expression(value)
+
+
+def _check_values(given: Mapping[str, Expr]) -> None:
+    """Raise an error for numbers by which the law would divide by zero, or that turn its forces round."""
+    for name, value in given.items():
+        if not value.is_constant:
+            continue
+        if name in POSITIVE and float(value) <= 0:
+            raise LoadError(f"magic_formula: {name} = {brief(value)}; expected a positive number")
+        if name in DIVISORS and value.is_zero and not given.get(DIVISORS[name], value).is_zero:
+            raise LoadError(
+                f"magic_formula: {name} = 0, by which the law divides; expected another number, or "
+                f"{DIVISORS[name]} = 0 for a tyre without this force"
+            )
 
 
 def _check_names(given: Mapping[str, Expr]) -> None:

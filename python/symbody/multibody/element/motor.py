@@ -12,6 +12,7 @@ from symbody.multibody.body import Body
 from symbody.symbolic import ENERGY, Expr, Max, Min, derivation
 from symbody.symbolic.given.arguments import brief
 
+from .attachment import not_negative
 from .element import Element
 from .joint_motion import Along, joint_motion
 
@@ -60,7 +61,8 @@ def motor(
     with derivation(order=ENERGY):
         joint = joint_motion(coordinate, on, reaction, _WHERE)
         quantities = {"effort": given, "rate": joint.rate, "power": given * joint.rate}
-        return Element(_WHERE, joint.actions(given), quantities=quantities, name=name)
+        sizes = not_negative(_WHERE, limit=limit)
+        return Element(_WHERE, joint.actions(given), quantities=quantities, name=name, sizes=sizes)
 
 
 @checked(LoadError)

@@ -9,7 +9,7 @@ from symbody.geometry.given.argument import checked
 from symbody.multibody.body import Body
 from symbody.symbolic import ENERGY, Expr, derivation
 
-from .attachment import check_apart, check_bodies, check_fixed, check_not_negative, forces
+from .attachment import check_apart, check_bodies, check_fixed, forces, not_negative
 from .element import Element
 from .line import Line, line_between
 
@@ -59,7 +59,7 @@ def spring(
     check_bodies(_WHERE, on, reaction)
     check_fixed(_WHERE, "at", at, on)
     check_fixed(_WHERE, "to", to, reaction)
-    check_not_negative(_WHERE, free_length=free_length)
+    sizes = not_negative(_WHERE, free_length=free_length, damping=damping)
     k, l0, c = (expression(each) for each in (stiffness, free_length, damping))
     with derivation(order=ENERGY):
         line = line_between(at, to, _WHERE)
@@ -68,7 +68,15 @@ def spring(
         potential = k * (line.square if l0.is_zero else (line.length - l0) ** 2) / 2
         actions = forces(line.vector * factor, at, on, reaction, to)
         quantities = {"length": line.length, "rate": line.rate, "force": factor * line.length}
-    return Element(_WHERE, actions, potential=potential, quantities=quantities, name=name, line=line.length)
+    return Element(
+        _WHERE,
+        actions,
+        potential=potential,
+        quantities=quantities,
+        name=name,
+        undefined=line.undefined,
+        sizes=sizes,
+    )
 
 
 def _factor(line: Line, k: Expr, l0: Expr, c: Expr) -> Expr:

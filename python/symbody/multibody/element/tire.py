@@ -5,22 +5,40 @@ from __future__ import annotations
 from inspect import signature
 from typing import Annotated, NamedTuple, TypeAlias
 
-from symbody.errors import LoadError
+from symbody.errors import ExpressionError, LoadError, ParameterError
 from symbody.geometry import Frame, Scalar, ground
 from symbody.geometry.component.triple import expression
-from symbody.geometry.given.argument import checked
+from symbody.geometry.given.argument import accepts, checked
 from symbody.multibody.body import Body
 from symbody.multibody.load import Action
-from symbody.symbolic import ENERGY, Abs, Expr, Max, derivation, functions_of_time, number, sign, sqrt, tanh
-from symbody.symbolic.given.arguments import brief
+from symbody.symbolic import (
+    ENERGY,
+    Abs,
+    Expr,
+    ExprLike,
+    Max,
+    derivation,
+    functions_of_time,
+    number,
+    sign,
+    sqrt,
+    tanh,
+)
+from symbody.symbolic.given.arguments import brief, described
 
-from .attachment import check_bodies, check_fixed, check_not_negative, forces, torques
-from .element import Element
+from .attachment import check_bodies, check_fixed, forces, not_negative, torques
+from .element import Element, Undefined
 from .linear_tire import LinearTire
+from .magic_formula import MagicFormula
 from .tire_force import TireForce, TireLaw
 from .tire_kinematics import Shape, SpinAxis, TireKinematics, tire_kinematics
 
 _WHERE = "tire"
+
+_STANDS = (
+    "stands still there along its direction of rolling (VS = 0), so that its slips are 0/0; give the tyre "
+    "relaxation=(sigma_x, sigma_y), or a least_speed, or start with a vehicle that moves"
+)
 
 Law: TypeAlias = Annotated[
     TireLaw, "the law of a tyre, such as linear_tire(cornering=6e4) or magic_formula(coefficients)"
@@ -93,7 +111,7 @@ def tire(
     check_bodies(_WHERE, wheel, reaction)
     check_fixed(_WHERE, "road", road, reaction)
     _check_load(load, stiffness, acts=load_acts)
-    check_not_negative(
+    sizes = not_negative(
         _WHERE,
         load=load,
         stiffness=stiffness,
@@ -120,8 +138,17 @@ def tire(
         carried = vertical.load if load is None or load_acts else number(0)
         actions = _actions(contact, found, carried, wheel, reaction)
     quantities = _quantities(contact, found, vertical.load, slip)
+    has_slips_at_rest = relaxation is not None or not expression(least_speed).is_zero
+    sizes |= _sizes(law, relaxation)
     return Element(
-        _WHERE, actions, potential=vertical.potential, states=slip.states, quantities=quantities, name=name
+        _WHERE,
+        actions,
+        potential=vertical.potential,
+        states=slip.states,
+        quantities=quantities,
+        name=name,
+        undefined=None if has_slips_at_rest else Undefined(contact.VS, _STANDS),
+        sizes=sizes,
     )
 
 
@@ -146,6 +173,16 @@ def _actions(
     if all(component.is_zero for component in moment.components):
         return actions
     return actions + torques(moment, wheel, reaction)
+
+
+def _sizes(law: TireLaw, relaxation: Lengths | None) -> dict[str, Expr]:
+    """Return the sizes in the law, and the relaxation lengths: they make no sense below zero."""
+    of_law = law.sizes if isinstance(law, LinearTire | MagicFormula) else {}
+    if relaxation is None:
+        return of_law
+    along, across = relaxation
+    lengths = {"longitudinal relaxation": along, "lateral relaxation": across}
+    return of_law | not_negative(_WHERE, **lengths)
 
 
 def _quantities(contact: TireKinematics, found: TireForce, load: Expr, slip: _Slips) -> dict[str, Expr]:
@@ -181,11 +218,23 @@ def _forces(law: TireLaw, load: Expr, slip: _Slips, camber: Expr) -> TireForce:
             f"{_WHERE}: the law can't be called with four arguments ({fault}); expected a function of load, kappa, "
             "lateral_slip and camber"
         ) from None
-    found = law(*arguments)
+    try:
+        found = law(*arguments)
+    except (TypeError, ArithmeticError, ExpressionError, ParameterError) as fault:
+        raise LoadError(
+            f"{_WHERE}: the law fails: {fault}; expected a function that takes symbols, such as lambda load, kappa, "
+            "slip, camber: TireForce(0, -C*symbody.atan(slip)), with atan of symbody, not of math or numpy"
+        ) from fault
     if not isinstance(found, TireForce):
         raise LoadError(
             f"{_WHERE}: the law returns {brief(repr(found))}; expected a TireForce, such as TireForce(Fx, Fy)"
         )
+    for component, value in zip(TireForce._fields, found, strict=True):
+        if not accepts(ExprLike, value):
+            raise LoadError(
+                f"{_WHERE}: in the TireForce that the law returns, {component} = {described(value)}; "
+                "expected an expression, or a finite number"
+            )
     return TireForce(*map(expression, found))
 
 

@@ -4,7 +4,17 @@ from __future__ import annotations
 
 from symbody.symbolic import Expr, number
 
-__all__ = ["COEFFICIENTS", "DEFAULTS", "EXCLUDED", "IGNORED", "NEEDED", "SCALES", "at_pressure"]
+__all__ = [
+    "COEFFICIENTS",
+    "DEFAULTS",
+    "DIVISORS",
+    "EXCLUDED",
+    "IGNORED",
+    "NEEDED",
+    "POSITIVE",
+    "SCALES",
+    "at_pressure",
+]
 
 
 def _series(**last: int) -> frozenset[str]:
@@ -68,6 +78,12 @@ NEEDED = {
     "across": ("PCY1", "PDY1", "PKY1", "PKY2"),
 }
 """The least coefficients of each force."""
+
+POSITIVE = frozenset({"FNOMIN", "UNLOADED_RADIUS", "NOMPRES", "LFZO", "LCX", "LMUX", "LCY", "LMUY"})
+"""What must be positive: sizes, and the scaling factors by which the law divides."""
+
+DIVISORS = {"PDX1": "PCX1", "PDY1": "PCY1", "PKY1": "PCY1", "PKY2": "PCY1"}
+"""Coefficients by which the law divides, and the one that is zero where the whole force is."""
 
 
 def at_pressure(p: dict[str, Expr], pressure: Expr) -> dict[str, Expr]:

@@ -147,7 +147,7 @@ def tire_kinematics(
         slip = add3(_relative(_carried(contact, wheel.frame), base.velocity, road), section.tread)
         turning = _relative(Seen(spin(wheel.frame), wheel.frame), base.spin, road)
         rate = dot3(turning, axes.left) / upright
-        rolling = expression(section.arm if rolling_radius is None else rolling_radius)
+        rolling = section.arm if rolling_radius is None else _positive("rolling_radius", rolling_radius)
         camber = asin(dot3(j, n)) if carrier is None else _camber(j, n, upright)
         return TireKinematics(
             contact,
@@ -193,9 +193,7 @@ class _Section(NamedTuple):
 def _section(center: Triple, radius: ExprLike | TireShape, rho: Expr, axes: _Axes) -> _Section:
     upright = dot3(axes.spin, axes.left)
     if not isinstance(radius, TireShape):
-        R = expression(radius)
-        if R.is_constant and float(R) <= 0:
-            raise LoadError(f"{_WHERE}: radius = {brief(R)}; expected a positive number")
+        R = _positive("radius", radius)
         crown = sub3(center, scale3(R - rho, axes.up))
         return _Section(crown, R - rho + crown[2] * upright, rho - crown[2], NULL, number(0))
     if not rho.is_zero:
@@ -207,6 +205,14 @@ def _section(center: Triple, radius: ExprLike | TireShape, rho: Expr, axes: _Axe
     place = add3(center, sub3(scale3(shape.y, axes.spin), scale3(shape.z, axes.up)))
     tread = sub3(scale3(shape.y_rate, axes.spin), scale3(shape.z_rate, axes.up))
     return _Section(place, shape.z + place[2] * upright, -place[2], tread, shape.spin_rate)
+
+
+def _positive(name: str, given: Scalar) -> Expr:
+    """Return a size, or raise an error for a number that isn't positive."""
+    size = expression(given)
+    if size.is_constant and float(size) <= 0:
+        raise LoadError(f"{_WHERE}: {name} = {brief(size)}; expected a positive number")
+    return size
 
 
 def _ahead(j: Triple, n: Triple, road: Frame, carrier: Frame | None) -> Triple:

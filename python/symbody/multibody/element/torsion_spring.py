@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from symbody.errors import LoadError
 from symbody.geometry import Scalar
 from symbody.geometry.component.triple import expression
 from symbody.geometry.given.argument import checked
 from symbody.multibody.body import Body
 from symbody.multibody.joint.freedom import Freedom
-from symbody.symbolic import ENERGY, derivation
+from symbody.symbolic import ENERGY, Expr, atan2, cos, derivation, functions_of_time, sin
 
+from .attachment import not_negative
 from .element import Element
 from .joint_motion import Along, joint_motion
 
@@ -25,6 +28,7 @@ def torsion_spring(
     damping: Scalar = 0,
     on: Body,
     reaction: Body | None = None,
+    all_turns: bool = False,
     name: str = "",
 ) -> Element:
     """Return a spring about the axis of a hinge, with a damper: the torque ``-k (phi - phi0) - c phi'`` on the body.
@@ -38,7 +42,9 @@ def torsion_spring(
         damping: c, in N m s/rad.
         on: the body.
         reaction: the other body; none by default, such as the ground.
-        name: what the spring is called where it is shown.
+        all_turns: whether the angle of a joint that closes a loop in space counts all turns. There it is known from -pi
+            to pi alone; a state that follows it then keeps the turns. By coordinates, all turns count anyway.
+        name: what the spring is called where it is shown; the state is called ``angle_name``.
 
     Returns:
         An element with the potential ``k (phi - phi0)^2/2`` and the quantities "angle", "rate" and "torque".
@@ -49,17 +55,47 @@ def torsion_spring(
     >>> newton_euler(System([rotor], [torsion_spring(phi, k, damping=c, on=rotor)], [phi])).residuals
     (I*phi'' + c*phi' + k*phi,)
     """
+    sizes = not_negative(_WHERE, damping=damping)
     k, c = expression(stiffness), expression(damping)
     with derivation(order=ENERGY):
         joint = joint_motion(angle, on, reaction, _WHERE)
-        start = expression(free_angle)
-        twist = angle.beyond(start) if isinstance(angle, Freedom) else angle - start
+        turned = _turned(angle, joint.rate, name) if all_turns else _Turned(angle, {})
+        twist = turned.beyond(expression(free_angle))
         torque = -k * twist - c * joint.rate
         return Element(
             _WHERE,
             joint.actions(torque),
             potential=k * twist**2 / 2,
+            states=turned.states,
             quantities={"angle": twist, "rate": joint.rate, "torque": torque},
             name=name,
-            jumping=twist if isinstance(angle, Freedom) and angle.jumps else None,
+            sizes=sizes,
+            jumping=twist if turned.jumps else None,
         )
+
+
+class _Turned(NamedTuple):
+    """An angle, and the state that keeps its turns if there is one."""
+
+    angle: Along
+    states: dict[Expr, Expr]
+
+    @property
+    def jumps(self) -> bool:
+        return isinstance(self.angle, Freedom) and self.angle.jumps
+
+    def beyond(self, start: Expr) -> Expr:
+        """Return the angle beyond another one."""
+        return self.angle.beyond(start) if isinstance(self.angle, Freedom) else self.angle - start
+
+
+def _turned(angle: Along, rate: Expr, name: str) -> _Turned:
+    """Return an angle that counts all turns: the value of the joint that is nearest to a state with the same rate.
+
+    The state chooses the turn alone, so that it adds no error to the angle.
+    """
+    if not isinstance(angle, Freedom) or not angle.jumps:
+        return _Turned(angle, {})
+    follower = functions_of_time(f"angle_{name.replace(' ', '_') or angle.joint.split()[-1]}")
+    ahead = angle.value - follower
+    return _Turned(follower + atan2(sin(ahead), cos(ahead)), {follower: rate})

@@ -57,7 +57,6 @@ def assemble(joints: Joints) -> Mechanism:
     _check_names(joints)
     _check_coupled(joints)
     branches, loops = spanning_tree(joints, [each for joint in joints for each in joint.pair.coupled])
-    _check_coordinates(joints, loops)
     frames = dict[Link, Frame]()
     sides = dict[Joint, Sides]()
     for branch in branches:
@@ -71,7 +70,8 @@ def assemble(joints: Joints) -> Mechanism:
             sides[joint] = Sides(sides[one].child, sides[other].child)
     outboard = _outboard(branches)
     placed = tuple(PlacedJoint.of(joint, sides[joint], outboard.get(joint)) for joint in joints)
-    placed = tuple(_with_closures(each, each.joint.pair.meshing(str(each), sides)) for each in placed)
+    values = _coupled_values(placed)
+    placed = tuple(_with_closures(each, each.joint.pair.meshing(str(each), sides, values)) for each in placed)
     _check_loops(placed)
     for joint in loops:
         _report_idle_coordinates(joint)
@@ -108,15 +108,23 @@ def _check_coupled(joints: Sequence[Joint]) -> None:
             )
 
 
-def _check_coordinates(joints: Sequence[Joint], loops: Sequence[Joint]) -> None:
-    """Check that no joint that closes a loop is needed for its coordinate."""
-    for joint in joints:
-        closing = next((each for each in joint.pair.coupled if each in loops), None)
-        if closing is not None:
-            raise JointError(
-                f"assemble: {joint} couples {closing}, which closes a loop and has no coordinate; choose by loop=True "
-                "another joint that closes it"
-            )
+def _coupled_values(placed: Sequence[PlacedJoint]) -> dict[Joint, Expr]:
+    """Return the coordinates of the joints that gears and racks couple, or what they would be where they close loops.
+
+    Raises:
+        JointError: one is an angle that is known up to whole turns only.
+    """
+    by_joint, found = {each.joint: each for each in placed}, dict[Joint, Expr]()
+    for mesh in placed:
+        for joint in mesh.joint.pair.coupled:
+            freedom = by_joint[joint].freedom()
+            if freedom.jumps:
+                raise JointError(
+                    f"assemble: {mesh} couples {joint}, which closes a loop in space, where its angle is known up to "
+                    "whole turns; choose by loop=True another joint that closes it"
+                )
+            found[joint] = freedom.value
+    return found
 
 
 def _check_loops(placed: Sequence[PlacedJoint]) -> None:

@@ -14,6 +14,8 @@ Axis: TypeAlias = Annotated[
     str, "'X', 'Y' or 'Z'; for another axis, turn the places: at=rotate(...), to=rotate(...)"
 ]
 
+Axes: TypeAlias = Annotated[str, "a text of the letters X, Y and Z, such as 'ZYX'"]
+
 
 def principal(axis: str, where: str) -> str:
     """Return the letter of an axis.

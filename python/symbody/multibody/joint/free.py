@@ -5,7 +5,7 @@ from __future__ import annotations
 from symbody.errors import JointError
 from symbody.geometry.given.argument import checked
 
-from .axis import Axis, sequence
+from .axis import Axes, sequence
 from .closure import AXES
 from .joint import Coordinates, Joint, Part, joined, mounted
 from .limit import LimitsByName
@@ -22,7 +22,7 @@ def free(
     *,
     at: Place = (0, 0, 0),
     to: Place = (0, 0, 0),
-    axes: Axis | None = None,
+    axes: Axes | None = None,
     coordinates: Coordinates = None,
     limits: LimitsByName = None,
     quaternion: bool = False,

@@ -26,7 +26,7 @@ class Freedom:
             it is a sum of coordinates, over any number of turns.
         ends: the names of the parent and of the child, empty for a frame.
         sides: the axes of the joint on both.
-        travel: how the child moves along it; None where the coordinate alone tells.
+        travel: how the child moves along it; None where the coordinate alone determines it.
         is_coordinate: whether the value is a coordinate, as in the tree.
 
     >>> from symbody import Link, assemble, ground, prismatic, revolute, symbols

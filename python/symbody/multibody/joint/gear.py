@@ -22,7 +22,8 @@ def gear(
 
     Both wheels turn against one parent, the carrier or the gearbox, about parallel axes whose distance is r1 + r2. Its
     reaction is the force of the first wheel on the second one along the pitch circles. The teeth of both wheels fit
-    where both angles are zero. Both joints open the tree.
+    where both angles are zero. A joint that closes a loop may be one of both if its angle counts all turns, as in the
+    plane.
 
     Args:
         name: the name of the gear.

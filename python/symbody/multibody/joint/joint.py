@@ -192,3 +192,16 @@ def _check_coordinates(where: str, found: Sequence[Expr], names: Sequence[str]) 
                 f"{where}: the coordinate {brief(each)} doesn't depend on time; expected a function of time, such as "
                 f"functions_of_time('{names[0]}'); a joint that doesn't move is fixed"
             )
+        rate = next(
+            (
+                leaf
+                for leaf in sorted(each.free_symbols, key=str)
+                if leaf.kind == "time_function" and leaf.order
+            ),
+            None,
+        )
+        if rate is not None:
+            raise JointError(
+                f"{where}: the coordinate {brief(each)} holds the rate {rate}; expected a function of time, such as "
+                f"{functions_of_time(rate.name)}, or an expression of such functions"
+            )

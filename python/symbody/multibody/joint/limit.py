@@ -61,12 +61,7 @@ class Limit:
         """
         assert self.value is not None
         low, high = self.low, self.high
-        span = None if low is None or high is None else high - low
-        if (
-            low is None
-            or high is None
-            or (span is not None and span.is_constant and float(span - 2 * pi) >= 0)
-        ):
+        if low is None or high is None or _is_a_turn(high - low):
             raise JointError(
                 f"{where} closes a loop in space, where its {self.name} is known up to whole turns, and has the limits "
                 f"{low} and {high}; expected two limits less than a turn apart; or let another joint close the loop by "
@@ -86,6 +81,10 @@ class Limit:
         if self.value is not None and self.high is not None:
             found["upper"] = self.value - self.high
         return found
+
+
+def _is_a_turn(span: Expr) -> bool:
+    return span.is_constant and float(span - 2 * pi) >= 0
 
 
 def _expressions(limit: Limit) -> list[Expr]:

@@ -72,6 +72,8 @@ class Link:
     ) -> None:
         if not name:
             raise JointError("Link: no name; expected a text, such as 'rod', by which its body is called")
+        if name == "ground":
+            raise JointError("Link: the name 'ground' is that of the ground; expected another one")
         self.name = name
         self.mass = expression(mass)
         self.moments, self.products = triple(Ix, Iy, Iz), triple(Cyz, Cxz, Cxy)

@@ -19,6 +19,7 @@ from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.given.arguments import brief, counted
 
 from .carried_body import carrying_links
+from .idle_coordinate import check_idle_coordinates
 from .joint import Joint
 from .link import Link
 from .placed_joint import PlacedJoint
@@ -150,9 +151,11 @@ class Mechanism:
 
         Raises:
             JointError: a body beside the links has no name of its own, or no link carries it although it moves by a
-                coordinate of a joint.
+                coordinate of a joint; or a load or a constraint holds the coordinate of a joint that closes a loop.
         """
         carriers = carrying_links(bodies, self.frames, self.coordinates)
+        listed = [*self.coordinates, *coordinates, *speeds, *inputs, *(states or ())]
+        check_idle_coordinates(self.joints, loads, constraints, listed)
         return System(
             [*self.bodies, *bodies],
             loads,

@@ -45,14 +45,24 @@ class Mesh(Pair):
         del sides
         return ()
 
-    def meshing(self, where: str, sides: Mapping[Joint, Sides]) -> tuple[Closure, ...]:
-        """Return the one condition of the mesh; raise an error if axes or distances don't fit."""
+    def meshing(
+        self, where: str, sides: Mapping[Joint, Sides], values: Mapping[Joint, Expr]
+    ) -> tuple[Closure, ...]:
+        """Return the one condition of the mesh; raise an error if axes or distances don't fit.
+
+        Args:
+            where: the mesh, for messages.
+            sides: the sides of all joints.
+            values: their coordinates; where they close loops, what these would be.
+        """
         first, second = sides[self.first], sides[self.second]
         make = self._wheels if len(self.radii) == 2 else self._rack
-        condition, at, force = make(where, first, second)
+        condition, at, force = make(where, first, second, (values[self.first], values[self.second]))
         return (Closure("mesh", condition, at, force, force * 0),)
 
-    def _wheels(self, where: str, first: Sides, second: Sides) -> tuple[Expr, Point, Vector]:
+    def _wheels(
+        self, where: str, first: Sides, second: Sides, q: tuple[Expr, Expr]
+    ) -> tuple[Expr, Point, Vector]:
         """Return ``r1 q1 + r2 q2``, with -r2 for an internal gear."""
         (r1, r2), z = self.radii, _axis(self.first, first)
         if not _is_same(dot(z, _axis(self.second, second)), number(1)):
@@ -62,16 +72,22 @@ class Mesh(Pair):
             )
         centres = (origin(second.parent) - origin(first.parent)).projected(first.parent)
         distance = r1 + r2
-        if not _is_same(dot(centres, centres), distance**2) or distance.is_zero:
+        if distance.is_zero:
+            raise JointError(
+                f"{where}: both radii are {_shown(r1)}; expected an internal gear that is larger than the wheel in it"
+            )
+        if not _is_same(dot(centres, centres), distance**2):
             raise JointError(
                 f"{where}: the square of the distance of the axes is {_shown(dot(centres, centres))}, and the radii "
                 f"give {_shown(distance**2)}; expected the same: the pitch circles touch"
             )
         n = centres / distance
-        condition = r1 * self.first.coordinate + r2 * self.second.coordinate
+        condition = r1 * q[0] + r2 * q[1]
         return condition, origin(first.parent) + r1 * n, -cross(z, n)
 
-    def _rack(self, where: str, first: Sides, second: Sides) -> tuple[Expr, Point, Vector]:
+    def _rack(
+        self, where: str, first: Sides, second: Sides, q: tuple[Expr, Expr]
+    ) -> tuple[Expr, Point, Vector]:
         """Return ``s - r q``, with -r where the rack is on the other side."""
         (r,), z = self.radii, _axis(self.first, first)
         e = _axis(self.second, second).projected(first.parent)
@@ -85,7 +101,7 @@ class Mesh(Pair):
         if signed.is_constant:
             signed = r if float(signed) > 0 else -r  # without its rounding
         n = arm - dot(arm, e) * e
-        condition = self.second.coordinate - signed * self.first.coordinate
+        condition = q[1] - signed * q[0]
         return condition, origin(first.parent) + n, e
 
 
@@ -126,7 +142,7 @@ def check_coupled(where: str, first: Joint, second: Joint, kinds: tuple[str, str
     if one is not other and not (isinstance(one, Frame) and one == other):
         raise JointError(
             f"{where}: the parents of {first} and {second} are {brief(one)} and {brief(other)}; expected one carrier, "
-            "against which both move"
+            "against which both move: in a planetary gear, all wheels turn about joints on the carrier"
         )
 
 

@@ -64,26 +64,29 @@ class Pair(ABC):
         """
         return ()
 
-    def meshing(self, where: str, sides: Mapping[Any, Sides]) -> tuple[Closure, ...]:
+    def meshing(
+        self, where: str, sides: Mapping[Any, Sides], values: Mapping[Any, Expr]
+    ) -> tuple[Closure, ...]:
         """Return the conditions on the coordinates of the coupled joints.
 
         Args:
             where: the joint, for messages.
             sides: those of all joints.
+            values: the coordinates of the coupled joints; where they close loops, what these would be.
 
         Raises:
             JointError: the coupled joints don't fit each other.
         """
-        del where, sides
+        del where, sides, values
         return ()
 
     def measured(self, sides: Sides) -> Mapping[str, Expr]:
-        """Return the values of the coordinates between any two frames, by their names; those that can be told."""
+        """Return the values of the coordinates between any two frames, by their names; those that can be computed."""
         del sides
         return {}
 
     def travel(self, sides: Sides, name: str) -> Travel | None:
-        """Return how the child moves along a coordinate between any two frames; None where it can't be told."""
+        """Return how the child moves along a coordinate between any two frames; None where it can't be computed."""
         del sides, name
         return None
 

@@ -82,7 +82,7 @@ class PlacedJoint:
 
     @cached_property
     def measured(self) -> Mapping[str, Expr]:
-        """The values of its coordinates by their names; where it closes a loop, those that the axes tell."""
+        """The values of its coordinates by their names; where it closes a loop, those that the axes determine."""
         if self.opens:
             return dict(zip(self.joint.pair.names, self.coordinates, strict=True))
         return self.joint.pair.measured(self.sides)
@@ -137,7 +137,7 @@ class PlacedJoint:
             )
         (parent, one), (child, other) = self.ends
         if self.opens and travel is not None and travel.is_rotation:
-            travel = None  # the coordinate tells a shorter torque
+            travel = None  # the coordinate gives a shorter torque
         value, ends, sides = self.measured[chosen], (parent, child), (one, other)
         return Freedom(str(self), chosen, value, ends, sides, travel, is_coordinate=self.opens)
 

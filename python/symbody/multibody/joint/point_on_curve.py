@@ -11,10 +11,10 @@ from symbody.errors import ExpressionError, JointError, ParameterError
 from symbody.geometry import Frame, Scalar, rotate, translate
 from symbody.geometry.component.triple import NULL, Triple, triple
 from symbody.geometry.given.argument import checked
-from symbody.symbolic import Expr
+from symbody.symbolic import Expr, diff
 from symbody.symbolic.given.arguments import brief
 
-from .axis import Axis
+from .axis import Axes
 from .closure import AXES, Closure, Sides
 from .joint import Coordinates, Joint, Loop, Part, joined, mounted
 from .joint_angle import angles, turning_axis
@@ -37,7 +37,7 @@ def point_on_curve(
     curve: Curve,
     at: Place = (0, 0, 0),
     to: Place = (0, 0, 0),
-    axes: Axis = "ZYX",
+    axes: Axes = "ZYX",
     coordinates: Coordinates = None,
     limits: LimitsByName = None,
     loop: Loop = None,
@@ -84,6 +84,11 @@ def point_on_curve(
             "parameter to three coordinates, such as lambda s: (s, a*s**2, 0)"
         )
     track = Track(letters, triple(*place), parameter)
+    if all(diff(each, parameter).is_zero for each in track.place):
+        raise JointError(
+            f"{where}: the curve {brief(place)} doesn't depend on its parameter {parameter}; expected a function of "
+            "it, such as lambda s: (s, a*s**2, 0)"
+        )
     return replace(joint, pair=track)
 
 
@@ -96,7 +101,7 @@ def _point_of(where: str, curve: Callable[..., object], parameter: Expr) -> obje
     try:
         place = curve(parameter)
         return triple(*place) if isinstance(place, Sequence) and len(place) == 3 else place
-    except (TypeError, ExpressionError, ParameterError) as fault:
+    except (TypeError, ArithmeticError, ExpressionError, ParameterError) as fault:
         raise JointError(
             f"{where}: the curve fails at {parameter}: {fault}; expected a function of one parameter that takes "
             "symbols, such as lambda s: (s, symbody.sin(s), 0), with sin of symbody, not of math or numpy"

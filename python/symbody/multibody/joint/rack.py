@@ -16,7 +16,8 @@ def rack(name: str, pinion: Coupled, bar: Coupled, radius: Scalar) -> Joint:
     """Return a rack and pinion: the bar slides by the arc by which the pinion turns, ``s - r q = 0``.
 
     Pinion and bar move against one parent. The bar's line is the radius away from the pinion's axis; on which side it
-    is decides the sign. Its reaction is the force of the pinion on the bar, along it. Both joints open the tree.
+    is decides the sign. Its reaction is the force of the pinion on the bar, along it. A joint that
+    closes a loop may be one of both if its angle counts all turns, as in the plane.
 
     Args:
         name: the name of the rack.

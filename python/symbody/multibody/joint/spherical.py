@@ -5,7 +5,7 @@ from __future__ import annotations
 from symbody.errors import JointError
 from symbody.geometry.given.argument import checked
 
-from .axis import Axis, sequence
+from .axis import Axes, sequence
 from .joint import Coordinates, Joint, Loop, Part, joined, mounted
 from .limit import CONE, LimitsByName
 from .link import Place
@@ -21,7 +21,7 @@ def spherical(
     *,
     at: Place = (0, 0, 0),
     to: Place = (0, 0, 0),
-    axes: Axis | None = None,
+    axes: Axes | None = None,
     coordinates: Coordinates = None,
     limits: LimitsByName = None,
     quaternion: bool = False,

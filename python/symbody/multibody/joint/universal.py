@@ -5,7 +5,7 @@ from __future__ import annotations
 from symbody.errors import JointError
 from symbody.geometry.given.argument import checked
 
-from .axis import Axis, sequence
+from .axis import Axes, sequence
 from .joint import Coordinates, Joint, Loop, Part, joined, mounted
 from .limit import LimitsByName
 from .link import Place
@@ -20,7 +20,7 @@ def universal(
     *,
     at: Place = (0, 0, 0),
     to: Place = (0, 0, 0),
-    axes: Axis = "XY",
+    axes: Axes = "XY",
     coordinates: Coordinates = None,
     limits: LimitsByName = None,
     loop: Loop = None,

@@ -10,9 +10,10 @@ from numpy.typing import ArrayLike, NDArray
 from symbody.errors import ArgumentError, ParameterError
 from symbody.simulation.given.column import column_of
 from symbody.symbolic import Expr
-from symbody.symbolic.given.arguments import described
+from symbody.symbolic.given.arguments import described, with_known_names
 
 
+@with_known_names
 def grid(axes: Mapping[Expr, ArrayLike]) -> dict[Expr, NDArray[np.float64]]:
     """Return all combinations of values: the Cartesian product, as an array of shape (k,) for each name.
 

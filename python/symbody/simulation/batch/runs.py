@@ -23,7 +23,7 @@ from symbody.simulation.motion.motion import Motion
 from symbody.simulation.motion.motion_of import motion_of
 from symbody.simulation.motion.reading import Reading
 from symbody.symbolic import Expr, ExprLike
-from symbody.symbolic.given.arguments import counted, described
+from symbody.symbolic.given.arguments import counted, described, with_known_names
 from symbody.symbolic.numeric.deficiency import noting
 
 from .case_table import case_table
@@ -139,6 +139,7 @@ class Runs:
         values: Array = self._values([asked], f"runs[{shortened(asked)}]")[0]
         return values
 
+    @with_known_names
     def evaluate(self, expressions: Sequence[ExprLike]) -> Array:
         """Return the values of several expressions, shape (expressions, k, N).
 
@@ -184,6 +185,7 @@ class Runs:
                 findings[case] = deficiency_findings(found, self.task.model)
         return values, findings
 
+    @with_known_names
     def motion(self, index: int) -> Motion:
         """Return the motion of one case, for plots, animations and its energy.
 
@@ -211,6 +213,7 @@ class Runs:
             return parameters
         return {**parameters, **self.task.damping_of(parameters, self.results.states[case, 0])}
 
+    @with_known_names
     def outcome(self, index: int) -> Outcome | None:
         """Return the outcome of the integration of one case; None if it was not started."""
         results, reached = self.results, int(self.results.reached[index])

@@ -29,6 +29,8 @@ EXACT = 1e-10
 """The relative violation up to which a constraint counts as satisfied."""
 ROUNDED = 1e-6
 """The relative violation, as of numbers with seven digits, up to which given values are corrected as well."""
+_PRINTED = 1e-4
+"""The relative violation that rounded dimensions explain."""
 _APPROACHES = 60
 _NAMED = 4
 _LISTED = 12
@@ -214,8 +216,16 @@ def _unsatisfied(kinematics: Kinematics, p: Array, t: float, q: Array, fixed: Ma
             f"the given coordinates, {listed_values(named, fixed)}, don't satisfy the constraints at t = {t:g} s; "
             f"values that do: {near}; give these, or the coordinates as a guess, so that they are solved for"
         )
-    opened = _open_loop(system, phi, sizes) if against or not named else ""
-    if opened:
+    opened = _open_loop(system, phi, sizes)
+    is_overdetermined = len(phi) > len(q)
+    if opened and is_overdetermined and _nearly_closes(q, phi, phi_q, sizes):
+        nearest = listed_values(system.coordinates, dict(zip(system.coordinates, q, strict=True)))
+        return (
+            f"the loop nearly closes at t = {t:g} s: at the nearest position, {nearest}, {opened}; it has more "
+            "constraints than coordinates, so that it closes with exact dimensions alone: give them with all digits, "
+            "or as expressions such as pi/6, or let joints of the loop have more freedoms, such as spherical"
+        )
+    if opened and (against or not named):
         nearest = listed_values(system.coordinates, dict(zip(system.coordinates, q, strict=True)))
         return (
             f"no position was found that closes the loop at t = {t:g} s: at the nearest one, {nearest}, {opened}; "
@@ -244,6 +254,11 @@ def _unsatisfied(kinematics: Kinematics, p: Array, t: float, q: Array, fixed: Ma
         f"no coordinates were found {what} that satisfy the constraints at t = {t:g} s; nearest, at "
         f"{nearest}: {found}; give fewer or other values, or a guess={{coordinate: value}} near a solution"
     )
+
+
+def _nearly_closes(q: Array, phi: Array, phi_q: Array, sizes: Array) -> bool:
+    """Return whether constraints are violated by no more than what dimensions lose when they are printed."""
+    return bool(np.all(np.abs(phi) <= _PRINTED * term_sizes(q, phi_q, sizes)))
 
 
 def _open_loop(system: Variables, phi: Array, sizes: Array) -> str:

@@ -209,39 +209,39 @@ class _Nearest:
         known = self.start.values | {stands[name]: self.start.fixed[name] for name in self.fixed}
         mu = [symbol(f"multiplier {k + 1} of the start") for k in range(len(self.conditions))]
         with derivation():
-            J = jacobian(self.conditions, list(self.free)) if self.free else None
-            square = sum((d * d for d in self.distances), start=number(0)) / 2
-            pull = list(gradient(square, list(self.free))) if self.free else []
+            pull, rows = self._pull_and_rows()
             balance = [
-                sum((mu[k] * J[k, i] for k in range(len(mu))), start=pull[i]) if J is not None else pull[i]
-                for i in range(len(self.free))
+                sum((m * row[i] for m, row in zip(mu, rows, strict=True)), start=each)
+                for i, each in enumerate(pull)
             ]
             leaves = [*self.free, *mu, *others, *(p for p in parameters if p.kind == "symbol")]
-            outputs = [
-                jacobian([*balance, *self.conditions], leaves),
-                list(pull),
-                list(self.conditions),
-                *([J] if J is not None else []),
-            ]
-        names = sorted(known, key=str)
-        of_numbers = lambdify([names, mu] if mu else [names], outputs)
-        values = np.array([known[name] for name in names])
-        multipliers = self._multipliers(of_numbers, values, len(mu))
-        slopes, *_ = of_numbers(values, multipliers) if mu else of_numbers(values)
-        return self._solved(slopes, parameters, given, len(mu))
+            slopes = jacobian([*balance, *self.conditions], leaves)
+        values = {**known, **dict(zip(mu, self._multipliers(pull, rows, known).tolist(), strict=True))}
+        found = _numbers([*slopes.entries], values).reshape(slopes.shape)
+        return self._solved(found, parameters, given, len(mu))
 
-    def _multipliers(self, of_numbers: object, values: Array, count: int) -> Array:
+    def _pull_and_rows(self) -> tuple[list[Expr], list[tuple[Expr, ...]]]:
+        """Return the gradient of ``|d|^2 / 2``, and the rows of the Jacobian of the conditions."""
+        if not self.free:
+            return [], [()] * len(self.conditions)
+        square = sum((d * d for d in self.distances), start=number(0)) / 2
+        J = jacobian(self.conditions, list(self.free)) if self.conditions else None
+        rows = [] if J is None else [tuple(J.row(k)) for k in range(J.rows)]
+        return list(gradient(square, list(self.free))), rows
+
+    def _multipliers(self, pull: Sequence[Expr], rows: Sequence[Sequence[Expr]], known: Values) -> Array:
         """Return the multipliers of the minimum.
 
         Raises:
-            SimulationError: the state is none of the nearest.
+            SimulationError: the state is not the nearest one.
         """
-        if not count or not self.free:
-            return np.zeros(count)
-        _, pull, _, J = of_numbers(values, np.zeros(count))  # type: ignore[operator]
-        found, _ = least_norm(J.T, -pull)
-        left = np.abs(J.T @ found + pull).max(initial=0.0)
-        if left > ROUNDED * (1 + np.abs(pull).max(initial=0.0)):
+        if not rows or not self.free:
+            return np.zeros(len(rows))
+        values = _numbers([*pull, *(entry for row in rows for entry in row)], known)
+        force, J = values[: len(pull)], values[len(pull) :].reshape(len(rows), len(pull))
+        found, _ = least_norm(J.T, -force)
+        left = np.abs(J.T @ found + force).max(initial=0.0)
+        if left > ROUNDED * (1 + np.abs(force).max(initial=0.0)):
             raise SimulationError(
                 f"{_WHERE}: the initial state satisfies the constraints, but isn't the nearest one to the guess, so "
                 "that its derivatives aren't known; give more initial values, or a guess nearer to the state"
@@ -277,3 +277,9 @@ class _Nearest:
             )
         found: Array = solution[:nf]
         return found
+
+
+def _numbers(expressions: Sequence[Expr], values: Values) -> Array:
+    """Return the values of expressions, shape (n,)."""
+    names = sorted(values, key=str)
+    return np.array(lambdify(names, expressions)(*(values[name] for name in names)), dtype=float)

@@ -58,7 +58,7 @@ def least_norm_many(A: Array, b: Array) -> tuple[Array, Array]:
 
 
 def _row_sizes(A: Array) -> Array:
-    """Return the largest entry of each row as a column; for rows that are zero but for rounding, that of all rows."""
+    """Return the largest entry of each row as a column; for rows that are zero up to rounding, that of all rows."""
     rows = np.abs(A).max(axis=-1, keepdims=True)
     largest = rows.max(axis=-2, keepdims=True)
     sizes: Array = np.where(rows > RANK * largest, rows, np.where(largest > 0, largest, 1.0))

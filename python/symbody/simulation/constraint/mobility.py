@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from symbody.dynamics.equations.constraint_force import constraint_jacobian
+from symbody.errors import ConstraintError, ModelError
 from symbody.multibody import System
 from symbody.simulation.given.values import parameter_values, state_values
 from symbody.simulation.given.wording import joined_by_and
@@ -119,6 +120,10 @@ class Mobility:
         if self.dependent:
             names = joined_by_and(named_constraints(system.conditions, self.dependent), most=8)
             found.append(f"redundant: {m - self.rank} of constraints {names}")
+        if self.branch is None and self.generic_freedom <= 0 and m:
+            found.append(
+                "it may move because of special dimensions: mobility(parameters, q), with a closed position q, tells"
+            )
         return (*found, *self._lines_of_branch())
 
     def _lines_of_branch(self) -> list[str]:
@@ -157,7 +162,8 @@ def mobility(
 
     At almost every position and for almost all parameters, they are exact: the rank of A in a finite field. Given
     parameters or a position, the mechanism is moved from there in numbers, which finds what is redundant only because
-    of special dimensions, as in Bricard's mechanism.
+    of special dimensions, as in Bricard's mechanism. A mechanism whose dimensions are numbers, and that would not move
+    at almost every position, is moved from the closed position nearest to zero.
 
     Args:
         system: the mechanism.
@@ -179,16 +185,23 @@ def mobility(
     A = constraint_jacobian(system)
     on_position = _rows(A, system.holonomic)
     found = Mobility(system, A.rank(), on_position.rank(), _dependent(A))
-    if parameters is None and q is None:
-        return found
     given = tuple((name, number(value)) for name, value in (inputs or {}).items())
-    return Mobility(
-        system,
-        found.rank,
-        found.position_rank,
-        found.dependent,
-        _branch(Kinematics(system, given), parameters, q, t),
-    )
+    kinematics = Kinematics(system, given)
+    if parameters is None and q is None:
+        return (
+            replace(found, branch=_branch_by_numbers(kinematics, t)) if found.generic_freedom <= 0 else found
+        )
+    return replace(found, branch=_branch(kinematics, parameters, q, t))
+
+
+def _branch_by_numbers(kinematics: Kinematics, t: float) -> Branch | None:
+    """Return the branch of a mechanism whose dimensions are all numbers; None if values are missing, or no position."""
+    if kinematics.parameters:
+        return None
+    try:
+        return _branch(kinematics, {}, None, t)
+    except (ConstraintError, ModelError):
+        return None
 
 
 def _rows(A: Matrix, rows: Sequence[int]) -> Matrix:

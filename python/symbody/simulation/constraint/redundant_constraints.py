@@ -73,6 +73,7 @@ class Redundancy:
     ratios: Mapping[int, float]
     choice: tuple[int, ...]
 
+    @with_known_names
     def among(self, conditions: tuple[Constraint, ...], places: Sequence[int]) -> Redundancy:
         """Return the same in a longer list of constraints.
 
@@ -88,6 +89,7 @@ class Redundancy:
             tuple(sorted(places[row] for row in self.choice)),
         )
 
+    @with_known_names
     def suits(self, system: Variables, J: Array) -> bool:
         """Return whether the same choice leaves all independent constraints of another position, far from dependent.
 
@@ -218,7 +220,7 @@ def redundancy(system: Variables, gradients: Sequence[Array]) -> Redundancy:
 
 
 def _best(ratios: Mapping[int, float], preferred: Collection[int]) -> int:
-    """Return the row with the largest ratio; of rows with the same ratio but for rounding, the last.
+    """Return the row with the largest ratio; of rows with the same ratio up to rounding, the last.
 
     Args:
         ratios: the smallest ratio of singular values without each row.

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from difflib import get_close_matches
 
 from symbody.errors import ArgumentError, ParameterError
 from symbody.multibody import Variables
 from symbody.symbolic import Expr
 from symbody.symbolic.given.arguments import brief, described
 from symbody.symbolic.given.namesake import namesake_note
+from symbody.symbolic.given.similar_name import did_you_mean
 
 from .wording import joined_by_and
 
@@ -57,11 +57,6 @@ def differentiated_by(
 
 def _suggestion(name: object, known: Sequence[Expr]) -> str:
     names = [str(each) for each in known]
-    near = get_close_matches(str(name), names, n=3, cutoff=0.6)
-    if near and not isinstance(name, Expr) and str(name) in names:
+    if not isinstance(name, Expr) and str(name) in names:
         return f"; expected the variable itself: [{name}]"
-    return (
-        f"; did you mean {' or '.join(near)}?"
-        if near
-        else f"; expected some of {joined_by_and(names, most=12)}"
-    )
+    return "; " + (did_you_mean([name], names) or f"expected some of {joined_by_and(names, most=12)}")

@@ -14,7 +14,7 @@ from symbody.multibody import Body, System, Variables
 from symbody.multibody.physical_inertia import are_impossible, difference_fault, inertia_fault, joined_bodies
 from symbody.symbolic import Expr, free_symbols
 
-__all__ = ["warn_of_impossible_bodies"]
+__all__ = ["counted_cases", "warn_of_impossible_bodies"]
 
 Array = NDArray[np.float64]
 
@@ -91,7 +91,7 @@ def _impossible_inertia(body: Body, mass: Array, J: Array) -> list[str]:
         return []
     first = J[places[0]]
     text = inertia_fault(body, first, has_products=bool((first - np.diag(np.diag(first))).any()))
-    return [f"{_counted(places, len(J))}{text}"]
+    return [f"{counted_cases(places, len(J))}{text}"]
 
 
 def _impossible_difference(
@@ -109,5 +109,6 @@ def _impossible_difference(
     return []
 
 
-def _counted(places: NDArray[np.intp], count: int) -> str:
+def counted_cases(places: NDArray[np.intp], count: int) -> str:
+    """Return the words for the cases in which a fault was found; none for a single motion."""
     return f"in {len(places)} of {count} cases, first case {places[0]}: " if count > 1 else ""

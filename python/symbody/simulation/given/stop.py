@@ -8,7 +8,7 @@ from symbody.dynamics import Equations
 from symbody.errors import SimulationError
 from symbody.geometry.given.argument import checked
 from symbody.multibody import System
-from symbody.symbolic.given.arguments import brief
+from symbody.symbolic.given.arguments import brief, with_known_names
 
 from .event import Event
 
@@ -19,6 +19,7 @@ __all__ = ["stops"]
 
 
 @checked(SimulationError)
+@with_known_names
 def stops(equations: Equations) -> list[Event]:
     """Return an event for each limit of a joint, which ends the motion there: ``simulate(..., events=stops(eqs))``.
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from difflib import get_close_matches
 
 from symbody.dynamics import Equations
 from symbody.errors import notify
 from symbody.symbolic import Expr, free_symbols
 from symbody.symbolic.given.namesake import namesake_note
+from symbody.symbolic.given.similar_name import did_you_mean
 
 __all__ = ["warn_of_unused"]
 
@@ -33,14 +33,13 @@ def warn_of_unused(eqs: Equations, given: Iterable[Expr], wanted: Sequence[Expr]
     names = sorted(str(leaf) for leaf in known if leaf.kind == "symbol")
     different = namesake_note(strange, known, ("without a use", "of the model"))
     others = [name for name in unused if name not in names]
-    near = sorted({match for name in others for match in get_close_matches(name, names, n=2, cutoff=0.6)})
+    meant = did_you_mean(others, names)
     what, does, effect = (
         ("parameter", "does", "its value has")
         if len(unused) == 1
         else ("parameters", "do", "their values have")
     )
-    meant = f"; did you mean {' or '.join(near)}?" if near else ""
     notify(
         f"{where}: the {what} {', '.join(unused)} {does} not occur in this model or in outputs, events and inputs: "
-        f"{effect} no effect{meant}{different}"
+        f"{effect} no effect{meant and f'; {meant}'}{different}"
     )

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from difflib import get_close_matches
 from typing import Any
 
 import numpy as np
@@ -15,7 +14,9 @@ from symbody.multibody import Variables
 from symbody.symbolic import Expr, ExprLike, t
 from symbody.symbolic.given.arguments import brief, described, expression
 from symbody.symbolic.given.namesake import namesake_note
+from symbody.symbolic.given.similar_name import did_you_mean
 
+from .closing_joint import closing_joint
 from .column import column_of
 from .given_input import check_no_circle
 
@@ -134,11 +135,10 @@ def state_values(
     elif has_speeds:
         check_state_names(system, values, place)
     elif has_states:
-        check_known(
-            values, (*system.coordinates, *system.states), place, "a coordinate or a state of this system"
-        )
+        known = (*system.coordinates, *system.states)
+        check_known(values, known, place, "a coordinate or a state of this system", system)
     else:
-        check_known(values, system.coordinates, place, "a coordinate of this system")
+        check_known(values, system.coordinates, place, "a coordinate of this system", system)
     return {name: finite_number(name, value, f"{where}, {argument}") for name, value in values.items()}
 
 
@@ -149,7 +149,7 @@ def check_state_names(system: Variables, given: Iterable[object], place: str) ->
         ParameterError: a key is none of these.
     """
     kinds = "a coordinate, a rate of one, a speed or a state" if system.states else _OF_MECHANICS
-    check_known(given, system.state_names, place, f"{kinds} of this system")
+    check_known(given, system.state_names, place, f"{kinds} of this system", system)
 
 
 _OF_MECHANICS = "a coordinate, a rate of one or a speed"
@@ -255,16 +255,41 @@ def finite_number(name: Expr, value: ArrayLike, place: str) -> float:
     return float(column)
 
 
-def check_known(given: Iterable[object], known: Sequence[Expr], place: str, expected: str) -> None:
+def check_known(
+    given: Iterable[object],
+    known: Sequence[Expr],
+    place: str,
+    expected: str,
+    system: Variables | None = None,
+) -> None:
     """Check that all keys are known, and suggest what was meant.
+
+    Args:
+        given: the keys.
+        known: the variables that they may be.
+        place: the function and the argument, for messages.
+        expected: what the keys should be.
+        system: the system, whose joints may close loops, if the keys are coordinates.
 
     Raises:
         ParameterError: a key is not known.
     """
     for name in given:
         if not isinstance(name, Expr) or name not in known:
-            near = namesake_note(known, [name], _EXPECTED) or f"; {_near(name, known)}"
+            near = _of_closing_joint(name, known, system) or namesake_note(known, [name], _EXPECTED)
+            near = near or f"; {_near(name, known)}"
             raise ParameterError(f"{place}: {_found(name)} is not {expected}{near}")
+
+
+def _of_closing_joint(name: object, known: Sequence[Expr], system: Variables | None) -> str:
+    """Return the way out where a name is the coordinate of a joint that closes a loop; the empty text if it isn't."""
+    joint = None if name in known else closing_joint(system, name)
+    if joint is None:
+        return ""
+    return (
+        f": {joint} closes a loop, and has none; expected those of the tree, such as {known[0]}, or the joint with "
+        "loop=False"
+    )
 
 
 _EXPECTED = ("expected", "given")
@@ -294,14 +319,11 @@ def _found(name: object) -> str:
 def _near(name: object, known: Sequence[Expr]) -> str:
     """Return a suggestion: the variable for a text with its name, similar names, or all of them."""
     names = [str(each) for each in known]
-    near = get_close_matches(str(name), names, n=3, cutoff=0.6)
     if not names:
         return "there are none: leave it out"
     if not isinstance(name, Expr) and str(name) in names:
         return f"expected the variable itself, {name}, and not its name"
-    if near:
-        return f"did you mean {' or '.join(near)}?"
-    return f"expected one of {_listed(known)}"
+    return did_you_mean([name], names) or f"expected one of {_listed(known)}"
 
 
 def _listed(names: Iterable[object]) -> str:

@@ -12,7 +12,7 @@ from symbody.simulation.constraint.dependent_constraints import (
     described_dependence,
 )
 from symbody.simulation.model.model import Model
-from symbody.simulation.model.zero_length import without_direction
+from symbody.simulation.model.undefined_force import undefined_force
 from symbody.symbolic import t as time
 
 from .integrated import Integrated
@@ -129,7 +129,7 @@ def _out_of_domain(model: Model, parameters: Array, t: float, state: Array) -> s
     if names:
         variables = (*model.parameters, *model.damping, time, *model.state)
         known = dict(zip(variables, [*parameters, t, *state], strict=True))
-        cause = without_direction(model.system, model.inputs, known) or (
+        cause = undefined_force(model.system, model.inputs, known) or (
             "look for a division by zero, a root or logarithm of a negative value, or parameters that make no sense"
         )
         return f"{names} not finite there, at {listed_values(model.coordinates, known)}; {cause}"

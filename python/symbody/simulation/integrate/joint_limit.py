@@ -26,8 +26,8 @@ LIMIT = 1e-6
 
 
 _TOO_WIDE = (
-    "are a turn apart or more, and don't tell when it passes them: it closes a loop in space, where its angle is known "
-    "up to whole turns; let another joint close the loop by loop=True"
+    "are a turn apart or more, and can't be checked: it closes a loop in space, where its angle is known up to whole "
+    "turns; let another joint close the loop by loop=True"
 )
 
 

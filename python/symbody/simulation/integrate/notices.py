@@ -272,8 +272,8 @@ ROWS: dict[str, _Row] = {
     "half turn": _Row(
         _half_turns,
         "{subject} is turned by more than half a turn from its free angle, first at about t = {t:.4g} s, where its "
-        "torque changes to the other side: its joint closes a loop, and tells angles from -pi to pi alone; let another "
-        "joint close the loop by loop=True",
+        "torque changes to the other side: its joint closes a loop, and its angle is known from -pi to pi only; make "
+        "the spring with all_turns=True, or let another joint close the loop by loop=True",
     ),
     "jump": _Row(
         _jumps,

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 
 from symbody.errors import ArgumentError, SimulationError
+from symbody.simulation.given.closing_joint import measured_note
 from symbody.simulation.given.event import Event
 from symbody.simulation.given.given_input import check_explicit
 from symbody.simulation.model.model import Model
@@ -74,5 +75,5 @@ def check_observed(
             raise SimulationError(
                 f"{where}: {name} contains {', '.join(sorted(map(str, strange)))}; expected an expression of time, "
                 "coordinates, speeds, accelerations, multipliers and parameters"
-                f"{namesake_note(strange, known, ('asked for', 'of the motion'))}"
+                f"{measured_note(model.system, strange)}{namesake_note(strange, known, ('asked for', 'of the motion'))}"
             )

@@ -11,6 +11,7 @@ from symbody.dynamics import Equations
 from symbody.simulation.given.differentiated import differentiated_by
 from symbody.simulation.given.event import Event
 from symbody.simulation.given.given_bodies import warn_of_impossible_bodies
+from symbody.simulation.given.given_elements import warn_of_negative_sizes
 from symbody.simulation.given.options import Options, check_options, constraint_handling, instants_of
 from symbody.simulation.given.unused import warn_of_unused
 from symbody.simulation.given.values import given_inputs, state_values, zero_parameters
@@ -98,7 +99,7 @@ def task_of(
 
 
 def warn_of_odd_values(task: Task, parameters: Mapping[Expr, ArrayLike], where: str = "simulate") -> None:
-    """Warn of parameters without a use, and of impossible masses and inertias.
+    """Warn of parameters without a use, of impossible masses and inertias, and of negative resistances.
 
     Args:
         task: the task.
@@ -109,3 +110,4 @@ def warn_of_odd_values(task: Task, parameters: Mapping[Expr, ArrayLike], where: 
     observed = [*task.observed, *dict(task.model.inputs).values()]
     warn_of_unused(equations, parameters, observed, where)
     warn_of_impossible_bodies(equations.system, parameters, where)
+    warn_of_negative_sizes(equations.system, parameters, where)

@@ -115,6 +115,7 @@ class InverseDynamics:
         values: Array = self.evaluate([_READING.one_expression(expression, self.system.coordinates)])[0]
         return values
 
+    @with_known_names
     def evaluate(self, expressions: Sequence[ExprLike]) -> Array:
         """Return the values of several expressions, one row for each: shape (expressions, N).
 

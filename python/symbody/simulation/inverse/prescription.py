@@ -102,7 +102,7 @@ def prescription_of(
             f"{where}, motion: {described(motion)}; expected {{coordinate: expression of time}}, or a simulated "
             "motion"
         )
-    check_known(motion, system.coordinates, f"{where}, motion", "a coordinate of this system")
+    check_known(motion, system.coordinates, f"{where}, motion", "a coordinate of this system", system)
     formulas: dict[Expr, Expr] = {}
     samples: dict[Expr, BSpline] = {}
     for name, given in motion.items():

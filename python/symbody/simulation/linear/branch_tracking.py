@@ -103,7 +103,7 @@ def _assignments(start: _Ends, end: _Ends) -> tuple[NDArray[np.intp], NDArray[np
             )
             for i in doubtful
         )
-        if unsure[k]:  # where branches meet, vectors don't tell, but distances do
+        if unsure[k]:  # where branches meet, vectors don't distinguish them, but distances do
             _, best[k] = linear_sum_assignment(distance + 1e-9 * tie)
     return best, unsure
 

@@ -8,12 +8,13 @@ eigenvalue has fewer vectors than its multiplicity m, c is large or infinite, an
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from .finite_part import FinitePart, finite_part
 from .regular_pencil import rates_matrix
 
 __all__ = ["Cluster", "Spectrum", "spectrum"]
@@ -71,25 +72,39 @@ def spectrum(E: Array, A0: Array) -> Spectrum:
         A0: n x n.
     """
     A = rates_matrix(E, A0)
-    if A is None:
-        values, left, right = _eig(A0, E)
-        finite = np.isfinite(values) & (np.abs(values) < _scale(A0) / (_EPS * max(_scale(E), _EPS)) ** 0.5)
-        kept = np.flatnonzero(finite)
-        # Each vector by itself: the pencil has no matrix whose kernels would tell repeated ones.
-        shares = [_shares((left[:, [k]].conj().T @ E).conj().T, right[:, [k]]) for k in kept]
-        found = [
-            Cluster(complex(values[k]), 1, right[:, [k]], share)
-            for k, share in zip(kept, shares, strict=True)
-        ]
-        return Spectrum(_ordered(found), len(values) - len(kept))
-    return Spectrum(_ordered(_clusters(A)), 0)
+    if A is not None:
+        return Spectrum(_ordered(_clusters(A)), 0)
+    part = finite_part(E, A0)
+    assert part is not None, "the pencil is regular"
+    found = [_of_all_states(each, part, E, A0) for each in (_clusters(part.A) if len(part.A) else [])]
+    return Spectrum(_ordered(found), len(E) - len(part.A))
 
 
-def _eig(A0: Array, E: Array | None = None) -> tuple[Complex, Complex, Complex]:
+def _of_all_states(cluster: Cluster, part: FinitePart, E: Array, A0: Array) -> Cluster:
+    """Return an eigenvalue of the finite part with the vectors of all states.
+
+    The left vectors w of the pencil, ``w^H A0 = s w^H E``, give ``E^H w``, which vanishes for infinite eigenvalues.
+    """
+    vectors = part.basis @ cluster.vectors
+    count = vectors.shape[1]
+    if cluster.is_defective:
+        return replace(cluster, vectors=vectors, shares=np.full(vectors.shape, np.nan))
+    shifted = A0 - cluster.value * E
+    rows = np.abs(shifted).max(axis=1, keepdims=True)
+    rows = np.where(rows > 0, rows, 1.0)
+    U, _, _ = np.linalg.svd(shifted / rows)
+    return replace(
+        cluster,
+        vectors=vectors,
+        shares=_shares((E.T @ (U[:, -count:] / rows)).astype(np.complex128), vectors),
+    )
+
+
+def _eig(A: Array) -> tuple[Complex, Complex, Complex]:
     """Return eigenvalues, left vectors and right vectors."""
     from scipy.linalg import eig  # noqa: PLC0415 - slow to load
 
-    found: Any = eig(A0, E, left=True, right=True)
+    found: Any = eig(A, left=True, right=True)
     values, left, right = (np.asarray(part, np.complex128) for part in found)
     return values, left, right
 
@@ -241,7 +256,3 @@ def _ordered(clusters: list[Cluster]) -> tuple[Cluster, ...]:
             key=lambda each: (-round(each.value.real / scale, 9), abs(each.value.imag), each.value.imag),
         )
     )
-
-
-def _scale(matrix: Array) -> float:
-    return float(np.abs(matrix).max(initial=0.0))

@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from symbody.codegen import CompiledFunction, lambdify
 from symbody.dynamics import Linear
 from symbody.errors import ArgumentError, ModelError, ParameterError
+from symbody.simulation.given.values import finite_number
 from symbody.simulation.given.wording import joined_by_and
 from symbody.symbolic import Expr, Matrix, jacobian
 from symbody.symbolic.given.arguments import brief, described
@@ -56,7 +57,7 @@ def eigenvalue_slope(
     """
     if not isinstance(by, Expr):
         raise ArgumentError(f"{_WHERE}, by: {described(by)}; expected one parameter of the linear model")
-    change = {by: 1.0, **(together or {})}
+    change = {by: 1.0, **_numbers(together)}
     given: tuple[Any, ...] = tuple(change)
     for name in given:
         if not isinstance(name, Expr) or name not in linear.parameters:
@@ -79,6 +80,25 @@ def eigenvalue_slope(
             f"{_WHERE}: the eigenvalue {eigenvalue:.6g} is repeated, and has no derivative; expected a simple one"
         )
     return complex(left.conj() @ (dA0 - eigenvalue * dE) @ right / product)
+
+
+def _numbers(together: object) -> dict[Expr, float]:
+    """Return the derivatives of other parameters.
+
+    Raises:
+        ArgumentError: they are no dictionary.
+        ParameterError: one is not a finite number.
+    """
+    if together is None:
+        return {}
+    if not isinstance(together, Mapping):
+        raise ArgumentError(
+            f"{_WHERE}, together: {described(together)}; expected a dictionary of parameters and their derivatives"
+        )
+    return {
+        name: finite_number(name, value, f"{_WHERE}, together") if isinstance(name, Expr) else 0.0
+        for name, value in together.items()
+    }
 
 
 @lru_cache(maxsize=64)

@@ -15,7 +15,7 @@ from symbody.errors import ArgumentError, ModelError
 from symbody.simulation.motion.drawing import drawing_function
 from symbody.symbolic import Expr
 from symbody.symbolic.expression.html_table import html_table
-from symbody.symbolic.given.arguments import brief, counted
+from symbody.symbolic.given.arguments import brief, counted, with_known_names
 
 from .output_and_input import output_and_input
 from .row_fault import row_fault
@@ -90,6 +90,7 @@ class FrequencyResponse:
         ]
         return html_table(repr(self), ["output", "input", "largest |H|", "at [rad/s]"], rows)
 
+    @with_known_names
     def plot(
         self,
         kind: str = "bode",
@@ -112,6 +113,7 @@ class FrequencyResponse:
         return figure
 
 
+@with_known_names
 def frequency_response(
     linear: Linear, parameters: Mapping[Expr, ArrayLike] | None, omega: ArrayLike
 ) -> FrequencyResponse:

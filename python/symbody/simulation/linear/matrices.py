@@ -12,14 +12,15 @@ from numpy.typing import ArrayLike, NDArray
 
 from symbody.codegen import CompiledFunction, lambdify
 from symbody.dynamics import Linear
-from symbody.errors import ModelError, ParameterError
+from symbody.errors import ArgumentError, ModelError, ParameterError
 from symbody.simulation.given.column import column_of
 from symbody.simulation.given.values import check_parameters
 from symbody.symbolic import Expr, Matrix, free_symbols
 from symbody.symbolic.expression.html_table import html_table
-from symbody.symbolic.given.arguments import brief
+from symbody.symbolic.given.arguments import brief, described, with_known_names
 
 from .export import Exported, control_system, matlab_text, scipy_system
+from .regular_pencil import check_regular, rates_matrix
 
 if TYPE_CHECKING:
     from scipy.signal import StateSpace as SciPyStateSpace
@@ -29,8 +30,10 @@ __all__ = [
     "Recovery",
     "SecondOrderMatrices",
     "StateSpace",
+    "check_linear",
     "pencil",
     "recovery",
+    "regular_pencil",
     "second_order_matrices",
     "state_space",
 ]
@@ -185,6 +188,7 @@ class SecondOrderMatrices:
     coordinates: tuple[Expr, ...]
 
 
+@with_known_names
 def state_space(linear: Linear, parameters: Mapping[Expr, ArrayLike] | None = None) -> StateSpace:
     """Return A, B, C and D for one set of parameters, or for many at once.
 
@@ -234,6 +238,45 @@ def pencil(
     """
     values = _Values(linear, parameters, where)
     return Pencil(*values.of(linear.E, linear.A0, linear.B0, linear.C0, linear.C1, linear.D0))
+
+
+def check_linear(given: object, where: str) -> None:
+    """Check that this is a linear model.
+
+    Raises:
+        ArgumentError: it is something else.
+    """
+    if not isinstance(given, Linear):
+        raise ArgumentError(f"{where}: {described(given)}; expected a linear model: linearize(equations)")
+
+
+def regular_pencil(
+    linear: Linear, parameters: Mapping[Expr, ArrayLike] | None, where: str, *, for_rows: str = ""
+) -> Pencil:
+    """Return the same for one set of parameters, after checking that the pencil is regular.
+
+    Args:
+        linear: the linear model.
+        parameters: a number for each parameter.
+        where: the function that the user called, for messages.
+        for_rows: functions that take rows of numbers, for messages.
+
+    Raises:
+        ArgumentError: this is no linear model.
+        ParameterError: a value is missing, has an unknown key, is not finite, or is not one number.
+        ModelError: the values are no steady motion, or det(A0 - s E) = 0 for all s.
+    """
+    check_linear(linear, where)
+    found = pencil(linear, parameters, where=where)
+    if found.E.ndim > 2:
+        hint = f": for rows of numbers use {for_rows}" if for_rows else ""
+        raise ParameterError(
+            f"{where}, parameters: the values have the shape {found.E.shape[:-2]}; expected one number for each "
+            f"parameter{hint}"
+        )
+    if rates_matrix(found.E, found.A0) is None:
+        check_regular(found.E, found.A0, linear.states, where)
+    return found
 
 
 def recovery(
@@ -286,6 +329,10 @@ class _Values:
         where: str,
         names: tuple[Expr, ...] = (),
     ) -> None:
+        if not isinstance(linear, Linear):
+            raise ArgumentError(
+                f"{where}: {described(linear)}; expected a linear model: linearize(equations)"
+            )
         given: Mapping[Any, ArrayLike] = {} if parameters is None else parameters
         self.names = names or linear.parameters
         check_parameters(self.names, given, where, linear.variables)

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from math import inf, log, nan, pi
+from numbers import Real
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,11 +15,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symbody.dynamics import Linear
-from symbody.errors import ModelError
+from symbody.errors import ArgumentError, ModelError
 from symbody.multibody import Body
 from symbody.simulation.motion.drawing import NotebookPage, drawing_function
 from symbody.symbolic import Expr
 from symbody.symbolic.expression.html_table import html_table
+from symbody.symbolic.given.arguments import described, with_known_names
 
 from .eigenvalue_slope import eigenvalue_slope
 from .matrices import Recovery, recovery
@@ -138,6 +140,7 @@ class Mode:
         """
         return dict(zip(self.linear.states, self.shares.tolist(), strict=True))
 
+    @with_known_names
     def sensitivity(self, by: Expr, together: Mapping[Expr, float] | None = None) -> complex:
         """Return the derivative of the eigenvalue by a parameter, ``ds/dp = w^H (dA0 - s dE) phi / (w^H E phi)``.
 
@@ -190,6 +193,7 @@ class Mode:
     def _deviations(self) -> Complex:
         return np.asarray(self._recovery.matrix @ self.state)
 
+    @with_known_names
     def motion(self, amplitude: float | None = None) -> Swing:
         """Return the mode as a motion about the reference position, as `plot` and `animate` of the view take it.
 
@@ -203,8 +207,12 @@ class Mode:
         about, shape = self._recovery.about, self._deviations
         if amplitude is None:
             amplitude = visible_amplitude(self.linear, self.parameters, about, shape)
-        if not np.isfinite(amplitude):
-            raise ModelError(f"Mode.motion: amplitude={amplitude}; expected a finite number")
+        if (
+            isinstance(amplitude, bool)
+            or not isinstance(amplitude, Real)
+            or not np.isfinite(float(amplitude))
+        ):
+            raise ArgumentError(f"Mode.motion: amplitude={described(amplitude)}; expected a finite number")
         s = self.eigenvalue
         if s.imag or not s:
             omega = abs(s.imag) or 2 * pi
@@ -217,6 +225,7 @@ class Mode:
             self.linear, self.parameters, instants, about, (amplitude * np.outer(shape, phasors)).real
         )
 
+    @with_known_names
     def animate(
         self,
         path: str | os.PathLike[str] | None = None,
@@ -239,6 +248,7 @@ class Mode:
         )
         return page
 
+    @with_known_names
     def plot(
         self, *, least: float = 0.01, title: str = "", path: str | os.PathLike[str] | None = None
     ) -> Figure:

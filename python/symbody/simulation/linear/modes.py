@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import overload
@@ -11,15 +10,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symbody.dynamics import Linear
-from symbody.errors import ArgumentError, ModelNotice, ParameterError
+from symbody.errors import ArgumentError, notify
 from symbody.symbolic import Expr
 from symbody.symbolic.expression.html_table import html_table
-from symbody.symbolic.given.arguments import counted, described
+from symbody.symbolic.given.arguments import counted, described, with_known_names
 
+from .complex_number import complex_number
 from .eigenproblem import Cluster, spectrum
-from .matrices import pencil
+from .matrices import regular_pencil
 from .mode import Mode
-from .regular_pencil import check_regular, rates_matrix
 
 __all__ = ["Modes", "modes"]
 
@@ -72,12 +71,36 @@ class Modes:
     @overload
     def __getitem__(self, place: slice) -> tuple[Mode, ...]: ...
     def __getitem__(self, place: int | slice) -> Mode | tuple[Mode, ...]:
-        """Return a mode by its place."""
-        return self.each[place]
+        """Return a mode by its place.
 
+        Raises:
+            ArgumentError: there is no such mode.
+        """
+        try:
+            return self.each[place]
+        except (IndexError, TypeError):
+            raise ArgumentError(
+                f"Modes: [{described(place).partition(' is ')[0]}] is not the place of a mode; expected a number below "
+                f"{len(self.each)}, or modes.near(eigenvalue)"
+            ) from None
+
+    @with_known_names
     def near(self, eigenvalue: complex) -> Mode:
-        """Return the mode whose eigenvalue is nearest to a value, in 1/s."""
-        return min(self.each, key=lambda mode: min(abs(mode.eigenvalue - s) for s in _pair(eigenvalue)))
+        """Return the mode whose eigenvalue is nearest to a value, in 1/s.
+
+        Raises:
+            ArgumentError: the value is not a finite number, or there are no modes.
+        """
+        s = complex_number(eigenvalue)
+        if s is None:
+            raise ArgumentError(
+                f"Modes.near: {described(eigenvalue)}; expected an eigenvalue in 1/s, such as -0.8 + 4.5j"
+            )
+        if not self.each:
+            raise ArgumentError("Modes.near: there are no modes: no eigenvalue is finite")
+        return min(
+            self.each, key=lambda mode: min(abs(mode.eigenvalue - s), abs(mode.eigenvalue - s.conjugate()))
+        )
 
     @property
     def is_stable(self) -> bool:
@@ -140,10 +163,11 @@ class Modes:
         return html_table(title, _HEADER, rows, "; ".join(self.notes))
 
 
+@with_known_names
 def modes(linear: Linear, parameters: Mapping[Expr, ArrayLike] | None = None) -> Modes:
     """Return the modes of a linear model: ``A0 phi = s E phi``.
 
-    Eigenvalues that are zero but for rounding are zero, and those that coincide but for rounding are told as repeated
+    Eigenvalues that are zero up to rounding are zero, and those that coincide up to rounding are reported as repeated
     or, if they have fewer shapes, as defective.
 
     Args:
@@ -166,17 +190,8 @@ def modes(linear: Linear, parameters: Mapping[Expr, ArrayLike] | None = None) ->
     >>> round(found[0].damping_ratio, 9), round(found[0].natural_frequency, 9), found[0].shape
     (0.1, 10.0, {x: (1+0j)})
     """
-    if not isinstance(linear, Linear):
-        raise ArgumentError(f"{_WHERE}: {described(linear)}; expected a linear model: linearize(equations)")
     given = {} if parameters is None else parameters
-    matrices = pencil(linear, given, where=_WHERE)
-    if matrices.E.ndim > 2:
-        raise ParameterError(
-            f"{_WHERE}, parameters: the values have the shape {matrices.E.shape[:-2]}; expected one number for each "
-            "parameter: for rows of numbers use root_locus or sweep"
-        )
-    if rates_matrix(matrices.E, matrices.A0) is None:
-        check_regular(matrices.E, matrices.A0, linear.states, _WHERE)
+    matrices = regular_pencil(linear, given, _WHERE, for_rows="root_locus or sweep")
     found = spectrum(matrices.E, matrices.A0)
     each = tuple(
         _mode(linear, given, cluster, k)
@@ -190,7 +205,7 @@ def modes(linear: Linear, parameters: Mapping[Expr, ArrayLike] | None = None) ->
     result = Modes(linear, dict(given), each, values, found.infinite)
     for mode in each:
         if mode.is_defective and mode.eigenvalue:
-            warnings.warn(ModelNotice(f"{_WHERE}: {_repetition(mode, 1)}"), stacklevel=2)
+            notify(f"{_WHERE}: {_repetition(mode, 1)}")
     return result
 
 
@@ -214,10 +229,6 @@ def _mode(linear: Linear, parameters: Mapping[Expr, ArrayLike], cluster: Cluster
         vector,
         cluster.shares[:, k],
     )
-
-
-def _pair(value: complex) -> tuple[complex, complex]:
-    return complex(value), complex(value).conjugate()
 
 
 def _value(mode: Mode) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -17,7 +18,8 @@ from symbody.simulation.steady_state.branch import Branch
 from symbody.symbolic import Expr
 from symbody.symbolic.given.arguments import described
 
-from .matrices import pencil
+from .finite_part import finite_part
+from .matrices import check_linear, pencil
 from .regular_pencil import check_regular, rates_matrix
 
 __all__ = ["Course", "ParameterFamily", "family_of"]
@@ -30,7 +32,7 @@ Course: TypeAlias = float | Callable[[float], float]
 _SAME = 1e-6
 """The difference of motions that are the same one, relative to the largest value: at a fold, rounding has its root."""
 _TINY = 1e-12
-"""The same of a variable that is zero along the branch, but for rounding."""
+"""The same of a variable that is zero along the branch, up to rounding."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,6 +45,7 @@ class ParameterFamily:
         numbers: the values of the others.
         courses: those that are functions of the parameter.
         where: the function that the user called, for messages.
+        first: the first value of the parameter.
     """
 
     linear: Linear
@@ -50,6 +53,7 @@ class ParameterFamily:
     numbers: Mapping[Expr, float]
     courses: Mapping[Expr, Callable[[float], float]]
     where: str
+    first: float
 
     @property
     def kept(self) -> list[int]:
@@ -65,10 +69,10 @@ class ParameterFamily:
         }
 
     def rates(self, values: Array) -> Array:
-        """Return A of ``x' = A x`` at N values, (N, n, n).
+        """Return A of ``x' = A x`` at N values, (N, n, n); of the finite part where E is singular.
 
         Raises:
-            ModelError: E is singular at one of them.
+            ModelError: E is singular at one of them alone, or the pencil is.
         """
         courses = {
             each: np.array([float(course(float(value))) for value in values])
@@ -79,18 +83,36 @@ class ParameterFamily:
         shape, kept = (len(values), *matrices.E.shape[-2:]), self.kept
         E, A0 = (np.broadcast_to(each, shape)[:, kept][:, :, kept] for each in (matrices.E, matrices.A0))
         A = rates_matrix(E, A0)
-        if A is None:
-            states = [self.linear.states[k] for k in self.kept]
-            for value, E_k, A0_k in zip(values, E, A0, strict=True):
-                if rates_matrix(E_k, A0_k) is None:
-                    check_regular(E_k, A0_k, states, self.where)
-                    raise ModelError(
-                        f"{self.where}: E of E x' = A0 x is singular at {self.name} = {value:.6g}: a combination of "
-                        f"{', '.join(map(str, self.linear.speeds))} moves no mass; give it some, or leave the "
-                        "massless coordinate out: modes(linear, parameters) takes singular E"
-                    )
-            raise AssertionError("one of the matrices is singular")
-        return A
+        return self._finite(values, E, A0) if A is None else A
+
+    def _finite(self, values: Array, E: Array, A0: Array) -> Array:
+        """Return A of the finite part, whose states are the same at all values.
+
+        Raises:
+            ModelError: the number of finite eigenvalues changes, or a pencil is singular.
+        """
+        found = []
+        for value, E_k, A0_k in zip(values, E, A0, strict=True):
+            check_regular(E_k, A0_k, [self.linear.states[k] for k in self.kept], self.where)
+            part = finite_part(E_k, A0_k, places=self._places)
+            if part is None:
+                part, first = finite_part(E_k, A0_k), self.first
+                count = len(part.A) if part else 0
+                raise ModelError(
+                    f"{self.where}: finite eigenvalues: {len(self._places)} at {self.name} = {first:.6g}, and {count} "
+                    f"at {value:.6g}, where E of E x' = A0 x loses or gains a rank; expected "
+                    "values between which masses don't vanish: draw a locus on each side"
+                )
+            found.append(part.A)
+        return np.array(found)
+
+    @cached_property
+    def _places(self) -> tuple[int, ...]:
+        """The places of the states of the finite part, chosen at the first value."""
+        matrices, kept = pencil(self.linear, self.parameters_at(self.first), where=self.where), self.kept
+        E, A0 = (each[kept][:, kept] for each in (matrices.E, matrices.A0))
+        part = finite_part(E, A0)
+        return part.places if part else ()
 
     def eigenvalues(self, values: Array) -> Complex:
         """Return the eigenvalues at N values, (N, n), in no order."""
@@ -122,8 +144,7 @@ def family_of(
         ArgumentError: an argument has the wrong kind.
         ParameterError: there is not exactly one parameter, it is given twice, or its values are too few or not finite.
     """
-    if not isinstance(linear, Linear):
-        raise ArgumentError(f"{where}: {described(linear)}; expected a linear model: linearize(equations)")
+    check_linear(linear, where)
     name, values = _over(linear, over, where)
     given: dict[Any, Any] = {} if parameters is None else dict(parameters)
     if name in given:
@@ -138,7 +159,7 @@ def family_of(
     }
     if along is not None:
         courses |= _along(linear, along, name, given, where)
-    return ParameterFamily(linear, name, numbers, courses, where), values
+    return ParameterFamily(linear, name, numbers, courses, where, float(values[0])), values
 
 
 def _number(name: Expr, value: Any, where: str) -> float:
@@ -166,8 +187,8 @@ def _over(linear: Linear, over: object, where: str) -> tuple[Expr, Array]:
     if name not in linear.parameters:
         listed = ", ".join(map(str, linear.parameters)) or "none"
         raise ParameterError(
-            f"{where}, over: {described(name) if not isinstance(name, Expr) else name} is not a parameter of this "
-            f"linear model; expected one of {listed}"
+            f"{where}, over: {described(name) + ', which' if not isinstance(name, Expr) else name} is not a parameter "
+            f"of this linear model; expected one of {listed}"
         )
     values = np.unique(column_of(name, given, f"{where}, over"))
     if len(values) < 2 or not np.isfinite(values).all():

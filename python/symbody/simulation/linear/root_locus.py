@@ -18,7 +18,7 @@ from symbody.simulation.motion.drawing import drawing_function
 from symbody.simulation.steady_state.branch import Branch
 from symbody.symbolic import Expr
 from symbody.symbolic.expression.html_table import html_table
-from symbody.symbolic.given.arguments import described
+from symbody.symbolic.given.arguments import described, with_known_names
 
 from .branch_tracking import tracked
 from .critical_value import CriticalValue, critical_values
@@ -85,6 +85,7 @@ class RootLocus:
         """
         return critical_values(self.family, self.values, self.eigenvalues)
 
+    @with_known_names
     def critical_value(self, name: str) -> float:
         """Return the critical value of the branches with a name.
 
@@ -94,11 +95,12 @@ class RootLocus:
         found = [each.value for each in self.critical if self.names[each.branch] == name]
         if len(found) == 1:
             return found[0]
-        listed = ", ".join(f"{each.value:.6g} ({self.names[each.branch]})" for each in self.critical)
+        listed = ", ".join(f"{self._shown(each)} ({self.names[each.branch]})" for each in self.critical)
         count = f"the branches named {name!r} have {len(found)} critical values"
         expected = f"expected a name with one of {listed}" if listed else "no branch has any"
         raise ArgumentError(f"RootLocus.critical_value: {count}; {expected}")
 
+    @with_known_names
     def modes_at(self, value: float) -> Modes:
         """Return the modes at a value of the parameter.
 
@@ -158,6 +160,7 @@ class RootLocus:
         low, high = self.values[[0, -1]]
         return html_table(f"Root locus, {self.parameter} from {low:.6g} to {high:.6g}", header, rows)
 
+    @with_known_names
     def plot(
         self,
         kind: str = "both",
@@ -186,6 +189,7 @@ class RootLocus:
         return figure
 
 
+@with_known_names
 def root_locus(
     linear: Linear,
     parameters: Mapping[Expr, Course] | None = None,
@@ -240,6 +244,11 @@ def _names(
     Raises:
         ArgumentError: a name is not given by a value of the parameter and an eigenvalue near one of them.
     """
+    if given is not None and not isinstance(given, Mapping):
+        raise ArgumentError(
+            f"{_WHERE}, names: {described(given)}; expected a dictionary of names, each with a value of the parameter "
+            "and an eigenvalue, such as {'weave': (5, -0.8 + 4.5j)}"
+        )
     n = branches.shape[1]
     partner = [
         int(np.argmin(np.abs(branches[-1] - s.conjugate()))) if s.imag else k
@@ -247,26 +256,7 @@ def _names(
     ]
     found = [""] * n
     for name, place in (given or {}).items():
-        try:
-            value, s = float(place[0]), complex(place[1])
-        except (TypeError, ValueError, IndexError):
-            raise ArgumentError(
-                f"{_WHERE}, names, {name}: {described(place)}; expected a value of the parameter and an eigenvalue, "
-                "such as (5, -0.8 + 4.5j)"
-            ) from None
-        if not values[0] <= value <= values[-1]:
-            raise ArgumentError(
-                f"{_WHERE}, names, {name}: {value:.6g} is not within the values of the parameter, from "
-                f"{values[0]:.6g} to {values[-1]:.6g}"
-            )
-        nearest = int(np.argmin(np.abs(values - value)))
-        here = branches[nearest]
-        k = int(np.argmin(np.abs(here - s)))
-        if not abs(here[k] - s) <= _NEAR * max(abs(s), abs(here[k])) + 1e-6 * np.abs(here).max():
-            raise ArgumentError(
-                f"{_WHERE}, names, {name}: {s:.4g} is far from every eigenvalue at {values[nearest]:.6g}; the nearest "
-                f"is {here[k]:.4g}"
-            )
+        here, k = _named(values, branches, name, place)
         pair = int(np.argmin(np.abs(here - here[k].conjugate()))) if here[k].imag else k
         found[k] = found[pair] = name
     count = 0
@@ -276,3 +266,31 @@ def _names(
             count += not twin
             found[k] = twin or f"branch {count}"
     return tuple(found)
+
+
+def _named(values: Array, branches: Complex, name: str, place: tuple[float, complex]) -> tuple[Complex, int]:
+    """Return the eigenvalues at the value that is nearest to the place of a name, and the branch that it names.
+
+    Raises:
+        ArgumentError: the place is not a value of the parameter and an eigenvalue near one of them.
+    """
+    where = f"{_WHERE}, names, {name}"
+    try:
+        value, s = float(place[0]), complex(place[1])
+    except (TypeError, ValueError, IndexError):
+        raise ArgumentError(
+            f"{where}: {described(place)}; expected a value of the parameter and an eigenvalue, such as "
+            "(5, -0.8 + 4.5j)"
+        ) from None
+    if not values[0] <= value <= values[-1]:
+        raise ArgumentError(
+            f"{where}: {value:.6g} is not within the values of the parameter, from {values[0]:.6g} to {values[-1]:.6g}"
+        )
+    nearest = int(np.argmin(np.abs(values - value)))
+    here = branches[nearest]
+    k = int(np.argmin(np.abs(here - s)))
+    if not abs(here[k] - s) <= _NEAR * max(abs(s), abs(here[k])) + 1e-6 * np.abs(here).max():
+        raise ArgumentError(
+            f"{where}: {s:.4g} is far from every eigenvalue at {values[nearest]:.6g}; the nearest is {here[k]:.4g}"
+        )
+    return here, k

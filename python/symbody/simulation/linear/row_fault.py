@@ -10,7 +10,7 @@ from symbody.symbolic.given.arguments import described
 __all__ = ["row_fault"]
 
 
-def row_fault(given: ArrayLike, found: NDArray[np.float64] | None, *, increasing: bool = False) -> str:
+def row_fault(given: ArrayLike | None, found: NDArray[np.float64] | None, *, increasing: bool = False) -> str:
     """Return what is wrong with a row of numbers; the empty text if nothing is.
 
     Args:
@@ -21,6 +21,8 @@ def row_fault(given: ArrayLike, found: NDArray[np.float64] | None, *, increasing
     >>> row_fault([], np.array([])), row_fault([2, 1], np.array([2.0, 1.0]), increasing=True)
     ('[] is empty', '[2, 1] does not increase')
     """
+    if given is None:  # which NumPy takes for NaN
+        return "None"
     shown = described(given).rpartition(" is ")[0]
     if found is not None and not found.ndim and found <= 0:
         return f"{shown} is not positive"

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import warnings
 from collections.abc import Iterator, Mapping
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExecutor, wait
 from dataclasses import dataclass, field
@@ -13,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symbody.dynamics import Linear
-from symbody.errors import ArgumentError, ModelNotice, ParameterError
+from symbody.errors import ArgumentError, ParameterError, notify
 from symbody.simulation.batch.workers import core_count
 from symbody.simulation.given.column import column_of
 from symbody.simulation.motion.drawing import drawing_function
@@ -21,9 +20,10 @@ from symbody.simulation.terminal.interruption import Interruption
 from symbody.simulation.terminal.progress import progress_bar
 from symbody.symbolic import Expr
 from symbody.symbolic.expression.html_table import html_table
-from symbody.symbolic.given.arguments import counted, described
+from symbody.symbolic.given.arguments import counted, described, with_known_names
 
-from .matrices import pencil
+from .finite_part import finite_part
+from .matrices import check_linear, pencil
 from .regular_pencil import rates_matrix
 
 if TYPE_CHECKING:
@@ -49,7 +49,7 @@ class Sweep:
         linear: the linear model.
         parameters: the values of all parameters, an array of shape (k,) for each.
         eigenvalues: in 1/s, the fastest growing first, shape (k, n); those of ignorable coordinates, which are zero,
-            are left out. NaN where E is singular.
+            are left out. NaN for those at infinity, where E is singular.
 
     >>> from symbody import functions_of_time, linearize, equations_of, sweep, symbols, Matrix
     >>> x, (m, k) = functions_of_time("x"), symbols("m k")
@@ -68,7 +68,7 @@ class Sweep:
     @property
     def growth(self) -> Array:
         """The largest real part of each case, in 1/s, shape (k,): negative where all modes decay."""
-        return np.asarray(self.eigenvalues.real.max(axis=1))
+        return np.asarray(np.fmax.reduce(self.eigenvalues.real, axis=1, initial=np.nan))
 
     @property
     def damping_ratio(self) -> Array:
@@ -76,7 +76,7 @@ class Sweep:
         size = np.abs(self.eigenvalues)
         oscillates = np.abs(self.eigenvalues.imag) > 1e-9 * size
         with np.errstate(invalid="ignore", divide="ignore"):
-            ratios = np.where(oscillates, -self.eigenvalues.real / size, 1.0)
+            ratios = np.where(oscillates, -self.eigenvalues.real / size, 1.0)  # 1 for infinite ones, too
         return np.asarray(np.where(np.isnan(self.growth), np.nan, ratios.min(axis=1)))
 
     @property
@@ -99,6 +99,7 @@ class Sweep:
         header = [*map(str, self.varying), "largest real part [1/s]", "least damping ratio"]
         return html_table(repr(self), header, rows)
 
+    @with_known_names
     def plot(
         self,
         *,
@@ -120,6 +121,7 @@ class Sweep:
         return figure
 
 
+@with_known_names
 def sweep(
     linear: Linear,
     parameters: Mapping[Expr, ArrayLike] | None = None,
@@ -155,8 +157,7 @@ def sweep(
     >>> found.growth.round(6), found.damping_ratio.round(6)
     (array([ 0.1, -0.1,  0.1, -0.1]), array([-0.05    ,  0.05    , -0.033333,  0.033333]))
     """
-    if not isinstance(linear, Linear):
-        raise ArgumentError(f"{_WHERE}: {described(linear)}; expected a linear model: linearize(equations)")
+    check_linear(linear, _WHERE)
     if not isinstance(executor, Executor | None):
         raise ArgumentError(
             f"{_WHERE}: executor={described(executor)}; expected an executor of concurrent.futures, such as "
@@ -181,7 +182,9 @@ def sweep(
         finally:
             if executor is None:
                 pool.shutdown()
-    _warn(int(np.isnan(found).any(axis=1).sum()), count, is_interrupted=interruption.is_asked_for)
+    _warn(
+        int(np.isnan(found).all(axis=1).sum()) if kept else 0, count, is_interrupted=interruption.is_asked_for
+    )
     return Sweep(linear, columns, found)
 
 
@@ -205,6 +208,9 @@ def _columns(
                 )
             found[name] = column_of(name, values, f"{_WHERE}, {kind}")
     lengths = {str(name): len(column) for name, column in found.items() if column.ndim == 1}
+    empty = next((name for name, length in lengths.items() if not length), None)
+    if empty is not None:
+        raise ParameterError(f"{_WHERE}: {empty} has no values; expected one for each case")
     several = [name for name, column in found.items() if column.ndim > 1]
     if several or len({*lengths.values()}) > 1:
         listed = ", ".join(f"{name} has {length}" for name, length in lengths.items())
@@ -253,12 +259,20 @@ def _computed(
 
 
 def _eigenvalues(E: Array, A0: Array) -> Complex:
-    """Return eigenvalues by falling real parts, (k, n); NaN where E is singular."""
+    """Return eigenvalues by falling real parts, (k, n); NaN for those that are infinite, as E is singular."""
     A = rates_matrix(E, A0)
     if A is None:
-        if len(E) == 1:
-            return np.full(E.shape[:2], complex(np.nan, np.nan))
-        return np.concatenate([_eigenvalues(E[[k]], A0[[k]]) for k in range(len(E))])
+        if len(E) > 1:
+            return np.concatenate([_eigenvalues(E[[k]], A0[[k]]) for k in range(len(E))])
+        part = finite_part(E[0], A0[0])
+        A = np.zeros((1, 0, 0)) if part is None else part.A[None]
+        infinite = np.full((1, E.shape[1] - A.shape[1]), complex(np.nan, np.nan))
+        return np.concatenate([_sorted(A), infinite], axis=1)
+    return _sorted(A)
+
+
+def _sorted(A: Array) -> Complex:
+    """Return the eigenvalues of matrices by falling real parts."""
     found = np.linalg.eigvals(A).astype(np.complex128)
     scale = np.abs(found).max(axis=1, initial=1e-300)[:, None]
     keys = (found.imag, np.abs(found.imag), -np.round(found.real / scale, 9))
@@ -267,6 +281,5 @@ def _eigenvalues(E: Array, A0: Array) -> Complex:
 
 def _warn(missing: int, count: int, *, is_interrupted: bool) -> None:
     if missing:
-        cause = "were not computed (interrupted)" if is_interrupted else "have a singular E"
-        text = f"{_WHERE}: {missing} of {counted(count, 'case')} {cause}; their eigenvalues are NaN"
-        warnings.warn(ModelNotice(text), stacklevel=3)
+        cause = "were not computed (interrupted)" if is_interrupted else "have no finite eigenvalues"
+        notify(f"{_WHERE}: {missing} of {counted(count, 'case')} {cause}; their eigenvalues are NaN")

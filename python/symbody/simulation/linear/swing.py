@@ -59,7 +59,7 @@ class Swing:
         """Return the values of several expressions, one row for each: shape (expressions, N).
 
         Raises:
-            ModelError: an expression holds accelerations, multipliers or rates of inputs.
+            ModelError: an expression contains accelerations, multipliers or rates of inputs.
             ParameterError: a parameter has no value.
         """
         held = {q: value for q, value in self.linear.about.items() if q not in self.linear.variables}

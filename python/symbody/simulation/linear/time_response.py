@@ -15,10 +15,10 @@ from symbody.errors import ArgumentError, ModelError
 from symbody.simulation.motion.drawing import drawing_function
 from symbody.symbolic import Expr
 from symbody.symbolic.expression.html_table import html_table
-from symbody.symbolic.given.arguments import counted
+from symbody.symbolic.given.arguments import counted, with_known_names
 
 from .output_and_input import output_and_input
-from .regular_pencil import rates_matrix
+from .realization import realization
 from .row_fault import row_fault
 from .transfer import transfer
 
@@ -28,6 +28,9 @@ if TYPE_CHECKING:
 __all__ = ["TimeResponse", "impulse_response", "step_response"]
 
 Array = NDArray[np.float64]
+
+_INSTANTS = 1001
+"""The instants of a span, as in `simulate`."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,7 +51,7 @@ class TimeResponse:
     >>> x, F = functions_of_time("x F")
     >>> linear = linearize(equations_of(Matrix([[1]]), [F - 4 * x - time_derivative(x)], [x]), outputs=[x])
     >>> step_response(linear, None, 20)
-    TimeResponse(step; x to F; 500 instants from 0 to 20 s)
+    TimeResponse(step; x to F; 1001 instants from 0 to 20 s)
     """
 
     linear: Linear = field(repr=False)
@@ -78,6 +81,7 @@ class TimeResponse:
         ]
         return html_table(repr(self), ["output", "input", "least", "largest", "last"], rows)
 
+    @with_known_names
     def plot(
         self,
         *,
@@ -96,20 +100,23 @@ class TimeResponse:
         return figure
 
 
+@with_known_names
 def step_response(linear: Linear, parameters: Mapping[Expr, ArrayLike] | None, t: ArrayLike) -> TimeResponse:
     """Return the outputs after each input has jumped by 1: ``y = C x + D``, ``x' = A x + B``, ``x(0) = 0``.
+
+    Where rates of inputs act, as that of a road on a damper, or E is singular, this is the limit of ever faster steps.
 
     ``exp([[A, B], [0, 0]] t)`` has the integral of ``exp(A t) B`` in its right column [Van Loan 1978], exactly.
 
     Args:
         linear: the linear model, with inputs and outputs.
         parameters: a number for each parameter.
-        t: the instants, in s, increasing from 0 or later, so that (0, 10) are two instants; or the last one alone,
-            for 500 instants.
+        t: the instants, in s, increasing from 0 or later; a pair such as (0, 10), or the last one alone, stands for
+            1001 evenly spaced instants, as in `simulate`.
 
     Raises:
         ParameterError: a value is missing, has an unknown key, is not finite, or is not one number.
-        ModelError: there are no inputs or no outputs, E is singular, or rates of inputs are inputs.
+        ModelError: there are no inputs or no outputs, or an output follows the rate of an input at once.
         ArgumentError: the instants don't increase.
 
     >>> from symbody import Body, Force, System, functions_of_time, ground, linearize, newton_euler, symbols, translate
@@ -123,6 +130,7 @@ def step_response(linear: Linear, parameters: Mapping[Expr, ArrayLike] | None, t
     return _response("step", linear, parameters, t)
 
 
+@with_known_names
 def impulse_response(
     linear: Linear, parameters: Mapping[Expr, ArrayLike] | None, t: ArrayLike
 ) -> TimeResponse:
@@ -131,13 +139,13 @@ def impulse_response(
     Args:
         linear: the linear model, with inputs and outputs.
         parameters: a number for each parameter.
-        t: the instants, in s, increasing from 0 or later, so that (0, 10) are two instants; or the last one alone,
-            for 500 instants.
+        t: the instants, in s, increasing from 0 or later; a pair such as (0, 10), or the last one alone, stands for
+            1001 evenly spaced instants, as in `simulate`.
 
     Raises:
         ParameterError: a value is missing, has an unknown key, is not finite, or is not one number.
-        ModelError: there are no inputs or no outputs, E is singular, rates of inputs are inputs, or an output follows
-            an input at once, so that its response holds an impulse.
+        ModelError: there are no inputs or no outputs, or an output follows an input at once, so that its response holds
+            an impulse.
         ArgumentError: the instants don't increase.
 
     >>> from symbody import Body, Force, System, functions_of_time, ground, linearize, newton_euler, symbols, translate
@@ -156,34 +164,24 @@ def _response(
 ) -> TimeResponse:
     where = f"{kind}_response"
     found = transfer(linear, parameters, where)
-    instants, m = _instants(t, where), found.matrices
-    if any(order for _, order in found.orders):
-        rates = ", ".join(str(r) for r in linear.inputs if r not in found.inputs)
+    instants, model = _instants(t, where), realization(found)
+    n, k = model.B.shape
+    sudden = model.D[1:] if kind == "step" else model.D
+    impulsive = [name for i, name in enumerate(linear.outputs) if any(D[i].any() for D in sudden)]
+    if impulsive:
+        cause = "the rate of an input" if kind == "step" else "an input"
+        way = "use frequency_response" if kind == "step" else "use step_response"
         raise ModelError(
-            f"{where}: {rates}, the rate of an input, is an input, too, and a jump has no finite rate; expected "
-            "loads as inputs: use frequency_response for inputs that drive constraints"
+            f"{where}: {', '.join(impulsive)} follows {cause} at once, so that its response contains an impulse; "
+            f"expected outputs such as positions and speeds, or {way}"
         )
-    solved = rates_matrix(m.E, np.eye(len(m.E)))
-    if solved is None:
-        raise ModelError(
-            f"{where}: E of E x' = A0 x + B0 r is singular: a combination of "
-            f"{', '.join(map(str, linear.speeds))} moves no mass; give it some"
-        )
-    A, B = solved @ m.A0, solved @ m.B0
-    C, D = m.C0 + m.C1 @ A, m.D0 + m.C1 @ B
-    n, k = B.shape
     if kind == "step":
-        whole = np.block([[A, B], [np.zeros((k, n + k))]])
-        values = C @ _states(whole, np.vstack([np.zeros((n, k)), np.eye(k)]), instants)[:, :n] + D
+        whole = np.block([[model.A, model.B], [np.zeros((k, n + k))]])
+        start = np.vstack([np.zeros((n, k)), np.eye(k)])
+        values = model.C @ _states(whole, start, instants)[:, :n] + model.D[0]
     else:
-        direct = [linear.outputs[i] for i in range(len(D)) if D[i].any()]
-        if direct:
-            raise ModelError(
-                f"{where}: {', '.join(direct)} follows an input at once, so that its response holds an impulse; "
-                "expected outputs such as positions and speeds, or use step_response"
-            )
-        values = C @ _states(A, B, instants)
-    return TimeResponse(linear, kind, instants, values, linear.inputs, linear.outputs)
+        values = model.C @ _states(model.A, model.B, instants)
+    return TimeResponse(linear, kind, instants, values, found.inputs, linear.outputs)
 
 
 def _states(A: Array, start: Array, t: Array) -> Array:
@@ -196,7 +194,7 @@ def _states(A: Array, start: Array, t: Array) -> Array:
     steps = np.diff(t, prepend=0.0)
     uniform = float(np.median(steps[1:])) if len(steps) > 1 else 0.0
     for k, step in enumerate(steps.tolist()):
-        # instants of numpy.linspace differ by steps that are the same but for rounding
+        # instants of numpy.linspace differ by steps that are the same up to rounding
         span = uniform if abs(step - uniform) <= 1e-12 * max(abs(t[-1]), abs(uniform)) else t[k] - last
         if span:
             if span not in powers:
@@ -212,11 +210,12 @@ def _instants(t: ArrayLike, where: str) -> Array:
         fault = row_fault(t, instants, increasing=True)
     except (TypeError, ValueError):
         instants, fault = np.empty(0), row_fault(t, None)
-    if instants.ndim == 0 and np.isfinite(instants) and instants > 0:
-        return np.linspace(0.0, float(instants), 500)
-    if fault:
+    is_span = instants.ndim == 0 and np.isfinite(instants) and instants > 0 and not isinstance(t, bool)
+    if fault and not is_span:
         raise ArgumentError(
-            f"{where}, t: {fault}; expected instants in s that increase from 0, such as "
-            "numpy.linspace(0, 5, 500), or the last one"
+            f"{where}, t: {fault}; expected the first and the last instant in s, such as (0, 5), all instants, "
+            "increasing from 0, or the last one"
         )
-    return instants
+    if is_span:
+        return np.linspace(0.0, float(instants), _INSTANTS)
+    return np.linspace(instants[0], instants[1], _INSTANTS) if len(instants) == 2 else instants

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -10,12 +9,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symbody.dynamics import Linear
-from symbody.errors import ArgumentError, ModelError, ModelNotice, ParameterError
+from symbody.errors import ModelError, notify
 from symbody.symbolic import Expr, time_derivative
-from symbody.symbolic.given.arguments import described
 
-from .matrices import Pencil, pencil
-from .regular_pencil import check_regular, rates_matrix
+from .finite_part import finite_part
+from .matrices import Pencil, check_linear, regular_pencil
 
 __all__ = ["Transfer", "transfer"]
 
@@ -56,13 +54,8 @@ class Transfer:
         """The finite eigenvalues of the modes that are not ignorable, in 1/s."""
         kept = [k for k, x in enumerate(self.linear.states) if x not in self.linear.ignorable]
         E, A0 = (each[np.ix_(kept, kept)] for each in (self.matrices.E, self.matrices.A0))
-        A = rates_matrix(E, A0)
-        if A is not None:
-            return np.linalg.eigvals(A).astype(np.complex128)
-        from scipy.linalg import eigvals  # noqa: PLC0415 - slow to load
-
-        found = np.asarray(eigvals(A0, E), np.complex128)
-        return found[np.isfinite(found)]
+        part = finite_part(E, A0)
+        return np.linalg.eigvals(part.A).astype(np.complex128) if part else np.empty(0, np.complex128)
 
     def warn_if_unstable(self, where: str, consequence: str) -> None:
         """Warn if a mode grows.
@@ -77,12 +70,7 @@ class Transfer:
         if len(growing):
             worst = growing[np.argmax(growing.real)]
             value = f"{worst.real:.6g}" + (f" ± {abs(worst.imag):.6g}i" if worst.imag else "")
-            warnings.warn(
-                ModelNotice(
-                    f"{where}: the system is unstable, with the eigenvalue {value} 1/s: {consequence}"
-                ),
-                stacklevel=3,
-            )
+            notify(f"{where}: the system is unstable, with the eigenvalue {value} 1/s: {consequence}")
 
 
 def transfer(linear: Linear, parameters: Mapping[Expr, ArrayLike] | None, where: str) -> Transfer:
@@ -98,25 +86,17 @@ def transfer(linear: Linear, parameters: Mapping[Expr, ArrayLike] | None, where:
         ModelError: it has no inputs or no outputs, or its pencil is singular.
         ParameterError: a value is missing, or is not one number.
     """
-    if not isinstance(linear, Linear):
-        raise ArgumentError(f"{where}: {described(linear)}; expected a linear model: linearize(equations)")
+    check_linear(linear, where)
     if not linear.inputs:
         raise ModelError(
-            f"{where}: the linear model has no inputs; expected functions of time that loads or constraints hold: "
+            f"{where}: the linear model has no inputs; expected functions of time that occur in loads or constraints: "
             "linearize(..., inputs=[F])"
         )
     if not linear.outputs:
         raise ModelError(
             f"{where}: the linear model has no outputs; name them: linearize(..., outputs=[{linear.states[0]}])"
         )
-    matrices = pencil(linear, parameters, where=where)
-    if matrices.E.ndim > 2:
-        raise ParameterError(
-            f"{where}, parameters: the values have the shape {matrices.E.shape[:-2]}; expected one number for each "
-            "parameter"
-        )
-    if rates_matrix(matrices.E, matrices.A0) is None:
-        check_regular(matrices.E, matrices.A0, linear.states, where)
+    matrices = regular_pencil(linear, parameters, where)
     inputs = tuple(r for r in linear.inputs if not _is_rate(r, linear.inputs))
     return Transfer(linear, matrices, inputs)
 

@@ -87,7 +87,7 @@ class Model:
 
     @cached_property
     def state_rates(self) -> tuple[Expr, ...]:
-        """The rates of the states z, which may hold accelerations and multipliers."""
+        """The rates of the states z, which may contain accelerations and multipliers."""
         return tuple(self.equations.state_rates.values())
 
     @cached_property
@@ -146,7 +146,7 @@ class Model:
             return None
         with suppress(ModelError):
             brief = self._solved("null_space")
-            operations, others = (cost(self._rates(way)).total for way in (brief, self.solution))
+            operations, others = (cost(self.rates_with(way)).total for way in (brief, self.solution))
             if operations <= min(_SHORTER * others, _LONGEST):
                 return brief
         return None
@@ -214,9 +214,10 @@ class Model:
     @cached_property
     def rates(self) -> tuple[Expr, ...]:
         """The rates of the coordinates, of the speeds, of the states z, and of the work."""
-        return self._rates(self.solution)
+        return self.rates_with(self.solution)
 
-    def _rates(self, solution: ForwardDynamics) -> tuple[Expr, ...]:
+    def rates_with(self, solution: ForwardDynamics) -> tuple[Expr, ...]:
+        """Return the same with given accelerations and multipliers."""
         work = () if self.power is None else (self.power,)
         along = self._along(solution, (*self.state_rates, *work))
         return (*self.with_inputs(self.coordinate_rates), *solution.accelerations, *along)
@@ -291,7 +292,7 @@ class Model:
     def rates_code(self) -> PreparedCode:
         """The machine code of the rates."""
         brief = self.shortcut
-        shortcut = None if brief is None else Shortcut(self._rates(brief), brief.conditions)
+        shortcut = None if brief is None else Shortcut(self.rates_with(brief), brief.conditions)
         return self.code(self.rates, shortcut=shortcut)
 
     @cached_property

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from symbody.errors import ParameterError, SimulationError
 from symbody.multibody import Variables
+from symbody.simulation.given.closing_joint import measured_note
 from symbody.simulation.given.wording import joined_by_and
 from symbody.symbolic import Expr, free_symbols
 from symbody.symbolic.given.namesake import namesake_note
@@ -77,6 +78,9 @@ def _way_out(names: Sequence[Expr], system: Variables) -> str:
             f"{_shown(rates)} {verb} of too high an order: evaluate the accelerations and differentiate their "
             "values, for example with numpy.gradient"
         )
+    closing = measured_note(system, names)
+    if closing:
+        return closing.removeprefix("; ")
     verb, what = ("is", "it") if len(names) == 1 else ("are", "them")
     return (
         f"{_shown(names)} {verb} neither a coordinate nor a speed of this system: use those, or add {what} to the "

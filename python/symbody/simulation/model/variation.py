@@ -1,9 +1,9 @@
 """The equations of sensitivities along a motion, as expressions: the variational equations.
 
 For ``x' = f(x, p, t)`` with the state x = (q, u, z), the derivatives ``S = dx/dp`` satisfy ``S' = f_x S + f_p``
-[Hairer, Norsett & Wanner 1993, I.14]. f_x and f_p are exact, from the graph. Where f solves a linear system ``M a = b``
-at run time, its derivative is ``M^-1 (db - dM a)``, by the same factorisation. The columns of S are multiplied by the
-sizes of the parameters, so that one tolerance suits all of them [Hindmarsh et al. 2005].
+[Hairer, Norsett & Wanner 1993, I.14]. f_x and f_p are exact, from the graph; those of accelerations follow from the
+equations that these solve (`implicit_variation`). The columns of S are multiplied by the sizes of the parameters, so
+that one tolerance suits all of them [Hindmarsh et al. 2005].
 """
 
 from __future__ import annotations
@@ -16,9 +16,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.codegen import PreparedCode, Shortcut
-from symbody.symbolic import Expr, Matrix, derivation, jacobian, number, symbol
+from symbody.dynamics import ForwardDynamics
+from symbody.symbolic import Expr, Matrix, derivation, jacobian, number, substitute, symbol
 
 from .constraint_correction import least_change, moved
+from .implicit_variation import implicit_variation, solution_values, through_unknowns
 from .model import Model
 from .switching import switching_functions
 
@@ -127,20 +129,35 @@ class Variation:
         positions, velocities = self.model.correction_codes
         return self.widened(positions), self.widened(velocities)
 
-    def rates(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
-        """Return the rates of the state, of S and of the work, given those of the state and of the work."""
-        n = len(self.model.state)
+    def rates(self, solution: ForwardDynamics) -> tuple[Expr, ...]:
+        """Return the rates of the state, of S and of the work, with given accelerations and multipliers."""
+        n, plain = len(self.model.state), self.model.rates_with(solution)
         with derivation():
-            rows = self.along(expressions[:n])
-        return (*expressions[:n], *(entry for row in rows for entry in row), *expressions[n:])
+            rows = self._rates_of_sensitivities(solution, plain[:n])
+        return (*plain[:n], *(entry for row in rows for entry in row), *plain[n:])
+
+    def _rates_of_sensitivities(self, solution: ForwardDynamics, rates: Sequence[Expr]) -> list[list[Expr]]:
+        """Return S', a row for each variable of the state, given the rates of these."""
+        model = self.model
+        found = implicit_variation(model, solution, self.along)
+        if found is None:
+            return self.along(rates)
+        nq, nu = len(model.coordinates), len(model.speeds)
+        of_states = model.with_inputs(model.state_rates)
+        rows = through_unknowns(model, of_states, self.along(of_states), found)
+        values = solution_values(model, solution)
+        return [
+            *self.along(rates[:nq]),
+            *found.accelerations[:nu],
+            *(list(substitute(row, values)) for row in rows),
+        ]
 
     @cached_property
     def rates_code(self) -> PreparedCode:
         """The machine code of the rates."""
-        plain = self.model.rates_code
-        brief = plain.shortcut
-        shortcut = None if brief is None else replace(brief, expressions=self.rates(brief.expressions))
-        return self.code(self.rates(plain.expressions), shortcut=shortcut)
+        brief = self.model.shortcut
+        shortcut = None if brief is None else Shortcut(self.rates(brief), brief.conditions)
+        return self.code(self.rates(self.model.solution), shortcut=shortcut)
 
     @cached_property
     def jacobian_code(self) -> tuple[PreparedCode, list[tuple[int, int]]]:

@@ -20,7 +20,7 @@ from symbody.simulation.integrate.outcome import Statistics
 from symbody.simulation.model.model import Model
 from symbody.simulation.model.unknown import explain_unknown
 from symbody.symbolic import Expr, ExprLike
-from symbody.symbolic.given.arguments import counted, described
+from symbody.symbolic.given.arguments import counted, described, with_known_names
 
 from .differentiated_motion import DifferentiatedMotion
 from .drawing import NotebookPage, drawing_function
@@ -124,6 +124,7 @@ class Motion:
         values: Array = self.evaluate([expression])[0]
         return values
 
+    @with_known_names
     def evaluate(self, expressions: Sequence[ExprLike]) -> Array:
         """Return the values of several expressions, one row for each: shape (expressions, N).
 
@@ -154,6 +155,7 @@ class Motion:
             return self.accelerations[:, self.model.accelerations.index(unknown)]
         return self.multipliers[:, self.model.multipliers.index(unknown)]
 
+    @with_known_names
     def sensitivity(self, expression: Expr, by: Expr) -> Array:
         """Return the derivative of an expression by a parameter, or by an initial value, at all instants: shape (N,).
 
@@ -182,6 +184,7 @@ class Motion:
         wanted = _READING.one_expression(expression, self.model.state)
         return self._differentiated.sensitivity(wanted, by)
 
+    @with_known_names
     def instant_sensitivity(self, occurrence: Occurrence, by: Expr) -> float:
         """Return the derivative of the instant of an event by a parameter, or by an initial value, in s per its unit.
 
@@ -228,6 +231,7 @@ class Motion:
         model = self.model
         return self._values(model.multipliers, (), ()).T if model.multipliers else np.empty((len(self.t), 0))
 
+    @with_known_names
     def state_at(self, instant: int = -1) -> dict[Expr, float]:
         """Return the coordinates and speeds at one instant, as an initial state for another simulation.
 
@@ -310,6 +314,7 @@ class Motion:
     def _largest(self, expressions: Sequence[Expr]) -> float:
         return float(np.abs(self.evaluate(expressions)).max()) if expressions else 0.0
 
+    @with_known_names
     def plot(
         self,
         *panels: Any,

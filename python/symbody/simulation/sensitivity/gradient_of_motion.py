@@ -25,7 +25,7 @@ from symbody.simulation.model.switching import switching_functions
 from symbody.simulation.motion.motion import Motion
 from symbody.simulation.motion.simulate import simulate
 from symbody.symbolic import Expr, ExprLike, jacobian
-from symbody.symbolic.given.arguments import brief, described, expression
+from symbody.symbolic.given.arguments import brief, described, expression, with_known_names
 
 from .adjoint import BackwardMotion, adjoint_of
 
@@ -74,6 +74,7 @@ class MotionGradient:
         return self.derivatives[by]
 
 
+@with_known_names
 def gradient_of_motion(
     eqs: Equations,
     parameters: Mapping[Expr, float] | None = None,
@@ -136,21 +137,17 @@ def gradient_of_motion(
             f"{_WHERE}: neither final nor integral is given; expected final=..., an expression at the last instant, or "
             "integral=..., one that is integrated along the motion"
         )
-    task = task_of(
-        eqs,
-        parameters,
-        t,
-        inputs=inputs,
-        method=method,
-        rtol=rtol,
-        atol=atol,
-        outputs={"final": g, "integral": L},
-        events=None,
-        constraints=constraints,
-        guess=guess,
-        max_step=max_step,
-        where=_WHERE,
-    )
+    options: dict[str, Any] = {
+        "inputs": inputs,
+        "method": method,
+        "rtol": rtol,
+        "atol": atol,
+        "outputs": {"final": g, "integral": L},
+        "constraints": constraints,
+        "guess": guess,
+        "max_step": max_step,
+    }
+    task = task_of(eqs, parameters, t, events=None, where=_WHERE, **options)
     task = replace(task, by=differentiated_by(by, eqs.system, task.parameters, f"{_WHERE}, by"))
     if not task.by:
         raise ArgumentError(
@@ -158,23 +155,8 @@ def gradient_of_motion(
             "their initial values"
         )
     _check_method(task)
-    functions = _switching(task, L)
-    motion = simulate(
-        eqs,
-        parameters,
-        initial,
-        task.instants,
-        inputs=inputs,
-        method=method,
-        rtol=rtol,
-        atol=atol,
-        outputs={"final": g, "integral": L},
-        events=[Event(each) for each in functions],
-        constraints=constraints,
-        guess=guess,
-        max_step=max_step,
-        progress=False,
-    )
+    events = [Event(each) for each in _switching(task, L)]
+    motion = simulate(eqs, parameters, initial, task.instants, events=events, progress=False, **options)
     _check_smooth(motion, L)
     given = {name: float(value) for name, value in (parameters or {}).items()}
     return _followed_back(task, given, initial, motion, (g, L))

@@ -19,7 +19,7 @@ from symbody.simulation.given.wording import joined_by_and
 from symbody.simulation.motion.drawing import drawing_function
 from symbody.symbolic import Expr
 from symbody.symbolic.expression.html_table import html_table
-from symbody.symbolic.given.arguments import described
+from symbody.symbolic.given.arguments import described, with_known_names
 
 from .steady_motion import SteadyMotion
 
@@ -91,6 +91,7 @@ class Branch:
         """Return the values of an expression, shape (number of motions,)."""
         return np.asarray(self.evaluate([expression])[0])
 
+    @with_known_names
     def evaluate(self, expressions: Sequence[Expr]) -> Array:
         """Return the values of several expressions, one row for each.
 
@@ -104,6 +105,7 @@ class Branch:
             [np.broadcast_to(row, len(self.motions)) for row in lambdify(names, list(written))(*columns.T)]
         )
 
+    @with_known_names
     def at(self, value: float) -> tuple[SteadyMotion, ...]:
         """Return the motions of the branch at a value of its parameter, in their order; none outside of its range.
 
@@ -157,6 +159,7 @@ class Branch:
         header = ["", str(self.parameter), *map(str, names)]
         return html_table(f"Branch of {len(self)} steady motions", header, rows)
 
+    @with_known_names
     def plot(
         self,
         *panels: Any,

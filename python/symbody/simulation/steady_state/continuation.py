@@ -21,7 +21,7 @@ from .steady_motion import SteadyMotion
 from .steady_problem import SteadyProblem
 from .steady_variables import Limits, bounds, least_and_largest
 
-__all__ = ["continuation"]
+__all__ = ["Path", "continuation", "path_through"]
 
 Array = NDArray[np.float64]
 _WHERE = "continuation"
@@ -29,6 +29,8 @@ _PART = 0.2
 """The part of the range of the parameter after which changes of other variables are looked at."""
 _LEAST_SHARE = 1e-4
 """The least share of the parameter in the first tangent by which changes are compared."""
+_ROUNDED = 1e-14
+"""The distance from a bound that rounding explains."""
 _STEP = 0.02
 """The longest step of the parameter, whose range has the length one."""
 
@@ -69,7 +71,7 @@ def continuation(
     (0.062937062937, ('u reached 5', 'u reached 40'))
     """
     with reporting(_WHERE):
-        path = _path(found, parameter, over, limits)
+        path = path_through(found, parameter, over, limits)
         forward = path.followed(1, most)
         closed = forward.reason == "it is closed"
         backward = CurveEnd(forward.points[:1], [], forward.reason) if closed else path.followed(-1, most)
@@ -81,7 +83,7 @@ def continuation(
 
 
 @dataclass(frozen=True, eq=False)
-class _Path:
+class Path:
     """A curve of steady motions, in the scaled unknowns z: free variables over their sizes, then forces.
 
     Attributes:
@@ -120,10 +122,10 @@ class _Path:
         """The place of the parameter among the free variables."""
         return int(np.cumsum(self.balance.is_free)[self.parameter]) - 1
 
-    def rescaled(self) -> _Path:
+    def rescaled(self) -> Path:
         """Return the same with sizes such that no variable changes much more than the parameter.
 
-        The tangent tells this at first, and steady motions at a part of the range, if they are found, farther away.
+        The tangent shows this at first, and steady motions at a part of the range, if they are found, farther away.
         """
         z, along = self.scaled(*self.start), np.zeros(len(self.sizes) + self.balance.count)
         along[self.place] = 1
@@ -181,7 +183,8 @@ class _Path:
     def _bound(self, k: int, value: float) -> Landmark:
         def excess(point: CurvePoint, begin: CurvePoint) -> float:
             del begin
-            return float(self.plain(point.z)[0][k] - value) / max(1.0, abs(value))
+            found = float(self.plain(point.z)[0][k] - value) / max(1.0, abs(value))
+            return found if abs(found) > _ROUNDED else 0.0  # where it begins there, this is no crossing
 
         return Landmark(f"{self.problem.names[k]} reached {value:g}", excess, ends=True)
 
@@ -205,7 +208,10 @@ class _Path:
         return curve.followed(CurvePoint(z, tangent), _STEP, self.landmarks(curve), most)
 
 
-def _path(found: SteadyMotion, parameter: Expr, over: tuple[float, float], limits: Limits | None) -> _Path:
+def path_through(
+    found: SteadyMotion, parameter: Expr, over: tuple[float, float], limits: Limits | None
+) -> Path:
+    """Return the curve of steady motions through a given one, over a parameter."""
     if not isinstance(found, SteadyMotion):
         raise ArgumentError(
             f"{_WHERE}: {described(found)}; expected a steady motion, such as steady(...) returns"
@@ -230,11 +236,11 @@ def _path(found: SteadyMotion, parameter: Expr, over: tuple[float, float], limit
     sizes[k] = high - low
     balance = problem.balance
     unit = balance.scale(x, found.forces)[: len(balance.equations.speeds)].max()
-    path = _Path(problem, (x, found.forces), k, (low, high), sizes[balance.is_free], float(unit))
+    path = Path(problem, (x, found.forces), k, (low, high), sizes[balance.is_free], float(unit))
     return path.rescaled()
 
 
-def _branch(path: _Path, backward: CurveEnd, forward: CurveEnd) -> Branch:
+def _branch(path: Path, backward: CurveEnd, forward: CurveEnd) -> Branch:
     """Return the branch of two directions, from the least value of the parameter on at first."""
     points = [*reversed(backward.points), *forward.points[1:]]
     middle = len(backward.points) - 1

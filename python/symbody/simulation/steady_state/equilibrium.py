@@ -17,7 +17,7 @@ from symbody.simulation.constraint.opposite_axes import check_senses
 from symbody.simulation.given.unused import warn_of_unused
 from symbody.simulation.given.values import given_inputs, parameter_values, state_values
 from symbody.simulation.given.wording import joined_by_and
-from symbody.simulation.model.zero_length import without_direction
+from symbody.simulation.model.undefined_force import undefined_force
 from symbody.simulation.steady_state.force_balance import Balance
 from symbody.symbolic import Expr, ExprLike, free_symbols, number, substitute, time_derivative
 from symbody.symbolic import t as time
@@ -29,7 +29,7 @@ from symbody.symbolic.numeric.deficiency import reporting
 from .implicit_slopes import ImplicitSlopes
 from .rest_position import RestPosition
 from .steady_conditions import SteadyConditions, conditions_of
-from .steady_motion import without_noise
+from .value_table import HEADER, value_rows
 
 __all__ = ["Equilibrium", "equilibrium"]
 
@@ -80,6 +80,7 @@ class Equilibrium(Mapping[Expr, float]):
     inputs: dict[Expr, Expr] = field(default_factory=dict)
     slopes: ImplicitSlopes | None = field(default=None, repr=False)
 
+    @with_known_names
     def sensitivity(self, expression: Expr, by: Expr) -> float:
         """Return the derivative of an expression by a parameter, an input, or the value of a fixed coordinate.
 
@@ -131,17 +132,13 @@ class Equilibrium(Mapping[Expr, float]):
             "multiplier": self.multipliers,
             "holding force": self.holding,
         }
-        rows = [
-            [kind, name, f"{value:.6g}"]
-            for kind, values in kinds.items()
-            for name, value in zip(values, without_noise([*values.values()]), strict=True)
-        ]
+        rows = value_rows(kinds)
         rows += [["eigenvalue", f"s{k}", f"{s:.6g}"] for k, s in enumerate(self.eigenvalues, start=1)]
         if np.isnan(self.eigenvalues).any():
             title = "Equilibrium at a singular position"
         else:
             title = "Stable equilibrium" if self.is_stable else "Unstable equilibrium"
-        return html_table(title, ["kind", "name", "value"], rows)
+        return html_table(title, HEADER, rows)
 
     @property
     def is_stable(self) -> bool:
@@ -339,7 +336,7 @@ def _check_finite(problem: Balance, solution: tuple[Array, Array]) -> None:
     eqs, conditions = problem.equations, problem.conditions
     place = dict(zip(conditions.positions, q, strict=True))
     known = dict(zip(conditions.parameters, problem.p, strict=True)) | {time: problem.t} | place
-    cause = without_direction(eqs.system, conditions.given, known | dict.fromkeys(eqs.speeds, 0.0))
+    cause = undefined_force(eqs.system, conditions.given, known | dict.fromkeys(eqs.speeds, 0.0))
     raise SimulationError(
         f"{_WHERE}: the equations of motion are not finite at rest at "
         f"{listed_values(conditions.positions, place)}, nor are those of small motions; {cause or _STRANGE}"

@@ -89,7 +89,7 @@ class ImplicitSlopes:
         symbol = stands.get(by, by) if isinstance(by, Expr) else by
         if symbol in conditions.parameters or symbol in self.balance.fixed:
             return symbol
-        found = brief(by) if isinstance(by, Expr) else described(by)
+        found = brief(by) if isinstance(by, Expr) else described(by).replace(" is ", ", ", 1) + ","
         if by in conditions.variables or by in conditions.solved:
             raise ParameterError(
                 f"{self.where}, by: {found} is not given here, it is solved for; expected a parameter, an input, or "

@@ -115,7 +115,7 @@ class SmallMotion:
 
 
 def _without_rounding(squares: Array) -> Array:
-    """Replace values that are zero but for rounding by zero."""
+    """Replace values that are zero up to rounding by zero."""
     size = np.abs(squares).max(initial=0.0)
     return np.where(np.abs(squares) <= 1e-11 * size, 0.0, squares)
 

@@ -27,6 +27,8 @@ _SHORTEST = 1e-7
 _LONGER = 4
 """The most by which a step may exceed the longest step of the parameter."""
 _MOST_CORRECTIONS = 12
+_NEAR = 5
+"""The most by which a point of another curve may be farther from a crossing than it was looked for."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,6 +104,39 @@ class SolutionCurve:
         _, sizes, W = np.linalg.svd(kernel[self.counts], full_matrices=True)
         kept = int(np.sum(sizes > 1e-6))
         return np.asarray(kernel @ W[:kept].T / sizes[:kept])
+
+    def crossing_directions(self, z: Array, along: Array, beside: Array) -> list[Array]:
+        """Return directions of other curves at a point where curves cross, normal to a known one, with both signs.
+
+        Args:
+            z: the point.
+            along: the direction of the known curve.
+            beside: a point of this curve nearby, where the Jacobian has one rank more.
+        """
+        rank = int(np.sum((s := np.linalg.svd(self._jacobian(beside), compute_uv=False)) > _RANK * s.max()))
+        _, _, Vt = np.linalg.svd(self._jacobian(z))
+        kernel = Vt[rank - 1 :].T
+        known = along[self.counts] / np.linalg.norm(along[self.counts])
+        aside = kernel[self.counts] - np.outer(known, known @ kernel[self.counts])
+        _, sizes, W = np.linalg.svd(aside, full_matrices=False)
+        found = [kernel @ w / size for size, w in zip(sizes, W, strict=True) if size > 1e-3]
+        return [sign * direction for direction in found for sign in (1, -1)]
+
+    def beside(self, z: Array, direction: Array, distance: float) -> Array | None:
+        """Return a point of another curve at a distance from a point along a direction; None if there is none."""
+        target, plane = z + distance * direction, np.where(self.counts, direction, 0.0)
+        base = self.linearized_at(target)
+
+        def with_plane(point: Array) -> tuple[Array, Array]:
+            F, J = base(point)
+            return np.append(F, plane @ (point - target)), np.vstack([J, plane])
+
+        found = gauss_newton(with_plane, target, _MOST_CORRECTIONS)
+        is_near = np.linalg.norm((found - z)[self.counts]) < _NEAR * distance
+        return found if is_near and self.error(found) <= self.accuracy else None
+
+    def _jacobian(self, z: Array) -> Array:
+        return self.linearized_at(z)(z)[1]
 
     def freedom(self, z: Array) -> int:
         """Return the number of directions that leave the equations satisfied."""

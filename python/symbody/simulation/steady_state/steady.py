@@ -2,24 +2,25 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Iterable, Mapping
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symbody.dynamics import Equations
-from symbody.errors import ConstraintError, ModelNotice, SimulationError
+from symbody.errors import ConstraintError, SimulationError, notify
 from symbody.simulation.constraint.consistent_position import listed_values
 from symbody.simulation.given.wording import joined_by_and
 from symbody.symbolic import Expr, ExprLike
 from symbody.symbolic.given.arguments import with_known_names
 from symbody.symbolic.numeric.deficiency import reporting
 
-from .steady_motion import SteadyMotion, without_noise
+from .steady_motion import SteadyMotion
 from .steady_problem import Search, SteadyProblem, steady_problem
 from .steady_variables import Limits
 from .undetermined_forces import UndeterminedForces
+from .value_table import without_noise
+from .whole_turns import without_whole_turns
 
 __all__ = ["check_single", "solved", "steady"]
 
@@ -79,10 +80,11 @@ def steady(
         problem = steady_problem(Search(eqs, parameters, given, unknown, guess, limits, held, t, inputs))
         x, forces = solved(problem)
         check_single(problem, x, forces)
+        x = without_whole_turns(problem, x, forces)
         undetermined = UndeterminedForces(problem.balance, x, forces)
         found = SteadyMotion(problem, x, undetermined.least_forces)
     if undetermined.groups:
-        warnings.warn(f"{_WHERE}: {undetermined.notice()}", ModelNotice, stacklevel=2)
+        notify(f"{_WHERE}: {undetermined.notice()}")
     return found
 
 

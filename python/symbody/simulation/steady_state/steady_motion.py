@@ -14,16 +14,16 @@ from symbody.simulation.given.wording import joined_by_and
 from symbody.symbolic import Expr, free_symbols, t
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.given.arguments import expression as as_expression
+from symbody.symbolic.given.arguments import with_known_names
 
 from .implicit_slopes import ImplicitSlopes
 from .steady_problem import SteadyProblem
+from .value_table import HEADER, value_rows, without_noise
 
-__all__ = ["SteadyMotion", "without_noise"]
+__all__ = ["SteadyMotion"]
 
 Array = NDArray[np.float64]
 _WHERE = "steady motion"
-_LEAST_SIZE = 1e-3
-"""The size of values beside which 1e-12 is noise, if all are smaller."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -130,6 +130,7 @@ class SteadyMotion(Mapping[Expr, float]):
         ]
         return {name: float(value) + 0.0 for name, value in pairs}
 
+    @with_known_names
     def written(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
         """Return expressions by the names in `known`.
 
@@ -156,6 +157,7 @@ class SteadyMotion(Mapping[Expr, float]):
         (found,) = self.written([expression])
         return float(found.evaluate({name: self.known[name] for name in free_symbols([found])}))
 
+    @with_known_names
     def sensitivity(self, expression: Expr, by: Expr) -> float:
         """Return the derivative of an expression by a parameter, an input, or a variable that was given.
 
@@ -214,19 +216,6 @@ class SteadyMotion(Mapping[Expr, float]):
             "multiplier": self.multipliers,
             "holding force": self.holding,
         }
-        rows = [
-            [kind, name, f"{value:.6g}"]
-            for kind, values in kinds.items()
-            for name, value in zip(values, without_noise([*values.values()]), strict=True)
-        ]
         free = joined_by_and([str(q) for q in self.ignorable]) if self.ignorable else ""
-        return html_table(
-            "Steady motion", ["kind", "name", "value"], rows, f"Nothing depends on {free}." if free else ""
-        )
-
-
-def without_noise(values: Sequence[float]) -> list[float]:
-    """Return values for a display, with zeros for those that are errors of rounding beside the largest."""
-    size = max(map(abs, values), default=0.0)
-    size = max(size, _LEAST_SIZE)
-    return [value if abs(value) > 1e-12 * size else 0.0 for value in values]
+        note = f"Nothing depends on {free}." if free else ""
+        return html_table("Steady motion", HEADER, value_rows(kinds), note)

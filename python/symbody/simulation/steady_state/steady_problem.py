@@ -211,7 +211,8 @@ def steady_problem(search: Search) -> SteadyProblem:
     warn_of_unused(eqs, constants, list(inputs.values()), where)
 
     solved = tuple(stands[name][0] if name in stands else name for name in unknown)
-    start = {**constants, **values, **{name: near[name] for name in unknown if name in near}}
+    guessed = {name: near[name] for name in unknown if name in near and name not in stands}
+    start = {**constants, **values, **guessed}
     start = dict.fromkeys(solved, 0.0) | start
     prescribed = {e: symbol(f"given value {k + 1}") for k, e in enumerate(expressions)}
     start |= {prescribed[e]: value for e, value in expressions.items()}

@@ -89,7 +89,7 @@ def sorted_by_kind(
         strange = free_symbols([expression]) - kinds.leaves
         if strange or not any(leaf.depends_on_time for leaf in free_symbols([expression])):
             wrong = sorted(strange, key=str)[:1] or [expression]
-            check_known(wrong, kinds.all, f"{kinds.where}, given", "a variable of these equations")
+            check_known(wrong, kinds.all, f"{kinds.where}, given", _VARIABLE, kinds.equations.system)
     return state, others, parameters, inputs
 
 
@@ -108,7 +108,7 @@ def numbers(kinds: Kinds, given: object, argument: str, known: tuple[Expr, ...] 
     values: dict[Expr, ArrayLike] = dict(given or {})
     for name in values:
         if known is not None or not isinstance(name, Expr):
-            check_known([name], known or kinds.all, place, _VARIABLE)
+            check_known([name], known or kinds.all, place, _VARIABLE, kinds.equations.system)
     return {name: finite_number(name, value, place) for name, value in values.items()}
 
 
@@ -123,7 +123,7 @@ def checked_unknown(kinds: Kinds, unknown: Iterable[Expr], given: set[Expr]) -> 
         ParameterError: one of them is not a variable, or is given.
     """
     names = _listed(unknown, f"{kinds.where}, unknown", "parameters and inputs")
-    check_known(names, kinds.all, f"{kinds.where}, unknown", _VARIABLE)
+    check_known(names, kinds.all, f"{kinds.where}, unknown", _VARIABLE, kinds.equations.system)
     both = [name for name in names if name in given]
     if both:
         raise ParameterError(
@@ -178,7 +178,13 @@ def checked_held(kinds: Kinds, held: Iterable[Expr]) -> tuple[Expr, ...]:
         ParameterError: one is not a coordinate.
     """
     names = _listed(held, f"{kinds.where}, held", "coordinates")
-    check_known(names, kinds.equations.coordinates, f"{kinds.where}, held", "a coordinate of this system")
+    check_known(
+        names,
+        kinds.equations.coordinates,
+        f"{kinds.where}, held",
+        "a coordinate of this system",
+        kinds.equations.system,
+    )
     return names
 
 

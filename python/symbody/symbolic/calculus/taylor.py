@@ -14,7 +14,7 @@ from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 from symbody.symbolic.expression.container import is_container, rewritten
 from symbody.symbolic.expression.leaves import ExprLike
-from symbody.symbolic.given.arguments import brief, described, size
+from symbody.symbolic.given.arguments import brief, described, size, with_known_names
 
 __all__ = ["ENERGY", "MOTION", "are_small", "small", "taylor", "truncated"]
 
@@ -29,6 +29,7 @@ About: TypeAlias = Annotated[
 ]
 
 
+@with_known_names
 def small(*variables: Expr) -> Any:
     """Return variables that are marked as small: equations keep their first powers, and energies their second.
 
@@ -104,6 +105,7 @@ def truncated(expressions: Sequence[Expr], order: int) -> tuple[Expr, ...]:
     return _core.truncate(expressions, order)
 
 
+@with_known_names
 def taylor(expression: Kind, variables: About = None, order: int = 1) -> Kind:
     """Return Taylor's polynomial of an expression: the terms up to a degree in several variables together.
 

@@ -20,6 +20,7 @@ __all__ = [
     "ExprLike",
     "Meaning",
     "UndefinedFunction",
+    "application",
     "function",
     "functions_of_time",
     "number",
@@ -27,6 +28,7 @@ __all__ = [
     "symbol",
     "symbols",
     "t",
+    "time_function",
 ]
 
 #: What converts to an expression: numbers of Python (int, float, Fraction) and NumPy scalars.
@@ -49,6 +51,8 @@ pi: Expr = _core.pi()
 """The circle constant."""
 
 symbol = _core.symbol
+time_function = _core.time_function
+application = _core.application
 
 
 def number(value: ExprLike | Fraction | Decimal | str) -> Expr:

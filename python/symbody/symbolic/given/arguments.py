@@ -102,7 +102,7 @@ def expression(value: object, place: str) -> Expr:
 
 
 def with_known_names(function: Callable[P, R]) -> Callable[P, R]:
-    """Return a function that tells of arguments that are missing or have unknown names, and which one may be meant.
+    """Return a function that reports missing arguments and unknown names, with the name that may be meant.
 
     >>> from symbody.symbolic.given.arguments import with_known_names
     >>> @with_known_names

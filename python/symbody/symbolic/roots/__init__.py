@@ -1,0 +1,1 @@
+"""Equations that aren't linear, solved in closed form."""

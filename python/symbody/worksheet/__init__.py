@@ -1,0 +1,1 @@
+"""MBSymba worksheets: readers, an interpreter of the Maple subset that they use, and the commands of MBSymba."""

@@ -1,0 +1,167 @@
+"""Maple's commands, tables by family; and how a name is found among them."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Iterator
+
+from symbody.symbolic import Expr
+from symbody.worksheet import mbsymba, syntax
+from symbody.worksheet.arithmetic import rebuilt
+from symbody.worksheet.builtins import (
+    algebra,
+    calculus,
+    code,
+    containers,
+    elementary,
+    files,
+    matrices,
+    motions,
+    plots,
+    sets,
+    solving,
+    structural,
+    texts,
+)
+from symbody.worksheet.builtins import (
+    display as display_family,
+)
+from symbody.worksheet.builtins.display import display
+from symbody.worksheet.builtins.forms import FORMS, dollar, repeated
+from symbody.worksheet.builtins.structural import elementwise, items_of
+from symbody.worksheet.print import name_text
+from symbody.worksheet.session import Command, Session
+from symbody.worksheet.value import NULL, Builtin, Reference, String, Unevaluated, Value
+
+__all__ = [
+    "FORMS",
+    "applied_sum",
+    "command",
+    "display",
+    "dollar",
+    "elementwise",
+    "items_of",
+    "known_names",
+    "member",
+    "name_text",
+    "operator_call",
+    "package_command",
+    "repeated",
+    "usage",
+]
+
+_FAMILIES = (
+    *(elementary, calculus, algebra, solving, structural, containers, sets, matrices),
+    *(texts, files, display_family, code, motions, plots),
+)
+
+KERNEL: dict[str, Command] = {name: each for family in _FAMILIES for name, each in family.COMMANDS.items()}
+"""Commands that are always known."""
+
+PACKAGES: dict[str, dict[str, Command]] = {}
+"""The commands of packages, by the names of packages."""
+for _family in _FAMILIES:
+    for _package, _commands in getattr(_family, "PACKAGES", {}).items():
+        PACKAGES.setdefault(_package, {}).update(_commands)
+
+
+def command(session: Session, name: str) -> Command | None:
+    """Return the command that a name stands for, or None."""
+    if name in session.packages:
+        return session.packages[name]
+    return KERNEL.get(name) or mbsymba.COMMANDS.get(name)
+
+
+def known_names(session: Session) -> list[str]:
+    """Return the names of all commands that a sheet could have meant."""
+    return [*KERNEL, *FORMS, *mbsymba.COMMANDS, *session.packages]
+
+
+def package_command(session: Session, name: str, indices: tuple[syntax.Expression, ...]) -> Value | None:
+    """Return the command of ``package[command]``, or None for another selection."""
+    if name in session.names or len(indices) != 1 or not isinstance(indices[0], syntax.Name | syntax.Delayed):
+        return None
+    word = indices[0].body if isinstance(indices[0], syntax.Delayed) else indices[0]
+    return member(session, name, [word.name]) if isinstance(word, syntax.Name) else None
+
+
+def member(session: Session, package: str, names: list[str]) -> Value | None:
+    """Return the command of ``package:-name``, or None; ``:-name`` of a package inside a package too."""
+    name = names[-1]
+    for path in (package, names[0] if len(names) > 1 else package):
+        found = PACKAGES.get(path, {}).get(name)
+        if found is not None:
+            return Builtin(name, found)
+    if package.lower().startswith("mbsymba") and name in mbsymba.COMMANDS:
+        return Builtin(name, mbsymba.COMMANDS[name])
+    if package in PACKAGES and name in FORMS:
+        return Builtin(name, lambda session, *arguments: NULL)
+    return None
+
+
+def with_package(session: Session, *names: Value) -> Value:
+    """with(package): its commands are known by their short names."""
+    if not names:
+        return NULL
+    package = _package_name(session, names[0])
+    session.packages.update(PACKAGES.get(package, {}))
+    if mbsymba.load(session, package):
+        for name in mbsymba.COMMANDS:
+            session.packages.pop(name, None)
+    elif package not in PACKAGES:
+        session.notice(f"the package {package} is not known; its commands come back unevaluated")
+    return NULL
+
+
+def _package_name(session: Session, value: Value) -> str:
+    if isinstance(value, String):
+        return value.text
+    if isinstance(value, Reference):
+        return value.name
+    if isinstance(value, Expr) and value.kind == "symbol":
+        return str(value.name)
+    return session.text(value)
+
+
+KERNEL["with"] = with_package
+
+
+def usage(function: Callable[..., Value], count: int) -> str:
+    """Return how a command is called, for a call with the wrong number of arguments."""
+    parameters = list(inspect.signature(function).parameters.values())[1:]
+    needed = [
+        each for each in parameters if each.default is each.empty and each.kind is not each.VAR_POSITIONAL
+    ]
+    open_end = any(each.kind is each.VAR_POSITIONAL for each in parameters)
+    most = "or more" if open_end else f"to {len(parameters)}" if len(parameters) > len(needed) else ""
+    expected = f"{len(needed)} {most}".strip()
+    return f"{count} argument{'' if count == 1 else 's'}; expected {expected}"
+
+
+def operator_call(session: Session, function: Unevaluated, arguments: tuple[Value, ...]) -> Value | None:
+    """Return the value of ``D(f)(a)``, ``(f@g)(a)``, ``f~(a)``; None for another call."""
+    name = getattr(function.function, "name", "")
+    if name == "~":
+        return elementwise(session, function.arguments[0], arguments)
+    if name == "@":
+        outer, inner = function.arguments
+        return session.call(outer, (session.call(inner, arguments),))
+    if name == "@@":
+        outer, times = function.arguments
+        values = arguments
+        for _ in range(int(getattr(times, "ratio", (1, 1))[0])):
+            values = (session.call(outer, values),)
+        return values[0]
+    if name == "D" or name.startswith("D["):
+        return calculus.derivative_at(session, function, arguments)
+    return None
+
+
+def applied_sum(session: Session, function: Expr, arguments: tuple[Value, ...]) -> Value:
+    """Return ``(f + g)(x)``, which is ``f(x) + g(x)``."""
+    names = {each: session.call(each, arguments) for each in _heads(function)}
+    return rebuilt(session, function, names)
+
+
+def _heads(function: Expr) -> Iterator[Expr]:
+    return iter(each for each in function.free_symbols if each.kind == "symbol")

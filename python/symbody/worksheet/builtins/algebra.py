@@ -1,0 +1,269 @@
+"""Rewriting: substitution, simplification, expansion, collection, coefficients."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+
+from symbody.errors import ExpressionError, WorksheetError
+from symbody.symbolic import Expr, combine_trig, expand_trig, factor_terms, number
+from symbody.symbolic import collect as collected
+from symbody.symbolic import expand as expanded
+from symbody.symbolic import simplify as simplified
+from symbody.symbolic.linear.elimination import eliminated, is_linear
+from symbody.worksheet.arithmetic import scalar
+from symbody.worksheet.entrywise import entrywise
+from symbody.worksheet.numeric import as_integer
+from symbody.worksheet.polynomial import coefficients, degree, reduced
+from symbody.worksheet.print import text_of
+from symbody.worksheet.session import Command, Session
+from symbody.worksheet.structure import tree_of
+from symbody.worksheet.substitution import substituted
+from symbody.worksheet.value import (
+    Array,
+    Listed,
+    MapleSet,
+    Reference,
+    Relation,
+    Sequence,
+    Table,
+    Value,
+)
+
+__all__ = ["COMMANDS", "equations_of", "mapping_of"]
+
+
+# --- substitution -----------------------------------------------------------------------------------------------------
+
+
+def subs(session: Session, *arguments: Value) -> Value:
+    """subs(x = a, .., e): one equation after the other; those of a list or a set at once."""
+    if not arguments:
+        raise WorksheetError("subs: no arguments; expected equations and an expression")
+    *rules, value = arguments
+    for rule in rules:
+        value = substituted(session, value, mapping_of(session, rule))
+    return session.current(value)
+
+
+def mapping_of(session: Session, rule: Value) -> dict[Value, Value]:
+    """Return an equation, or a list or set of equations, as a mapping; the first of several for one name counts."""
+    found = session.resolve(rule)
+    if isinstance(found, Relation):
+        return {_key(session, found.left): found.right}
+    if isinstance(found, Table):
+        return {key[0]: value for key, value in found.entries.items() if len(key) == 1}
+    if isinstance(found, Array):
+        items: tuple[Value, ...] = tuple(found.entries)
+    elif isinstance(found, Listed | MapleSet | Sequence):
+        items = found.items
+    else:
+        raise WorksheetError(
+            f"subs: {session.text(rule)[:60]} is not an equation; expected one such as x = 1"
+        )
+    mapping: dict[Value, Value] = {}
+    for item in items:
+        for key, value in mapping_of(session, item).items():
+            mapping.setdefault(key, value)
+    return mapping
+
+
+def _key(session: Session, value: Value) -> Value:
+    return scalar(session, value) if isinstance(value, Expr | Reference) else value
+
+
+def evaluated(session: Session, value: Value, *rules: Value) -> Value:
+    """eval(e), eval(e, x = a), eval(e, {..}): full evaluation, at a point."""
+    found = session.resolve(value)
+    if not rules or isinstance(rules[0], Expr):
+        return session.current(found)
+    return subs(session, *rules, session.current(found))
+
+
+def unapply(session: Session, value: Value, *variables: Value) -> Value:
+    """unapply(e, x, ..): the operator (x, ..) -> e."""
+    names = [each.name for each in variables if isinstance(each, Expr) and each.kind == "symbol"]
+    if len(names) != len(variables):
+        raise WorksheetError("unapply: expected names behind the expression")
+    heading = names[0] if len(names) == 1 else f"({', '.join(names)})"
+    return session.parsed(f"{heading} -> {text_of(value)}")
+
+
+# --- simplification ---------------------------------------------------------------------------------------------------
+
+
+def _simple(session: Session, value: Expr) -> Expr:
+    session.limits.check()
+    return simplified(value)
+
+
+def simplify(session: Session, value: Value, *options: Value) -> Value:
+    """simplify(e), simplify(e, trig), simplify(e, equations, unknowns)."""
+    relations = [
+        each for each in options if isinstance(each, Listed | MapleSet) and equations_of(session, each)
+    ]
+    if relations:
+        unknowns = next((each for each in options[options.index(relations[0]) + 1 :]), None)
+        return _with_relations(session, value, relations[0], unknowns)
+    return entrywise(session, value, partial(_simple, session), keeps_value=True)
+
+
+def equations_of(session: Session, value: Value) -> list[Relation]:
+    """Return the equations of a list or set, or none if it holds something else."""
+    items = value.items if isinstance(value, Listed | MapleSet) else ()
+    found = [each for each in items if isinstance(each, Relation)]
+    return found if len(found) == len(items) else []
+
+
+def _with_relations(session: Session, value: Value, relations: Value, unknowns: Value | None) -> Value:
+    """Relations that are linear in the unknowns are solved for them; others reduce polynomials."""
+    equations = equations_of(session, relations)
+    names = (
+        unknowns.items if isinstance(unknowns, Listed | MapleSet) else () if unknowns is None else (unknowns,)
+    )
+    wanted = [scalar(session, each) for each in names]
+    residuals = [scalar(session, each.left) - scalar(session, each.right) for each in equations]
+    if wanted:
+        solution = eliminated(residuals, wanted) if is_linear(residuals, wanted) else None
+        if solution is not None:
+            changed = {old: new for old, new in solution.items() if new != old}
+            return entrywise(session, value, lambda each: _simple(session, each.subs(changed)))
+    pairs = [(scalar(session, each.left), scalar(session, each.right)) for each in equations]
+
+    def reduce(each: Expr) -> Expr:
+        for left, right in pairs:
+            each = reduced(each, left, right, wanted)
+        return _simple(session, each)
+
+    return entrywise(session, value, reduce)
+
+
+def _rewriting(function: Callable[[Expr], Expr]) -> Command:
+    def command(session: Session, value: Value, *options: Value) -> Value:
+        def rewrite(each: Expr) -> Expr:
+            session.limits.check()
+            return function(each)
+
+        return entrywise(session, value, rewrite, keeps_value=True)
+
+    return command
+
+
+def _expanded(value: Expr) -> Expr:
+    try:
+        return expand_trig(value)
+    except ExpressionError:
+        return expanded(value)
+
+
+# --- polynomials ------------------------------------------------------------------------------------------------------
+
+
+def collect(session: Session, value: Value, variables: Value, *forms: Value) -> Value:
+    """collect(e, x [, form]): a polynomial in x; the form is a command for its coefficients."""
+    items = variables.items if isinstance(variables, Listed | MapleSet | Sequence) else (variables,)
+    names = [scalar(session, each) for each in items]
+    commands = [each for each in forms if not _is_word(each, "distributed", "recursive")]
+
+    def rewrite(each: Expr) -> Value:
+        if commands:
+            return _collected_with(session, each, names, commands[0])
+        return collected(each, names)
+
+    return entrywise(session, value, rewrite, keeps_value=True)
+
+
+def _is_word(value: Value, *words: str) -> bool:
+    return _named(value) and getattr(value, "name", "") in words
+
+
+def _named(value: Value) -> bool:
+    return isinstance(value, Reference) or (isinstance(value, Expr) and value.kind == "symbol")
+
+
+def _collected_with(session: Session, value: Expr, names: list[Expr], form: Value) -> Value:
+    if not names:
+        return scalar(session, session.call(form, (value,)))
+    total = number(0)
+    for exponent, each in sorted(coefficients(value, names[0]).items(), reverse=True):
+        inner = scalar(session, _collected_with(session, each, names[1:], form))
+        total = total + inner * names[0] ** exponent
+    return total
+
+
+def coeff(session: Session, value: Value, variable: Value, power: Value | None = None) -> Value:
+    """coeff(e, x, n), coeff(e, x^n): the coefficient of a power, by value."""
+    by, exponent = scalar(session, variable), 1
+    if power is not None:
+        exponent = as_integer(power) or 0
+    elif tree_of(by).kind == "power" and (found := as_integer(tree_of(by).parts[1].value)) is not None:
+        by, exponent = tree_of(by).parts[0].value, found
+    return entrywise(session, value, lambda each: coefficients(each, by).get(exponent, number(0)))
+
+
+def coeffs(session: Session, value: Value, variables: Value | None = None) -> Value:
+    """coeffs(p, x): the coefficients that aren't zero."""
+    expression = scalar(session, value)
+    items = (
+        variables.items
+        if isinstance(variables, Listed | MapleSet)
+        else ()
+        if variables is None
+        else (variables,)
+    )
+    found = [expression]
+    for each in [scalar(session, item) for item in items] or sorted(expression.free_symbols, key=str):
+        found = [part for whole in found for _, part in sorted(coefficients(whole, each).items())]
+    return Sequence(tuple(found)) if len(found) != 1 else found[0]
+
+
+def degree_of(session: Session, value: Value, variable: Value | None = None) -> Value:
+    """degree(p, x)."""
+    expression = scalar(session, value)
+    by = (
+        scalar(session, variable)
+        if variable is not None
+        else next(iter(sorted(expression.free_symbols, key=str)))
+    )
+    return number(degree(expression, by))
+
+
+def isolate(session: Session, equation: Value, unknown: Value) -> Value:
+    """isolate(equation, x): the equation solved for x."""
+    by = scalar(session, unknown)
+    left, right = (equation.left, equation.right) if isinstance(equation, Relation) else (equation, number(0))
+    residual = scalar(session, left) - scalar(session, right)
+    solution = eliminated([residual], [by]) if is_linear([residual], [by]) else None
+    if not solution or by not in solution:
+        raise WorksheetError(
+            f"isolate: the equation is not linear in {session.text(by)}; expected one that is, or solve"
+        )
+    return Relation("=", by, solution[by])
+
+
+def algebraic_subs(session: Session, rule: Value, value: Value) -> Value:
+    """algsubs(p = q, e): a polynomial p is replaced also inside longer sums and products."""
+    if not isinstance(rule, Relation):
+        raise WorksheetError("algsubs: expected an equation such as a*b = c")
+    left, right = scalar(session, rule.left), scalar(session, rule.right)
+    return entrywise(session, value, lambda each: reduced(each, left, right, []))
+
+
+COMMANDS: dict[str, Command] = {
+    "subs": subs,
+    "algsubs": algebraic_subs,
+    "eval": evaluated,
+    "unapply": unapply,
+    "simplify": simplify,
+    "expand": _rewriting(_expanded),
+    "combine": _rewriting(combine_trig),
+    "factor": _rewriting(factor_terms),
+    "normal": _rewriting(simplified),
+    "radsimp": _rewriting(simplified),
+    "rationalize": _rewriting(simplified),
+    "collect": collect,
+    "coeff": coeff,
+    "coeffs": coeffs,
+    "degree": degree_of,
+    "isolate": isolate,
+}

@@ -1,0 +1,188 @@
+"""Code: operation counts, computation sequences, MATLAB."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+from symbody.errors import WorksheetError
+from symbody.symbolic import Expr, number
+from symbody.worksheet.arithmetic import scalar
+from symbody.worksheet.builtins.files import output_path
+from symbody.worksheet.builtins.texts import unparsed
+from symbody.worksheet.entrywise import parts_of
+from symbody.worksheet.matlab_text import matlab_name, matlab_text
+from symbody.worksheet.naming import symbol
+from symbody.worksheet.operation_count import operation_count
+from symbody.worksheet.session import Command, Session, sequence
+from symbody.worksheet.shared_parts import named_parts
+from symbody.worksheet.value import (
+    NULL,
+    Array,
+    Listed,
+    MapleSet,
+    Relation,
+    Sequence,
+    String,
+    Table,
+    Unevaluated,
+    Value,
+)
+
+__all__ = ["COMMANDS", "PACKAGES"]
+
+_COUNTED = ("multiplications", "additions", "subscripts", "divisions", "functions", "assignments")
+"""The order in which counts are printed."""
+
+
+def _scalars(session: Session, value: Value) -> list[Expr]:
+    found = session.resolve(value)
+    if isinstance(found, Relation):
+        return [scalar(session, session.current(found.right))]
+    if isinstance(found, Array):
+        return [each for entry in found.entries for each in _scalars(session, session.current(entry))]
+    if isinstance(found, Table):
+        return [
+            each for entry in found.entries.values() for each in _scalars(session, session.current(entry))
+        ]
+    if parts_of(found):
+        return [each for part in parts_of(found) for each in _scalars(session, part)]
+    if isinstance(found, Listed | MapleSet | Sequence):
+        return []
+    return [scalar(session, session.current(value))]
+
+
+def cost(session: Session, *values: Value) -> Value:
+    """cost(e, ..): operations of an evaluation; of a computation sequence with its assignments."""
+    total: Counter[str] = Counter()
+    for value in values:
+        found = session.resolve(value)
+        items = parts_of(found) if isinstance(found, Listed | MapleSet) else (found,)
+        total["assignments"] += sum(isinstance(item, Relation) for item in items)
+        total.update(operation_count(_scalars(session, value)))
+    terms: tuple[Value, ...] = tuple(number(total[name]) * symbol(name) for name in _COUNTED if total[name])
+    if len(terms) < 2:
+        return terms[0] if terms else number(0)
+    return Unevaluated(symbol("+"), terms)
+
+
+def optimize(session: Session, *values: Value) -> Value:
+    """optimize(e): a computation sequence: names t1, t2, .. of parts that occur several times, then the results."""
+    results: list[tuple[Value | None, Expr]] = []
+    for value in values:
+        found = session.resolve(value)
+        if isinstance(found, Relation) and getattr(found.left, "name", "") in ("tryhard", "precision"):
+            continue
+        if isinstance(found, Expr) and found.kind == "symbol" and found.name == "tryhard":
+            continue
+        results.extend(_results(session, found))
+    definitions, shortened = named_parts([each for _, each in results], _names([each for _, each in results]))
+    equations: list[Value] = [Relation("=", name, definition) for name, definition in definitions]
+    count = len(definitions)
+    for (name, _), short in zip(results, shortened, strict=True):
+        count += name is None
+        equations.append(Relation("=", symbol(f"t{count}") if name is None else name, short))
+    return sequence(equations)
+
+
+def _results(session: Session, value: Value) -> list[tuple[Value | None, Expr]]:
+    if isinstance(value, Relation):
+        return [(value.left, scalar(session, value.right))]
+    if isinstance(value, Array):
+        return [(None, scalar(session, session.current(each))) for each in value.entries]
+    if isinstance(value, Listed | MapleSet | Sequence):
+        return [each for item in value.items for each in _results(session, item)]
+    return [(None, scalar(session, value))]
+
+
+def _names(expressions: list[Expr]) -> frozenset[str]:
+    return frozenset(each.name for expression in expressions for each in expression.free_symbols)
+
+
+# --- MATLAB -----------------------------------------------------------------------------------------------------------
+
+
+def matlab(session: Session, value: Value, *options: Value) -> Value:
+    """CodeGeneration[Matlab](e, optimize, output = string, resultname = "r"): e as MATLAB statements."""
+    settings = {unparsed(session, each.left): each.right for each in options if isinstance(each, Relation)}
+    shares = any(unparsed(session, each) == "optimize" for each in options if not isinstance(each, Relation))
+    shares = shares or ("optimize" in settings and unparsed(session, settings["optimize"]) != "false")
+    name = unparsed(session, settings["resultname"]) if "resultname" in settings else "cg"
+    known = {
+        "optimize",
+        "output",
+        "resultname",
+        "declare",
+        "precision",
+        "coercetypes",
+        "defaulttype",
+        "reduceanalysis",
+    }
+    for each in settings.keys() - known:
+        session.notice(f"CodeGeneration[Matlab]: the option {each} is not known and is left out")
+    text = "".join(f"{line}\n" for line in _lines(session, value, name, shares=shares))
+    target = settings.get("output")
+    if target is None:
+        session.print(text.rstrip("\n"))
+        return NULL
+    if unparsed(session, target) == "string":
+        return String(text)
+    with output_path(session, target).open("a", encoding="utf-8") as file:
+        file.write(text)
+    return NULL
+
+
+def _lines(session: Session, value: Value, name: str, *, shares: bool) -> list[str]:
+    found = session.resolve(value)
+    if isinstance(found, Array):
+        return _matrix_lines(session, found, name, shares=shares)
+    if isinstance(found, Listed | MapleSet):
+        items = found.items
+        if items and all(isinstance(each, Relation) for each in items):
+            return _assignment_lines(
+                session, [each for each in items if isinstance(each, Relation)], shares=shares
+            )
+        return _matrix_lines(session, Array(1, len(items), list(items), "RowVector"), name, shares=shares)
+    if isinstance(found, Relation):
+        return _assignment_lines(session, [found], shares=shares)
+    if not isinstance(found, Expr):
+        raise WorksheetError(
+            f"CodeGeneration[Matlab]: {session.text(value)[:60]} is no expression and no matrix"
+        )
+    return _assignment_lines(session, [Relation("=", symbol(name), found)], shares=shares)
+
+
+def _assignment_lines(session: Session, equations: list[Relation], *, shares: bool) -> list[str]:
+    lefts = [matlab_name(unparsed(session, each.left)) for each in equations]
+    rights = [scalar(session, session.current(each.right)) for each in equations]
+    lines: list[str] = []
+    if shares:
+        definitions, rights = named_parts(rights, _names(rights) | frozenset(lefts))
+        lines = [f"{matlab_text(left)} = {matlab_text(right)};" for left, right in definitions]
+    return [*lines, *(f"{left} = {matlab_text(right)};" for left, right in zip(lefts, rights, strict=True))]
+
+
+def _matrix_lines(session: Session, array: Array, name: str, *, shares: bool) -> list[str]:
+    entries = [scalar(session, session.current(each)) for each in array.entries]
+    lines: list[str] = []
+    if shares:
+        definitions, entries = named_parts(entries, _names(entries) | {name})
+        lines = [f"{matlab_text(left)} = {matlab_text(right)};" for left, right in definitions]
+    texts = [matlab_text(each) for each in entries]
+    rows = [
+        " ".join(_spaceless(text) for text in texts[i * array.columns : (i + 1) * array.columns])
+        for i in range(array.rows)
+    ]
+    return [*lines, f"{matlab_name(name)} = [{'; '.join(rows)};];"]
+
+
+def _spaceless(text: str) -> str:
+    """Within brackets, MATLAB takes a blank before a sign for the end of an entry."""
+    return text.replace(" ", "")
+
+
+COMMANDS: dict[str, Command] = {}
+
+PACKAGES: dict[str, dict[str, Command]] = {
+    "codegen": {"cost": cost, "optimize": optimize},
+    "CodeGeneration": {"Matlab": matlab},
+}

@@ -1,0 +1,259 @@
+"""Tables, copies, conversions between kinds of values, and names."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from symbody.errors import WorksheetError
+from symbody.symbolic import Expr, number, pi
+from symbody.worksheet.arithmetic import scalar
+from symbody.worksheet.builtins.elementary import in_decimals
+from symbody.worksheet.builtins.matrices import array_of
+from symbody.worksheet.builtins.structural import operands
+from symbody.worksheet.builtins.texts import unparsed
+from symbody.worksheet.current import set_of
+from symbody.worksheet.entrywise import copied
+from symbody.worksheet.naming import symbol
+from symbody.worksheet.numeric import as_integer
+from symbody.worksheet.select import key_of
+from symbody.worksheet.session import Command, Session, sequence
+from symbody.worksheet.value import (
+    NULL,
+    Array,
+    Boolean,
+    Listed,
+    MapleSet,
+    Reference,
+    Relation,
+    Sequence,
+    String,
+    Table,
+    Value,
+)
+
+__all__ = ["COMMANDS", "assigned"]
+
+
+def table(session: Session, *arguments: Value) -> Value:
+    """table([i = a, ..]), table(): a new table."""
+    made = Table()
+    for argument in arguments:
+        items = argument.items if isinstance(argument, Listed | MapleSet) else ()
+        for place, item in enumerate(items, 1):
+            if isinstance(item, Relation):
+                left = item.left
+                key = left.items if isinstance(left, Sequence) else (left,)
+                made.entries[key_of(session, key)] = item.right
+            else:
+                made.entries[number(place),] = item
+    return made
+
+
+def copy(session: Session, value: Value, *options: Value) -> Value:
+    """copy(T): a table or a matrix that shares nothing with T."""
+    return copied(session, value)
+
+
+def indices(session: Session, value: Value, *options: Value) -> Value:
+    """indices(T): the indices of a table, each in a list."""
+    found = session.table(value)
+    if isinstance(found, Array):
+        return sequence(
+            [Listed((number(i + 1), number(j + 1))) for i in range(found.rows) for j in range(found.columns)]
+        )
+    plain = any(getattr(each, "name", "") == "nolist" for each in options)
+    return sequence([key[0] if plain and len(key) == 1 else Listed(key) for key in found.entries])
+
+
+def entries(session: Session, value: Value, *options: Value) -> Value:
+    """entries(T): the entries of a table, each in a list."""
+    found = session.table(value)
+    held = found.entries if isinstance(found, Array) else list(found.entries.values())
+    plain = any(getattr(each, "name", "") == "nolist" for each in options)
+    return sequence([session.current(each) if plain else Listed((session.current(each),)) for each in held])
+
+
+# --- conversions ------------------------------------------------------------------------------------------------------
+
+
+def convert(session: Session, value: Value, kind: Value, *options: Value) -> Value:
+    """convert(e, list), convert(e, set), convert(e, string), ..: e as another kind of value."""
+    name = (
+        getattr(kind, "name", "") if isinstance(kind, Expr | Reference) else session.text(kind).strip("`\"'")
+    )
+    converter = _CONVERSIONS.get(name)
+    if converter is None:
+        session.notice(f"convert: the kind {name} is not known; the value stays as it is")
+        return value
+    return converter(session, value, *options)
+
+
+def _items(session: Session, value: Value) -> list[Value]:
+    found = session.resolve(value)
+    if isinstance(found, Table):
+        return [session.current(found.entries[key]) for key in _ordered(found)]
+    return list(operands(session, found)) if not isinstance(found, Listed | MapleSet) else list(found.items)
+
+
+def _ordered(table_: Table) -> list[tuple[Value, ...]]:
+    places = [as_integer(key[0]) if len(key) == 1 else None for key in table_.entries]
+    keys = list(table_.entries)
+    if all(place is not None for place in places):
+        return [key for _, key in sorted(zip(places, keys, strict=True), key=lambda pair: pair[0] or 0)]
+    return keys
+
+
+def _to_list(session: Session, value: Value, *options: Value) -> Value:
+    found = session.resolve(value)
+    if isinstance(found, Array) and found.columns > 1 and found.rows > 1:
+        return Listed(tuple(session.current(each) for each in found.entries))
+    return Listed(tuple(_items(session, value)))
+
+
+def _to_rows(session: Session, value: Value, *options: Value) -> Value:
+    array = array_of(session, value, "convert")
+    rows = [tuple(array.entries[i * array.columns : (i + 1) * array.columns]) for i in range(array.rows)]
+    return Listed(tuple(Listed(row) for row in rows))
+
+
+def _to_set(session: Session, value: Value, *options: Value) -> Value:
+    return set_of(_items(session, value))
+
+
+def _to_string(session: Session, value: Value, *options: Value) -> Value:
+    return value if isinstance(value, String) else String(unparsed(session, value))
+
+
+def _to_name(session: Session, value: Value, *options: Value) -> Value:
+    return symbol(value.text if isinstance(value, String) else unparsed(session, value))
+
+
+def _to_matrix(kind: str) -> Command:
+    def conversion(session: Session, value: Value, *options: Value) -> Value:
+        array = array_of(session, value, "convert")
+        if "ector" in kind:
+            return Array(len(array.entries), 1, array.entries, kind)
+        return replace(array, kind=kind)
+
+    return conversion
+
+
+def _to_table(session: Session, value: Value, *options: Value) -> Value:
+    return table(session, Listed(tuple(_items(session, value))))
+
+
+def _to_sum(session: Session, value: Value, *options: Value) -> Value:
+    return sum((scalar(session, each) for each in _items(session, value)), start=number(0))
+
+
+def _to_product(session: Session, value: Value, *options: Value) -> Value:
+    total = number(1)
+    for each in _items(session, value):
+        total = total * scalar(session, each)
+    return total
+
+
+def _to_equations(session: Session, value: Value, *options: Value) -> Value:
+    found = session.resolve(value)
+    if isinstance(found, Listed | MapleSet):
+        return found
+    return Relation("=", value, number(0))
+
+
+def _to_fraction(session: Session, value: Value, *options: Value) -> Value:
+    if isinstance(value, Expr) and value.is_number:
+        numerator, denominator = value.ratio
+        return number(numerator) / number(denominator)
+    return value
+
+
+def _to_decimal(session: Session, value: Value, *options: Value) -> Value:
+    return in_decimals(session, value, session.options.digits)
+
+
+def _same(session: Session, value: Value, *options: Value) -> Value:
+    return value
+
+
+def _to_degrees(session: Session, value: Value, *options: Value) -> Value:
+    return scalar(session, value) * 180 / pi * symbol("degrees")
+
+
+_CONVERSIONS: dict[str, Command] = {
+    "list": _to_list,
+    "listlist": _to_rows,
+    "set": _to_set,
+    "string": _to_string,
+    "name": _to_name,
+    "symbol": _to_name,
+    "Matrix": _to_matrix("Matrix"),
+    "matrix": _to_matrix("matrix"),
+    "Vector": _to_matrix("Vector"),
+    "vector": _to_matrix("vector"),
+    "array": _to_matrix("matrix"),
+    "table": _to_table,
+    "+": _to_sum,
+    "*": _to_product,
+    "equality": _to_equations,
+    "rational": _to_fraction,
+    "fraction": _to_fraction,
+    "float": _to_decimal,
+    "degrees": _to_degrees,
+    "exp": _same,
+    "trig": _same,
+    "sincos": _same,
+    "diff": _same,
+    "D": _same,
+    "radical": _same,
+    "global": _same,
+    "local": _same,
+    "polynom": _same,
+}
+
+
+# --- names ------------------------------------------------------------------------------------------------------------
+
+
+def unassign(session: Session, *names: Value) -> Value:
+    """unassign('x', ..): names lose their values."""
+    for name in names:
+        if isinstance(name, Expr) and name.kind == "time_function":
+            session.remembered.pop(name.name, None)
+            session.touch(name.name)
+        elif isinstance(name, Expr | Reference) and hasattr(name, "name"):
+            entry = session.indexed.get(name.name)
+            if entry is not None and isinstance(held := session.names.get(entry[0]), Table):
+                held.entries.pop(entry[1], None)
+                session.touch(entry[0])
+            else:
+                session.unassign(name.name)
+        elif isinstance(name, Listed | MapleSet | Sequence):
+            unassign(session, *name.items)
+        else:
+            raise WorksheetError(
+                f"unassign: {session.text(name)[:60]} is not a name; put it in quotes: unassign('x')"
+            )
+    return NULL
+
+
+def assigned(session: Session, name: Value) -> Value:
+    """assigned(x): whether a name has a value."""
+    if isinstance(name, Reference):
+        return Boolean(truth=True)
+    if isinstance(name, Expr) and name.kind == "symbol":
+        entry = session.indexed.get(name.name)
+        if entry is not None:
+            held = session.resolve(symbol(entry[0]))
+            return Boolean(isinstance(held, Table) and entry[1] in held.entries)
+        return Boolean(name.name in session.names)
+    return Boolean(not isinstance(name, Expr) or name.kind not in ("time_function", "application"))
+
+
+COMMANDS: dict[str, Command] = {
+    "table": table,
+    "copy": copy,
+    "indices": indices,
+    "entries": entries,
+    "convert": convert,
+    "unassign": unassign,
+}

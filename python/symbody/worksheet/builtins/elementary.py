@@ -1,0 +1,345 @@
+"""Elementary functions and numbers."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from fractions import Fraction
+
+from symbody.errors import WorksheetError
+from symbody.symbolic import (
+    Abs,
+    Expr,
+    Max,
+    Min,
+    Piecewise,
+    acos,
+    asin,
+    atan,
+    atan2,
+    cos,
+    cosh,
+    exp,
+    log,
+    number,
+    pi,
+    sign,
+    sin,
+    sinh,
+    sqrt,
+    tan,
+    tanh,
+)
+from symbody.worksheet.arithmetic import scalar
+from symbody.worksheet.naming import symbol
+from symbody.worksheet.numeric import as_float, as_integer, decimal, power, with_decimals
+from symbody.worksheet.session import Command, Session
+from symbody.worksheet.structure import Tree, tree_of, walk
+from symbody.worksheet.value import (
+    Array,
+    Listed,
+    MapleSet,
+    Range,
+    Relation,
+    Sequence,
+    Table,
+    Unevaluated,
+    Value,
+)
+
+__all__ = ["COMMANDS", "evalf", "in_decimals"]
+
+
+def _of_one(function: Callable[[Expr], Expr]) -> Command:
+    def command(session: Session, x: Value) -> Value:
+        if isinstance(x, Listed | MapleSet | Array | Table | Range | Sequence):
+            name = getattr(function, "__name__", "function")
+            raise WorksheetError(
+                f"{name}: {session.text(x)[:60]} is no expression; map applies a function to each item"
+            )
+        argument = scalar(session, x)
+        return with_decimals(_of_inverse(function, argument) or function(argument), argument)
+
+    return command
+
+
+def _of_inverse(function: Callable[[Expr], Expr], argument: Expr) -> Expr | None:
+    """Return sine, cosine or tangent of an inverse function without either, as Maple does at once."""
+    if (
+        argument.kind != "function"
+        or argument.name not in ("asin", "acos", "atan")
+        or len(argument.args) != 1
+    ):
+        return None
+    (u,) = argument.args
+    length = sqrt(1 + u**2)
+    parts = {
+        "asin": (u, sqrt(1 - u**2)),
+        "acos": (sqrt(1 - u**2), u),
+        "atan": (u / length, 1 / length),
+    }
+    sine, cosine = parts[argument.name]
+    if function is sin:
+        return sine
+    if function is cos:
+        return cosine
+    return None if function is not tan else u if argument.name == "atan" else sine / cosine
+
+
+def _reciprocal(name: str, function: Callable[[Expr], Expr]) -> Command:
+    plain = _of_one(lambda x: 1 / function(x))
+
+    def command(session: Session, x: Value) -> Value:
+        session.options.reciprocals.add(name)
+        return plain(session, x)
+
+    return command
+
+
+def arctan(session: Session, y: Value, x: Value | None = None) -> Value:
+    """arctan(y), arctan(y, x): the angle whose tangent is y, or that of the point x, y."""
+    a = scalar(session, y)
+    if x is None:
+        return with_decimals(atan(a), a)
+    b = scalar(session, x)
+    return with_decimals(atan2(a, b), a, b)
+
+
+def root(session: Session, x: Value, n: Value) -> Value:
+    """root(x, n): the n-th root."""
+    return power(scalar(session, x), 1 / scalar(session, n))
+
+
+def root_of_symbol(session: Session, x: Value) -> Value:
+    """sqrt(x)."""
+    argument = scalar(session, x)
+    return with_decimals(sqrt(argument), argument)
+
+
+def _extremum(function: Callable[..., Expr], choose: Callable[..., float]) -> Command:
+    def command(session: Session, *values: Value) -> Value:
+        items: list[Value] = []
+        for value in values:
+            items.extend(value.items if isinstance(value, Listed | MapleSet | Sequence) else (value,))
+        arguments = [scalar(session, each) for each in items]
+        known = {each: found for each in arguments if (found := as_float(each)) is not None}
+        if len(known) == len(arguments) and arguments:
+            best = choose(known.values())
+            return next(each for each in arguments if known[each] == best)
+        return function(*arguments)
+
+    return command
+
+
+def _rounded(function: Callable[[float | Fraction], int]) -> Command:
+    def command(session: Session, x: Value) -> Value:
+        argument = scalar(session, x)
+        if argument.is_number:
+            return number(function(Fraction(*argument.ratio)))
+        found = as_float(argument)
+        if found is None:
+            return Unevaluated(symbol(function.__name__), (x,))
+        return number(function(found))
+
+    return command
+
+
+def _half_away(value: float | Fraction) -> int:
+    exact = Fraction(value)
+    return math.floor(abs(exact) + Fraction(1, 2)) * (1 if exact >= 0 else -1)
+
+
+def factorial(session: Session, n: Value) -> Value:
+    """N!."""
+    count = as_integer(n)
+    if count is None:
+        return Unevaluated(symbol("factorial"), (n,))
+    if not 0 <= count <= 5000:
+        raise WorksheetError(f"the factorial of {count}; expected an integer from 0 to 5000")
+    return number(math.factorial(count))
+
+
+def _integers(function: Callable[[int, int], int]) -> Command:
+    def command(session: Session, a: Value, b: Value) -> Value:
+        x, y = as_integer(a), as_integer(b)
+        if x is None or y is None or y == 0:
+            return Unevaluated(symbol(function.__name__.strip("_")), (a, b))
+        return number(function(x, y))
+
+    return command
+
+
+def _modp(a: int, b: int) -> int:
+    return a % b
+
+
+def _iquo(a: int, b: int) -> int:
+    return int(Fraction(a, b))
+
+
+def _irem(a: int, b: int) -> int:
+    return a - b * int(Fraction(a, b))
+
+
+def _fraction_part(which: int) -> Command:
+    def command(session: Session, x: Value) -> Value:
+        expression = scalar(session, x)
+        if expression.is_number:
+            return number(expression.ratio[which])
+        above, below = number(1), number(1)
+        for factor in _factors(tree_of(expression)):
+            if (
+                factor.kind == "power"
+                and factor.parts[1].kind == "number"
+                and factor.parts[1].value.ratio[0] < 0
+            ):
+                below = below / factor.value
+            elif factor.kind == "number":
+                above, below = above * factor.value.ratio[0], below * factor.value.ratio[1]
+            else:
+                above = above * factor.value
+        return (above, below)[which]
+
+    return command
+
+
+def _factors(tree: Tree) -> tuple[Tree, ...]:
+    return tree.parts if tree.kind == "product" else (tree,)
+
+
+def piecewise(session: Session, *pairs: Value) -> Value:
+    """piecewise(condition, value, .., otherwise)."""
+    branches = [_branch(session, pairs[i], pairs[i + 1]) for i in range(0, len(pairs) - 1, 2)]
+    otherwise = scalar(session, pairs[-1]) if len(pairs) % 2 else number(0)
+    return Piecewise(*branches, (otherwise, True))
+
+
+def _branch(session: Session, condition: Value, value: Value) -> tuple[Expr, Expr]:
+    if not isinstance(condition, Relation) or condition.operator not in ("<", "<="):
+        raise WorksheetError("piecewise: a condition that is no inequality; expected one such as x < 1")
+    return scalar(session, value), scalar(session, condition.right) - scalar(session, condition.left)
+
+
+# --- decimals ---------------------------------------------------------------------------------------------------------
+
+
+def evalf(session: Session, value: Value, digits: Value | None = None) -> Value:
+    """evalf(e [, n]): numbers as decimals."""
+    places = as_integer(digits) if digits is not None else None
+    return in_decimals(session, value, places or session.options.digits)
+
+
+def in_decimals(session: Session, value: Value, digits: int) -> Value:
+    """Return a value with decimals for numbers; exponents that are integers stay."""
+    if isinstance(value, Expr):
+        return _scalar_in_decimals(session, value, digits)
+    if isinstance(value, Listed | MapleSet | Sequence):
+        return type(value)(tuple(in_decimals(session, each, digits) for each in value.items))
+    if isinstance(value, Relation):
+        left, right = (in_decimals(session, side, digits) for side in (value.left, value.right))
+        return Relation(value.operator, left, right)
+    if isinstance(value, Range):
+        return Range(in_decimals(session, value.start, digits), in_decimals(session, value.stop, digits))
+    found = session.resolve(value)
+    if isinstance(found, Array):
+        entries = [in_decimals(session, session.current(each), digits) for each in found.entries]
+        return replace(found, entries=entries)
+    return value
+
+
+def _scalar_in_decimals(session: Session, value: Expr, digits: int) -> Expr:
+    found = as_float(value)
+    if found is not None:
+        if value.is_number and value.is_decimal:
+            return decimal(found, min(digits, 17))
+        return decimal(found, min(digits, 17))
+    made: dict[int, Expr] = {}
+    for node in walk(tree_of(value)):
+        made[id(node)] = _node_in_decimals(session, node, [made[id(part)] for part in node.parts], digits)
+    return made[id(tree_of(value))]
+
+
+def _node_in_decimals(session: Session, node: Tree, parts: list[Expr], digits: int) -> Expr:
+    found = as_float(node.value)
+    if node.kind == "power":
+        exponent = node.parts[1].value
+        whole = exponent.is_number and exponent.ratio[1] in (1, 2)
+        return _decimal_or(found, parts[0] ** (exponent if whole else parts[1]), digits)
+    if found is not None:
+        return decimal(found, min(digits, 17))
+    if node.kind == "sum":
+        return sum(parts[1:], start=parts[0])
+    if node.kind == "product":
+        total = parts[0]
+        for part in parts[1:]:
+            total = total * part
+        return total
+    if node.kind == "function" and not (len(node.parts) == 1 and node.parts[0].kind == "name"):
+        called = (
+            session.call(symbol(node.name), tuple(parts)) if not node.name.startswith("D[") else node.value
+        )
+        return called if isinstance(called, Expr) else node.value
+    return node.value
+
+
+def _decimal_or(found: float | None, value: Expr, digits: int) -> Expr:
+    return value if found is None else decimal(found, min(digits, 17))
+
+
+def complex_part(session: Session, x: Value) -> Value:
+    """Re(x), conjugate(x): all symbols are real."""
+    return scalar(session, x)
+
+
+def imaginary_part(session: Session, x: Value) -> Value:
+    """Im(x): all symbols are real."""
+    scalar(session, x)
+    return number(0)
+
+
+COMMANDS: dict[str, Command] = {
+    "sin": _of_one(sin),
+    "cos": _of_one(cos),
+    "tan": _of_one(tan),
+    "sec": _reciprocal("sec", cos),
+    "csc": _reciprocal("csc", sin),
+    "cot": _reciprocal("cot", tan),
+    "arcsin": _of_one(asin),
+    "arccos": _of_one(acos),
+    "arctan": arctan,
+    "arccot": _of_one(lambda x: pi / 2 - atan(x)),
+    "sinh": _of_one(sinh),
+    "cosh": _of_one(cosh),
+    "tanh": _of_one(tanh),
+    "exp": _of_one(exp),
+    "ln": _of_one(log),
+    "log": _of_one(log),
+    "log10": _of_one(lambda x: log(x) / log(number(10))),
+    "sqrt": root_of_symbol,
+    "root": root,
+    "surd": root,
+    "abs": _of_one(Abs),
+    "signum": _of_one(sign),
+    "csgn": _of_one(sign),
+    "min": _extremum(Min, min),
+    "max": _extremum(Max, max),
+    "floor": _rounded(math.floor),
+    "ceil": _rounded(math.ceil),
+    "trunc": _rounded(math.trunc),
+    "round": _rounded(_half_away),
+    "factorial": factorial,
+    "modp": _integers(_modp),
+    "iquo": _integers(_iquo),
+    "irem": _integers(_irem),
+    "igcd": _integers(math.gcd),
+    "ilcm": _integers(math.lcm),
+    "numer": _fraction_part(0),
+    "denom": _fraction_part(1),
+    "piecewise": piecewise,
+    "evalf": evalf,
+    "evalhf": evalf,
+    "Re": complex_part,
+    "conjugate": complex_part,
+    "Im": imaginary_part,
+}

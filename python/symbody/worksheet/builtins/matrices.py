@@ -1,0 +1,481 @@
+"""Matrices and vectors: those of linalg, and those of LinearAlgebra."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from symbody.errors import WorksheetError
+from symbody.symbolic import Abs, Expr, Matrix, jacobian, number, sqrt
+from symbody.worksheet.arithmetic import binary, identity, inverted, matrix_product, scalar, transposed
+from symbody.worksheet.entrywise import parts_of
+from symbody.worksheet.numeric import as_integer
+from symbody.worksheet.session import Command, Session, sequence
+from symbody.worksheet.value import (
+    Array,
+    Listed,
+    MapleSet,
+    Range,
+    Reference,
+    Relation,
+    Sequence,
+    Table,
+    Value,
+)
+
+__all__ = ["COMMANDS", "array_of", "from_columns", "from_rows"]
+
+
+def array_of(session: Session, value: Value, where: str) -> Array:
+    """Return a matrix or vector with its current entries; lists become columns or matrices."""
+    found = session.resolve(value)
+    if isinstance(found, Array):
+        made = session.current(found)
+        assert isinstance(made, Array)
+        return made
+    if isinstance(found, Listed) and found.items and all(isinstance(each, Listed) for each in found.items):
+        return _of_rows(session, found, "matrix")
+    if isinstance(found, Listed | MapleSet | Sequence):
+        return Array(len(found.items), 1, list(found.items), "vector")
+    raise WorksheetError(f"{where}: {session.text(value)[:60]} is not a matrix")
+
+
+def _of_rows(session: Session, value: Listed, kind: str) -> Array:
+    rows = [row.items if isinstance(row, Listed) else (row,) for row in value.items]
+    columns = max((len(row) for row in rows), default=0)
+    entries = [row[j] if j < len(row) else number(0) for row in rows for j in range(columns)]
+    return Array(len(rows), columns, entries, kind)
+
+
+# --- displays ---------------------------------------------------------------------------------------------------------
+
+
+def from_columns(session: Session, items: tuple[Value, ...]) -> Value:
+    """Return ``<a, b>``: a column; of rows, a matrix."""
+    parts = [session.resolve(each) for each in items]
+    if any(isinstance(each, Array) for each in parts):
+        arrays = [each if isinstance(each, Array) else Array(1, 1, [each]) for each in parts]
+        columns = arrays[0].columns
+        entries = [session.current(entry) for each in arrays for entry in each.entries]
+        rows = len(entries) // columns if columns else 0
+        return Array(rows, columns, entries, "Vector" if columns == 1 else "Matrix")
+    flat = [
+        each for part in parts for each in (part.items if isinstance(part, Listed | Sequence) else (part,))
+    ]
+    flat = [items[i] for i in range(len(items))] if len(flat) == len(items) else flat
+    return Array(len(flat), 1, list(flat), "Vector")
+
+
+def from_rows(session: Session, items: tuple[Value, ...]) -> Value:
+    """Return ``<a | b>``: a row; of columns, a matrix."""
+    parts = [session.resolve(each) for each in items]
+    if not any(isinstance(each, Array) for each in parts):
+        return Array(1, len(items), list(items), "RowVector")
+    arrays = [each if isinstance(each, Array) else Array(1, 1, [each]) for each in parts]
+    rows = arrays[0].rows
+    entries = [
+        session.current(each.entries[i * each.columns + j])
+        for i in range(rows)
+        for each in arrays
+        for j in range(each.columns)
+    ]
+    return Array(rows, sum(each.columns for each in arrays), entries, "Matrix")
+
+
+# --- constructors -----------------------------------------------------------------------------------------------------
+
+
+def _matrix_command(kind: str) -> Command:
+    def command(session: Session, *arguments: Value) -> Value:
+        arguments = tuple(
+            each for each in arguments if not isinstance(each, Relation) or each.operator != "="
+        )
+        found = [session.resolve(each) for each in arguments]
+        sizes = [size for each in found if (size := as_integer(each)) is not None]
+        rest = [each for each, value in zip(arguments, found, strict=True) if as_integer(value) is None]
+        if len(sizes) > 2 and not rest:
+            rest, sizes = [number(sizes[2])], sizes[:2]
+        if not rest:
+            rows = sizes[0] if sizes else 0
+            columns = sizes[1] if len(sizes) > 1 else rows
+            return _filled(session, rows, columns, None, kind)
+        return _from_content(session, sizes, rest[0], kind)
+
+    return command
+
+
+def _from_content(session: Session, sizes: list[int], content: Value, kind: str) -> Value:
+    found = session.resolve(content)
+    if isinstance(found, Listed) and any(isinstance(each, Listed) for each in found.items):
+        return _sized(_of_rows(session, found, kind), sizes, kind)
+    if isinstance(found, Array):
+        return _sized(
+            Array(found.rows, found.columns, [session.current(e) for e in found.entries], kind), sizes, kind
+        )
+    if isinstance(found, Listed):
+        if len(sizes) == 2:
+            entries = list(found.items) + [number(0)] * (sizes[0] * sizes[1] - len(found.items))
+            return Array(sizes[0], sizes[1], entries[: sizes[0] * sizes[1]], kind)
+        return (
+            Array(1, len(found.items), list(found.items), kind)
+            if kind == "Matrix"
+            else _of_rows(session, found, kind)
+        )
+    rows = sizes[0] if sizes else 1
+    return _filled(session, rows, sizes[1] if len(sizes) > 1 else rows, content, kind)
+
+
+def _sized(array: Array, sizes: list[int], kind: str) -> Array:
+    if not sizes:
+        return array
+    rows, columns = sizes[0], sizes[1] if len(sizes) > 1 else sizes[0]
+    entries = [
+        array.entries[i * array.columns + j] if i < array.rows and j < array.columns else number(0)
+        for i in range(rows)
+        for j in range(columns)
+    ]
+    return Array(rows, columns, entries, kind)
+
+
+def _filled(session: Session, rows: int, columns: int, content: Value | None, kind: str) -> Array:
+    """Return a matrix without a list of entries.
+
+    Args:
+        session: the session.
+        rows: the number of rows.
+        columns: the number of columns.
+        content: the entry everywhere, or a function of the indices; zero by default.
+        kind: what it is made by: "Matrix", "Vector" and the like.
+    """
+    session.limits.check_items(rows * columns)
+    if rows < 0 or columns < 0:
+        raise WorksheetError(f"a matrix of {rows} x {columns}; expected sizes that aren't negative")
+    if content is None:
+        return Array(rows, columns, [number(0)] * (rows * columns), kind)
+    if isinstance(content, Expr) and content.kind != "symbol":
+        return Array(rows, columns, [content] * (rows * columns), kind)
+    places = [(number(i), number(j)) for i in range(1, rows + 1) for j in range(1, columns + 1)]
+    entries = [session.call(content, place if "ector" not in kind else place[:1]) for place in places]
+    return Array(rows, columns, entries, kind)
+
+
+def _vector_command(kind: str) -> Command:
+    def command(session: Session, *arguments: Value) -> Value:
+        items: list[Value] | None = None
+        size, content, shape = None, None, kind
+        for argument in arguments:
+            found = session.resolve(argument)
+            if isinstance(found, Listed | Sequence | MapleSet):
+                items = list(found.items)
+            elif isinstance(found, Array):
+                items = [session.current(each) for each in found.entries]
+            elif as_integer(found) is not None and size is None:
+                size = as_integer(found)
+            elif (
+                isinstance(argument, Expr)
+                and argument.kind == "symbol"
+                and argument.name in ("row", "column")
+            ):
+                shape = "RowVector" if argument.name == "row" else kind
+            elif not isinstance(argument, Relation):
+                content = argument
+        if items is None:
+            made = _filled(session, size or 0, 1, content, shape)
+            items = list(made.entries)
+        elif size is not None:
+            items = items[:size] + [number(0)] * (size - len(items))
+        return (
+            Array(1, len(items), items, shape) if shape == "RowVector" else Array(len(items), 1, items, shape)
+        )
+
+    return command
+
+
+def array_command(session: Session, *arguments: Value) -> Value:
+    """array(1..n, 1..m [, values]), array([..]): a matrix or vector of the old kind."""
+    ranges = [each for each in arguments if isinstance(each, Range)]
+    rest = [each for each in arguments if not isinstance(each, Range)]
+    if rest and isinstance(rest[0], Listed):
+        rows = any(isinstance(each, Listed) for each in rest[0].items)
+        return (
+            _of_rows(session, rest[0], "matrix")
+            if rows
+            else Array(len(rest[0].items), 1, list(rest[0].items), "vector")
+        )
+    stops = [as_integer(each.stop) for each in ranges]
+    if not stops or any(stop is None for stop in stops) or len(stops) > 2:
+        return Table()
+    session.limits.check_items((stops[0] or 0) * (stops[-1] or 0))
+    return Table()  # entries of old arrays are names until they are assigned, as those of tables
+
+
+# --- operations -------------------------------------------------------------------------------------------------------
+
+
+def transpose(session: Session, value: Value) -> Value:
+    """Transpose(M)."""
+    return transposed(array_of(session, value, "Transpose"))
+
+
+def inverse(session: Session, value: Value) -> Value:
+    """inverse(M)."""
+    return inverted(array_of(session, value, "inverse"))
+
+
+def determinant(session: Session, value: Value) -> Value:
+    """det(M)."""
+    array = array_of(session, value, "det")
+    return Matrix(_rows(array)).det()
+
+
+def _rows(array: Array) -> list[list[Expr]]:
+    entries = [each for each in array.entries if isinstance(each, Expr)]
+    if len(entries) != len(array.entries):
+        raise WorksheetError("a matrix with entries that are no expressions")
+    return [entries[i * array.columns : (i + 1) * array.columns] for i in range(array.rows)]
+
+
+def trace(session: Session, value: Value) -> Value:
+    """trace(M)."""
+    array = array_of(session, value, "trace")
+    total: Value = number(0)
+    for i in range(min(array.rows, array.columns)):
+        total = binary(session, "+", total, array.entries[i * array.columns + i])
+    return total
+
+
+def multiply(session: Session, *values: Value) -> Value:
+    """multiply(A, B, ..)."""
+    arrays = [array_of(session, each, "multiply") for each in values]
+    total: Value = arrays[0]
+    for each in arrays[1:]:
+        assert isinstance(total, Array)
+        total = matrix_product(session, total, each)
+    return total
+
+
+def matrix_sum(session: Session, a: Value, b: Value) -> Value:
+    """matadd(A, B)."""
+    return binary(session, "+", array_of(session, a, "matadd"), array_of(session, b, "matadd"))
+
+
+def scaled(session: Session, value: Value, factor: Value) -> Value:
+    """scalarmul(A, c)."""
+    return binary(session, "*", factor, array_of(session, value, "scalarmul"))
+
+
+def cross(session: Session, a: Value, b: Value) -> Value:
+    """CrossProduct(a, b)."""
+    one, two = array_of(session, a, "CrossProduct"), array_of(session, b, "CrossProduct")
+    if len(one.entries) != 3 or len(two.entries) != 3:
+        raise WorksheetError("CrossProduct: expected two vectors of three components")
+    x, y = (list(each.entries) for each in (one, two))
+
+    def term(i: int, j: int) -> Value:
+        return binary(session, "-", binary(session, "*", x[i], y[j]), binary(session, "*", x[j], y[i]))
+
+    return replace(one, entries=[term(1, 2), term(2, 0), term(0, 1)])
+
+
+def dot(session: Session, a: Value, b: Value, *options: Value) -> Value:
+    """DotProduct(a, b)."""
+    one, two = array_of(session, a, "DotProduct"), array_of(session, b, "DotProduct")
+    total: Value = number(0)
+    for x, y in zip(one.entries, two.entries, strict=True):
+        total = binary(session, "+", total, binary(session, "*", x, y))
+    return total
+
+
+def norm(session: Session, value: Value, kind: Value | None = None) -> Value:
+    """norm(v, n): the norm of a vector; by default the largest entry, as in Maple."""
+    array = array_of(session, value, "norm")
+    entries = [scalar(session, each) for each in array.entries]
+    which = getattr(kind, "name", "") if isinstance(kind, Expr) and kind.kind == "symbol" else ""
+    if as_integer(kind) == 1:
+        return sum((Abs(each) for each in entries), start=number(0))
+    if which == "infinity" or kind is None:
+        sizes = [Abs(each) for each in entries]
+        return session.call(Reference("max"), tuple(sizes)) if entries else number(0)
+    return sqrt(sum((each**2 for each in entries), start=number(0)))
+
+
+def sub_matrix(session: Session, value: Value, rows: Value, columns: Value) -> Value:
+    """SubMatrix(M, rows, columns)."""
+    return session.select(array_of(session, value, "SubMatrix"), (_whole(rows), _whole(columns)))
+
+
+def _whole(index: Value) -> Value:
+    return Listed((index,)) if as_integer(index) is not None else index
+
+
+def row(session: Session, value: Value, index: Value) -> Value:
+    """row(M, i)."""
+    return session.select(array_of(session, value, "row"), (index, Range(number(1), number(-1))))
+
+
+def column(session: Session, value: Value, index: Value) -> Value:
+    """col(M, j)."""
+    return session.select(array_of(session, value, "col"), (Range(number(1), number(-1)), index))
+
+
+def dimensions(which: int | None) -> Command:
+    """Return RowDimension, ColumnDimension or Dimension."""
+
+    def command(session: Session, value: Value) -> Value:
+        array = array_of(session, value, "Dimension")
+        if which is not None:
+            return number((array.rows, array.columns)[which])
+        if "ector" in array.kind:
+            return number(len(array.entries))
+        return sequence([number(array.rows), number(array.columns)])
+
+    return command
+
+
+def diagonal(session: Session, *values: Value) -> Value:
+    """DiagonalMatrix([..]), diag(..)."""
+    items = [each for value in values for each in (parts_of(session.resolve(value)) or (value,))]
+    made = identity(len(items))
+    for i, item in enumerate(items):
+        made.entries[i * made.columns + i] = item
+    return made
+
+
+def identity_matrix(session: Session, size: Value, *rest: Value) -> Value:
+    """IdentityMatrix(n)."""
+    count = as_integer(size) or 0
+    session.limits.check_items(count * count)
+    return identity(count)
+
+
+def zero_matrix(session: Session, rows: Value, columns: Value | None = None) -> Value:
+    """ZeroMatrix(n, m)."""
+    return _filled(session, as_integer(rows) or 0, as_integer(columns or rows) or 0, None, "Matrix")
+
+
+def generate_matrix(kind: str) -> Command:
+    """Return GenerateMatrix or genmatrix: the coefficients of linear equations, and their right sides."""
+
+    def command(session: Session, equations: Value, unknowns: Value, *options: Value) -> Value:
+        found, names = session.resolve(equations), session.resolve(unknowns)
+        items = found.entries if isinstance(found, Array) else list(parts_of(found))
+        variables = [
+            scalar(session, each) for each in (names.entries if isinstance(names, Array) else parts_of(names))
+        ]
+        residuals = [_residual(session, session.current(each)) for each in items]
+        slopes = jacobian(residuals, variables)
+        entries: list[Value] = [slopes[i, j] for i in range(len(residuals)) for j in range(len(variables))]
+        if any(isinstance(e, Expr) and e.free_symbols & set(variables) for e in entries):
+            raise WorksheetError("GenerateMatrix: the equations are not linear in the unknowns")
+        zero = dict.fromkeys(variables, number(0))
+        right: list[Value] = [-each.subs(zero) for each in residuals]
+        matrix = Array(len(residuals), len(variables), entries, kind)
+        vector = Array(len(right), 1, right, "Vector" if kind == "Matrix" else "vector")
+        return sequence([matrix, vector])
+
+    return command
+
+
+def _residual(session: Session, equation: Value) -> Expr:
+    if isinstance(equation, Relation):
+        return scalar(session, equation.left) - scalar(session, equation.right)
+    return scalar(session, equation)
+
+
+def linear_solve(session: Session, matrix: Value, right: Value, *options: Value) -> Value:
+    """LinearSolve(A, b)."""
+    array = array_of(session, matrix, "LinearSolve")
+    column_ = array_of(session, right, "LinearSolve")
+    return matrix_product(session, inverted(array), column_)
+
+
+def rank(session: Session, value: Value) -> Value:
+    """Rank(M)."""
+    return number(Matrix(_rows(array_of(session, value, "Rank"))).rank())
+
+
+def old_kind(function: Callable[..., Value]) -> Command:
+    """Return a command whose result is a matrix of the old kind."""
+
+    def command(session: Session, *arguments: Value) -> Value:
+        made = function(session, *arguments)
+        if isinstance(made, Array) and not made.kind.islower():
+            return replace(made, kind="matrix" if made.kind == "Matrix" else "vector")
+        return made
+
+    return command
+
+
+COMMANDS: dict[str, Command] = {
+    "Matrix": _matrix_command("Matrix"),
+    "matrix": _matrix_command("matrix"),
+    "Vector": _vector_command("Vector"),
+    "vector": _vector_command("vector"),
+    "array": array_command,
+    "Array": array_command,
+}
+
+_NEW: dict[str, Command] = {
+    "Transpose": transpose,
+    "MatrixInverse": inverse,
+    "Determinant": determinant,
+    "Trace": trace,
+    "Multiply": multiply,
+    "MatrixMatrixMultiply": multiply,
+    "MatrixVectorMultiply": multiply,
+    "Add": matrix_sum,
+    "MatrixAdd": matrix_sum,
+    "ScalarMultiply": scaled,
+    "CrossProduct": cross,
+    "DotProduct": dot,
+    "Norm": norm,
+    "VectorNorm": norm,
+    "SubMatrix": sub_matrix,
+    "SubVector": lambda session, value, index: session.select(
+        array_of(session, value, "SubVector"), (index,)
+    ),
+    "Row": row,
+    "Column": column,
+    "RowDimension": dimensions(0),
+    "ColumnDimension": dimensions(1),
+    "Dimension": dimensions(None),
+    "Dimensions": dimensions(None),
+    "DiagonalMatrix": diagonal,
+    "IdentityMatrix": identity_matrix,
+    "ZeroMatrix": zero_matrix,
+    "GenerateMatrix": generate_matrix("Matrix"),
+    "LinearSolve": linear_solve,
+    "Rank": rank,
+}
+
+_OLD: dict[str, Command] = {
+    "transpose": transpose,
+    "inverse": inverse,
+    "det": determinant,
+    "trace": trace,
+    "multiply": multiply,
+    "matadd": matrix_sum,
+    "scalarmul": scaled,
+    "crossprod": cross,
+    "dotprod": dot,
+    "innerprod": dot,
+    "norm": norm,
+    "submatrix": sub_matrix,
+    "row": row,
+    "col": column,
+    "rowdim": dimensions(0),
+    "coldim": dimensions(1),
+    "vectdim": dimensions(None),
+    "diag": old_kind(diagonal),
+    "genmatrix": generate_matrix("matrix"),
+    "linsolve": linear_solve,
+    "rank": rank,
+}
+
+PACKAGES: dict[str, dict[str, Command]] = {
+    "LinearAlgebra": _NEW,
+    "linalg": _OLD | {"matrix": COMMANDS["matrix"], "vector": COMMANDS["vector"]},
+    "ArrayTools": {},
+}
+
+COMMANDS |= {"norm": norm, "transpose": transpose}

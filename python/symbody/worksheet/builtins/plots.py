@@ -1,0 +1,314 @@
+"""Drawings: plot, display, and the pieces of plottools."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.errors import SymbodyError, WorksheetError
+from symbody.symbolic import Expr
+from symbody.worksheet.drawing import Piece, pieces_of
+from symbody.worksheet.numeric import as_float, decimal
+from symbody.worksheet.session import Command, Session
+from symbody.worksheet.value import (
+    NULL,
+    Array,
+    Boolean,
+    Builtin,
+    Listed,
+    MapleSet,
+    Plot,
+    ProcedureValue,
+    Range,
+    Relation,
+    Sequence,
+    String,
+    Value,
+)
+
+__all__ = ["COMMANDS", "PACKAGES"]
+
+_POINTS = 100
+_COLORS = {
+    "red",
+    "green",
+    "blue",
+    "black",
+    "cyan",
+    "magenta",
+    "yellow",
+    "orange",
+    "gray",
+    "grey",
+    "brown",
+    "purple",
+}
+
+
+def plot(session: Session, *arguments: Value) -> Value:
+    """plot(f, x = a..b [, options]): curves of expressions, of lists of points, or of [f, g, t = a..b]."""
+    if not arguments:
+        raise WorksheetError("plot: expected an expression and a range, such as plot(sin(x), x = 0..1)")
+    what, *rest = arguments
+    options = _options(session, rest)
+    span = next((each for each in rest if _is_span(each)), None)
+    found = session.current(session.resolve(what)) if not _is_function(session, what) else what
+    curves = _curves(session, found, span, options)
+    return Plot("curves", tuple(curves), tuple(options.items()))
+
+
+def _is_span(value: Value) -> bool:
+    return isinstance(value, Range) or (isinstance(value, Relation) and isinstance(value.right, Range))
+
+
+def _is_function(session: Session, value: Value) -> bool:
+    return isinstance(session.resolve(value), ProcedureValue | Builtin)
+
+
+def _options(session: Session, arguments: list[Value]) -> dict[str, Value]:
+    """Return options by name; those that change nothing here are ignored."""
+    return {
+        str(each.left): each.right
+        for each in arguments
+        if isinstance(each, Relation) and each.operator == "=" and not isinstance(each.right, Range)
+    }
+
+
+def _curves(session: Session, what: Value, span: Value | None, options: dict[str, Value]) -> list[Piece]:
+    color = _color(session, options)
+    points = _points(session, what)
+    if points is not None:
+        kind = "points" if str(options.get("style", "")).lower() == "point" else "curve"
+        return [Piece(kind, points, (), color)]
+    if isinstance(what, Listed | MapleSet | Sequence):
+        last = what.items[-1] if what.items else None
+        if isinstance(what, Listed) and len(what.items) == 3 and last is not None and _is_span(last):
+            return [_parametric(session, what, options)]
+        return [piece for item in what.items for piece in _curves(session, item, span, options)]
+    variable, first, last_value = _span(session, span, what)
+    x = np.linspace(first, last_value, _count(session, options))
+    y = np.array([_at(session, what, variable, each) for each in x])
+    return [Piece("curve", np.column_stack([x, y]), (str(variable or ""), session.text(what)[:60]), color)]
+
+
+def _parametric(session: Session, what: Listed, options: dict[str, Value]) -> Piece:
+    """Return the curve of [f, g, t = a..b]."""
+    f, g, span = what.items
+    variable, first, last = _span(session, span, f)
+    times = np.linspace(first, last, _count(session, options))
+    columns = [[_at(session, each, variable, time) for time in times] for each in (f, g)]
+    return Piece("curve", np.array(columns).T, (), _color(session, options))
+
+
+def _count(session: Session, options: dict[str, Value]) -> int:
+    count = int(_float(session, options["numpoints"])) if "numpoints" in options else _POINTS
+    session.limits.check_items(count)
+    return max(count, 2)
+
+
+def _span(session: Session, span: Value | None, what: Value) -> tuple[Expr | None, float, float]:
+    variable: Expr | None = None
+    if isinstance(span, Relation):
+        if isinstance(span.left, Expr):
+            variable = span.left
+        span = span.right
+    if variable is None and isinstance(what, Expr):
+        free = sorted(what.free_symbols, key=str)
+        variable = free[0] if len(free) == 1 else None
+    if not isinstance(span, Range):
+        return variable, -10.0, 10.0
+    return variable, _float(session, span.start), _float(session, span.stop)
+
+
+def _at(session: Session, what: Value, variable: Expr | None, x: float) -> float:
+    """Return the value of an expression, or of a function, at a number; nothing is drawn where there is none."""
+    session.limits.check()
+    try:
+        if isinstance(what, Expr):
+            return float(what.evaluate({} if variable is None else {variable: x}))
+        found = session.current(session.call(what, (decimal(x),)))
+        return float(found.evaluate({})) if isinstance(found, Expr) else math.nan
+    except (SymbodyError, ArithmeticError):
+        return math.nan
+
+
+def _float(session: Session, value: Value) -> float:
+    found = session.current(value)
+    number = as_float(found) if isinstance(found, Expr) else None
+    if number is None:
+        raise WorksheetError(
+            f"plot: {session.text(found)[:60]} is no number; give all names in drawings a value"
+        )
+    return number
+
+
+def _points(session: Session, value: Value) -> NDArray[np.float64] | None:
+    """Return the points of a list of points, or of a matrix of two or three columns; None for what is none."""
+    found = session.resolve(value)
+    if isinstance(found, Array) and found.columns in {2, 3}:
+        numbers = [_float(session, each) for each in found.entries]
+        return np.array(numbers).reshape(found.rows, found.columns)
+    if not isinstance(found, Listed) or not found.items:
+        return None
+    rows = [session.current(session.resolve(each)) for each in found.items]
+    if not all(isinstance(row, Listed) and len(row.items) in {2, 3} for row in rows):
+        return None
+    if any(_is_span(item) for row in rows if isinstance(row, Listed) for item in row.items):
+        return None
+    return np.array(
+        [[_float(session, item) for item in row.items] for row in rows if isinstance(row, Listed)]
+    )
+
+
+def _color(session: Session, options: dict[str, Value]) -> str:
+    value = options.get("color", options.get("colour"))
+    name = value.text if isinstance(value, String) else "" if value is None else session.text(value)
+    return name.lower() if name.lower() in _COLORS else ""
+
+
+def display(session: Session, *arguments: Value) -> Value:
+    """plots[display]([p, q, ...] [, insequence = true]): drawings over each other, or one after the other."""
+    plots = [each for argument in arguments for each in _plots(session, argument)]
+    options = _options(session, list(arguments))
+    moves = options.get("insequence") == Boolean(truth=True)
+    data = tuple(plots) if moves else tuple(piece for each in plots for piece in pieces_of(each))
+    inner = {name: value for each in plots for name, value in each.options}
+    return Plot("animation" if moves else "curves", data, tuple((inner | options).items()))
+
+
+def _plots(session: Session, value: Value) -> list[Plot]:
+    found = session.resolve(value)
+    if isinstance(found, Listed | MapleSet | Sequence):
+        return [each for item in found.items for each in _plots(session, item)]
+    return [found] if isinstance(found, Plot) else []
+
+
+def animate(session: Session, what: Value, *arguments: Value) -> Value:
+    """plots[animate](f, [arguments], q = a..b), or animate(f(x, q), x = .., q = a..b): a drawing that moves."""
+    spans = [each for each in arguments if isinstance(each, Relation) and isinstance(each.right, Range)]
+    if not spans:
+        raise WorksheetError("animate: expected a range of the variable that moves, such as q = 0..1")
+    options = _options(session, list(arguments))
+    variable, first, last = _span(session, spans[-1], what)
+    count = int(_float(session, options.get("frames", decimal(25.0))))
+    session.limits.check_items(count)
+    pictures = []
+    for value in np.linspace(first, last, max(count, 2)):
+        mapping = {} if variable is None else {variable: decimal(float(value))}
+        inner = next((each for each in arguments if isinstance(each, Listed)), None)
+        if inner is None:
+            shown = plot(session, _with(session, what, mapping), *spans[:-1])
+        else:
+            shown = session.call(what, tuple(_with(session, each, mapping) for each in inner.items))
+        pictures += _plots(session, shown)
+    return Plot("animation", tuple(pictures), tuple(options.items()))
+
+
+def _with(session: Session, value: Value, mapping: dict[Expr, Expr]) -> Value:
+    found = session.current(value)
+    if isinstance(found, Expr):
+        return found.subs(mapping) if mapping else found
+    if isinstance(found, Listed):
+        return Listed(tuple(_with(session, each, mapping) for each in found.items))
+    if isinstance(found, Relation):
+        return Relation(found.operator, found.left, _with(session, found.right, mapping))
+    if isinstance(found, Range):
+        return Range(_with(session, found.start, mapping), _with(session, found.stop, mapping))
+    return found
+
+
+def textplot(session: Session, what: Value, *arguments: Value) -> Value:
+    """plots[textplot]([x, y, text]): a text at a place, or several of them."""
+    found = session.current(what)
+    items = list(found.items) if isinstance(found, Listed | MapleSet) else []
+    if items and all(isinstance(each, Listed) for each in items):
+        return Plot("curves", tuple(p for each in items for p in pieces_of(_one_text(session, each))))
+    return _one_text(session, found)
+
+
+def _one_text(session: Session, value: Value) -> Plot:
+    items = value.items if isinstance(value, Listed) else ()
+    if len(items) < 3:
+        raise WorksheetError("textplot: expected [x, y, text]")
+    *place, text = items
+    shown = text.text if isinstance(text, String) else session.text(text)
+    return Plot("curves", (Piece("text", np.array([[_float(session, each) for each in place]]), (shown,)),))
+
+
+# --- plottools ---
+
+
+def _shape(
+    kind: str, outline: Callable[[Session, tuple[Value, ...]], NDArray[np.float64]], usage: str
+) -> Command:
+    def shape(session: Session, *arguments: Value) -> Value:
+        options = _options(session, list(arguments))
+        plain = tuple(each for each in arguments if not isinstance(each, Relation))
+        try:
+            points = outline(session, plain)
+        except (IndexError, ValueError) as fault:
+            raise WorksheetError(f"expected {usage}") from fault
+        return Plot("curves", (Piece(kind, points, (), _color(session, options)),), tuple(options.items()))
+
+    shape.__doc__ = usage
+    return shape
+
+
+def _place(session: Session, value: Value) -> NDArray[np.float64]:
+    found = session.resolve(value)
+    items = found.items if isinstance(found, Listed) else found.entries if isinstance(found, Array) else ()
+    return np.array([_float(session, each) for each in items])
+
+
+def _polyline(session: Session, arguments: tuple[Value, ...]) -> NDArray[np.float64]:
+    points = _points(session, arguments[0])
+    return np.array([_place(session, each) for each in arguments[:2]]) if points is None else points
+
+
+def _arc(session: Session, arguments: tuple[Value, ...]) -> NDArray[np.float64]:
+    center = _place(session, arguments[0])
+    radius = _float(session, arguments[1]) if len(arguments) > 1 and isinstance(arguments[1], Expr) else 1.0
+    angles = np.linspace(0, 2 * math.pi, 49)
+    ring = radius * np.column_stack([np.cos(angles), np.sin(angles)])
+    if len(center) == 2:
+        return ring + center
+    flat = np.column_stack([ring, np.zeros(len(ring))])
+    rings = [center + flat, center + flat[:, [0, 2, 1]], center + flat[:, [2, 0, 1]]]
+    return np.concatenate(rings)
+
+
+def _rectangle(session: Session, arguments: tuple[Value, ...]) -> NDArray[np.float64]:
+    (a, b), (c, d) = (_place(session, each) for each in arguments[:2])
+    return np.array([[a, b], [c, b], [c, d], [a, d], [a, b]])
+
+
+COMMANDS: dict[str, Command] = {"plot": plot}
+_PLOTS: dict[str, Command] = {
+    "display": display,
+    "display3d": display,
+    "animate": animate,
+    "textplot": textplot,
+    "textplot3d": textplot,
+    "pointplot": _shape("points", _polyline, "pointplot([[x, y], ...])"),
+    "pointplot3d": _shape("points", _polyline, "pointplot3d([[x, y, z], ...])"),
+    "polygonplot": _shape("area", _polyline, "polygonplot([[x, y], ...])"),
+    "spacecurve": _shape("curve", _polyline, "spacecurve([[x, y, z], ...])"),
+    "setoptions": lambda session, *arguments: NULL,
+    "setoptions3d": lambda session, *arguments: NULL,
+}
+_TOOLS: dict[str, Command] = {
+    "line": _shape("curve", _polyline, "line([x, y], [x, y])"),
+    "curve": _shape("curve", _polyline, "curve([[x, y], ...])"),
+    "polygon": _shape("area", _polyline, "polygon([[x, y], ...])"),
+    "point": _shape("points", lambda s, a: np.atleast_2d(_place(s, a[0])), "point([x, y])"),
+    "disk": _shape("area", _arc, "disk([x, y], radius)"),
+    "circle": _shape("curve", _arc, "circle([x, y], radius)"),
+    "sphere": _shape("curve", _arc, "sphere([x, y, z], radius)"),
+    "rectangle": _shape("area", _rectangle, "rectangle([x1, y1], [x2, y2])"),
+    "arrow": _shape("curve", _polyline, "arrow([x, y], [x, y], width, head width, head length)"),
+    "cylinder": _shape("curve", _polyline, "cylinder([x, y, z], [x, y, z], radius)"),
+}
+PACKAGES: dict[str, dict[str, Command]] = {"plots": _PLOTS, "plottools": _TOOLS}

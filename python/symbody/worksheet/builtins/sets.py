@@ -1,0 +1,52 @@
+"""Union, difference and intersection: of sets, and of lists as MBSymba has it."""
+
+from __future__ import annotations
+
+from symbody.errors import WorksheetError
+from symbody.worksheet.condition import equal
+from symbody.worksheet.current import set_of
+from symbody.worksheet.session import Command, Session
+from symbody.worksheet.value import Array, Boolean, Listed, MapleSet, Sequence, Value
+
+__all__ = ["COMMANDS", "joined_by"]
+
+
+def joined_by(session: Session, operator: str, left: Value, right: Value) -> Value:
+    """Return ``left operator right`` for union, minus, intersect and subset; lists keep their order."""
+    a, b = (_items(session, operator, each) for each in (left, right))
+    ordered = isinstance(session.resolve(left), Listed)
+    if operator == "union":
+        return Listed((*a, *b)) if ordered else set_of([*a, *b])
+    if operator == "subset":
+        return Boolean(all(_inside(session, each, b) for each in a))
+    keeps = operator == "intersect"
+    items = [each for each in a if _inside(session, each, b) is keeps]
+    return Listed(tuple(items)) if ordered else set_of(items)
+
+
+def _inside(session: Session, item: Value, items: tuple[Value, ...]) -> bool:
+    return any(equal(session, item, each) for each in items)
+
+
+def _items(session: Session, operator: str, value: Value) -> tuple[Value, ...]:
+    found = session.resolve(value)
+    if isinstance(found, MapleSet | Listed | Sequence):
+        return found.items
+    if isinstance(found, Array):
+        return tuple(session.current(each) for each in found.entries)
+    raise WorksheetError(f"{operator}: {session.text(value)[:60]} is neither a set nor a list")
+
+
+def _command(operator: str) -> Command:
+    def command(session: Session, *values: Value) -> Value:
+        if not values:
+            return MapleSet(())
+        total = values[0]
+        for value in values[1:]:
+            total = joined_by(session, operator, total, value)
+        return total
+
+    return command
+
+
+COMMANDS: dict[str, Command] = {name: _command(name) for name in ("union", "minus", "intersect")}

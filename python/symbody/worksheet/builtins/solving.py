@@ -1,0 +1,187 @@
+"""Solving equations, in symbols and in numbers."""
+
+from __future__ import annotations
+
+from symbody.errors import WorksheetError
+from symbody.symbolic import Expr
+from symbody.symbolic.roots.solutions import solutions as all_solutions
+from symbody.worksheet.arithmetic import scalar
+from symbody.worksheet.current import set_of
+from symbody.worksheet.naming import symbol
+from symbody.worksheet.numeric import as_float, decimal
+from symbody.worksheet.root_finding import newton
+from symbody.worksheet.session import Command, Session, sequence
+from symbody.worksheet.value import NULL, Array, Listed, MapleSet, Range, Relation, Sequence, Value
+
+__all__ = ["COMMANDS", "residuals_of", "solutions"]
+
+
+def residuals_of(session: Session, equations: Value) -> list[Expr]:
+    """Return what is to be zero: of equations, lists of them, vectors."""
+    found = session.resolve(equations)
+    if isinstance(found, Listed | MapleSet | Sequence):
+        return [each for item in found.items for each in residuals_of(session, item)]
+    if isinstance(found, Array):
+        return [each for item in found.entries for each in residuals_of(session, session.current(item))]
+    if isinstance(found, Relation):
+        left, right = session.resolve(found.left), session.resolve(found.right)
+        if isinstance(left, Listed | Array) and isinstance(right, Listed | Array):
+            pairs = zip(_entries(left), _entries(right), strict=True)
+            return [each for pair in pairs for each in residuals_of(session, Relation("=", *pair))]
+        if isinstance(left, Array):
+            return [scalar(session, each) - scalar(session, right) for each in left.entries]
+        return [scalar(session, found.left) - scalar(session, found.right)]
+    return [scalar(session, equations)]
+
+
+def _entries(value: Listed | Array) -> tuple[Value, ...]:
+    return value.items if isinstance(value, Listed) else tuple(value.entries)
+
+
+def unknowns_of(session: Session, value: Value | None, residuals: list[Expr]) -> list[Expr]:
+    """Return the unknowns that are given, or all symbols."""
+    if value is None:
+        found = {each for residual in residuals for each in residual.free_symbols}
+        return sorted(found, key=str)
+    held = session.resolve(value)
+    if isinstance(held, Listed | MapleSet | Sequence):
+        return [each for item in held.items for each in unknowns_of(session, item, residuals)]
+    if isinstance(held, Array):
+        return [scalar(session, each) for each in held.entries]
+    return [scalar(session, value)]
+
+
+def solutions(session: Session, residuals: list[Expr], unknowns: list[Expr]) -> list[dict[Expr, Expr]]:
+    """Return all solutions that are found; unknowns that stay free are themselves."""
+    session.limits.check()
+    found = all_solutions([each for each in residuals if not each.is_zero], unknowns)
+    return [{each: solution.get(each, each) for each in unknowns} for solution in found]
+
+
+def solve(session: Session, equations: Value, unknowns: Value | None = None, *options: Value) -> Value:
+    """solve(equations, unknowns): a value of one unknown, sets of equations for a set, a list of lists for a list."""
+    residuals = residuals_of(session, equations)
+    wanted = unknowns_of(session, unknowns, residuals)
+    found = solutions(session, residuals, wanted)
+    if not found:
+        session.notice("solve: no solution was found; the result is NULL")
+    given = session.resolve(unknowns) if unknowns is not None else None
+    several = isinstance(session.resolve(equations), MapleSet | Listed)
+    if isinstance(given, Listed):
+        return Listed(tuple(Listed(_equations(each, wanted)) for each in found))
+    if isinstance(given, MapleSet | Sequence) or (
+        several and not (given is None and len(wanted) == 1 and not several)
+    ):
+        return sequence([set_of(_equations(each, wanted)) for each in found])
+    if given is None and len(wanted) > 1:
+        return sequence([set_of(_equations(each, wanted)) for each in found])
+    return sequence([each[wanted[0]] for each in found]) if wanted else NULL
+
+
+def _equations(solution: dict[Expr, Expr], unknowns: list[Expr]) -> tuple[Value, ...]:
+    return tuple(Relation("=", each, solution[each]) for each in unknowns)
+
+
+def allvalues(session: Session, *values: Value) -> Value:
+    """allvalues(e): all branches; solve has returned them already."""
+    return sequence(list(values))
+
+
+def fsolve(session: Session, equations: Value, unknowns: Value | None = None, *options: Value) -> Value:
+    """fsolve(equations, unknowns [, ranges]): a solution in numbers, inside ranges if these are given."""
+    residuals = residuals_of(session, equations)
+    ranges = _ranges(session, unknowns, options)
+    starts = _starts(session, unknowns, options)
+    wanted = [*starts, *(each for each in ranges if each not in starts)]
+    if not wanted:
+        wanted = (
+            unknowns_of(session, unknowns, residuals)
+            if unknowns is not None and not starts
+            else unknowns_of(session, None, residuals)
+        )
+    others = {each for residual in residuals for each in residual.free_symbols} - set(wanted)
+    if others:
+        names = ", ".join(sorted(session.text(each) for each in others))
+        raise WorksheetError(
+            f"fsolve: {names} {'is' if len(others) == 1 else 'are'} in the equations but solved for"
+        )
+    values = newton(
+        residuals, wanted, [starts.get(each) for each in wanted], [ranges.get(each) for each in wanted]
+    )
+    if values is None:
+        session.notice("fsolve: no solution was found")
+        return NULL
+    found = {each: decimal(value) for each, value in zip(wanted, values, strict=True)}
+    given = session.resolve(unknowns) if unknowns is not None else None
+    if isinstance(session.resolve(equations), MapleSet | Listed) or isinstance(given, MapleSet | Listed):
+        made = _equations(found, wanted)
+        return Listed(made) if isinstance(given, Listed) else set_of(made)
+    return found[wanted[0]]
+
+
+def _ranges(
+    session: Session, unknowns: Value | None, options: tuple[Value, ...]
+) -> dict[Expr, tuple[float, float]]:
+    found: dict[Expr, tuple[float, float]] = {}
+    for value in ([unknowns] if unknowns is not None else []) + list(options):
+        items = value.items if isinstance(value, Listed | MapleSet) else (value,)
+        for item in items:
+            if isinstance(item, Relation) and isinstance(item.right, Range):
+                found[scalar(session, item.left)] = _bounds(session, item.right)
+            elif isinstance(item, Range) and unknowns is not None:
+                for each in unknowns_of(session, unknowns, []):
+                    found[each] = _bounds(session, item)
+    return found
+
+
+def _bounds(session: Session, given: Range) -> tuple[float, float]:
+    low, high = (as_float(scalar(session, each)) for each in (given.start, given.stop))
+    return (-1e3 if low is None else low, 1e3 if high is None else high)
+
+
+def _starts(session: Session, unknowns: Value | None, options: tuple[Value, ...]) -> dict[Expr, float]:
+    found: dict[Expr, float] = {}
+    items = (
+        unknowns.items if isinstance(unknowns, Listed | MapleSet) else () if unknowns is None else (unknowns,)
+    )
+    for item in items:
+        if isinstance(item, Relation) and not isinstance(item.right, Range):
+            value = as_float(scalar(session, item.right))
+            if value is not None:
+                found[scalar(session, item.left)] = value
+    return found
+
+
+def assign(session: Session, *solutions: Value) -> Value:
+    """assign(solution): each name on the left gets the value on the right."""
+    if len(solutions) == 2 and isinstance(solutions[0], Expr):
+        solutions = (Relation("=", solutions[0], solutions[1]),)
+    for solution in solutions:
+        found = session.resolve(solution)
+        items = found.items if isinstance(found, Listed | MapleSet | Sequence) else (found,)
+        for item in items:
+            if isinstance(item, Listed | MapleSet):
+                assign(session, item)
+            elif isinstance(item, Relation):
+                _assign_one(session, scalar(session, item.left), item.right)
+    return NULL
+
+
+def _assign_one(session: Session, left: Expr, right: Value) -> None:
+    if left.kind == "symbol":
+        session.assign(left.name, right)
+    elif left.kind in ("time_function", "application") and not (left.kind == "time_function" and left.order):
+        arguments = left.args or (symbol("t"),)
+        session.remember(left.name, tuple(arguments), right)
+    else:
+        raise WorksheetError(
+            f"assign: {session.text(left)[:60]} can't be assigned; expected a name or a function"
+        )
+
+
+COMMANDS: dict[str, Command] = {
+    "solve": solve,
+    "allvalues": allvalues,
+    "fsolve": fsolve,
+    "assign": assign,
+}

@@ -1,0 +1,392 @@
+"""The structure of values: parts, counts, what occurs in what, functions on each part."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+
+from symbody.errors import WorksheetError
+from symbody.symbolic import Expr, number
+from symbody.worksheet.arithmetic import scalar
+from symbody.worksheet.condition import compared, is_type, truth
+from symbody.worksheet.current import flattened, set_of
+from symbody.worksheet.entrywise import parts_of, with_parts
+from symbody.worksheet.naming import symbol
+from symbody.worksheet.numeric import as_integer
+from symbody.worksheet.print import sort_key
+from symbody.worksheet.session import Command, Session, sequence
+from symbody.worksheet.structure import Tree, leaves, tree_of, walk
+from symbody.worksheet.value import (
+    Array,
+    Boolean,
+    Listed,
+    MapleSet,
+    ProcedureValue,
+    Range,
+    Reference,
+    Relation,
+    Sequence,
+    String,
+    Table,
+    Unevaluated,
+    Value,
+)
+
+__all__ = ["COMMANDS", "elementwise", "items_of", "operands"]
+
+
+def operands(session: Session, value: Value) -> tuple[Value, ...]:
+    """Return the operands of a value: of a scalar, those of the printed structure."""
+    if isinstance(value, Expr):
+        return tuple(part.value for part in _parts(tree_of(value)))
+    if isinstance(value, Reference):
+        return (session.resolve(value),)
+    if isinstance(value, Array):
+        return tuple(session.current(each) for each in value.entries)
+    if isinstance(value, Table):
+        return (Listed(tuple(Relation("=", _key(key), entry) for key, entry in value.entries.items())),)
+    return parts_of(value) or ((value,) if isinstance(value, String | Boolean) else ())
+
+
+def _key(key: tuple[Value, ...]) -> Value:
+    return key[0] if len(key) == 1 else Sequence(key)
+
+
+def _parts(tree: Tree) -> tuple[Tree, ...]:
+    if tree.kind == "number":
+        numerator, denominator = tree.value.ratio
+        if denominator != 1 and not tree.value.is_decimal:
+            return tree_of(number(numerator)), tree_of(number(denominator))
+        return (tree,)
+    return tree.parts or (tree,)
+
+
+def op(session: Session, first: Value, *rest: Value) -> Value:
+    """op(e), op(i, e), op(i..j, e), op(0, e), op([i, j], e)."""
+    if not rest:
+        return sequence([session.current(each) for each in operands(session, first)])
+    value = sequence(list(rest))
+    if isinstance(first, Listed):
+        for each in first.items:
+            value = op(session, each, value)
+        return value
+    parts = operands(session, value)
+    if isinstance(first, Range):
+        bounds = as_integer(first.start), as_integer(first.stop)
+        if bounds[0] is None or bounds[1] is None:
+            raise WorksheetError("op: a range whose bounds aren't integers")
+        low, high = (each if each >= 0 else len(parts) + 1 + each for each in (bounds[0], bounds[1]))
+        return sequence(list(parts[max(low, 1) - 1 : high]))
+    place = as_integer(first)
+    if place is None:
+        raise WorksheetError(f"op: {session.text(first)[:60]} is not an integer")
+    if place == 0:
+        return _head(value)
+    if not 0 < abs(place) <= len(parts):
+        raise WorksheetError(f"op: improper op or subscript selector: {place} of {len(parts)} operands")
+    return session.current(parts[place - 1 if place > 0 else place])
+
+
+def _head(value: Value) -> Value:
+    if isinstance(value, Expr):
+        tree = tree_of(value)
+        names = {"sum": "+", "product": "*", "power": "^", "derivative": "diff", "name": "symbol"}
+        if tree.kind == "number":
+            return symbol("Integer" if value.ratio[1] == 1 else "Fraction")
+        return symbol(tree.name if tree.kind == "function" else names[tree.kind])
+    if isinstance(value, Unevaluated):
+        return value.function
+    if isinstance(value, Relation):
+        return symbol(value.operator)
+    names_of = {
+        Listed: "list",
+        MapleSet: "set",
+        String: "string",
+        Range: "..",
+        Table: "table",
+        Array: "Array",
+    }
+    return symbol(names_of.get(type(value), "symbol"))
+
+
+def nops(session: Session, value: Value) -> Value:
+    """nops(e): the number of operands."""
+    found = session.resolve(value)
+    return number(len(operands(session, found)))
+
+
+def has(session: Session, value: Value, part: Value) -> Value:
+    """has(e, x), has(e, [x, y]): whether x, or one of several, occurs."""
+    wanted = list(part.items) if isinstance(part, Listed | MapleSet) else [part]
+    return Boolean(any(_occurs(session, value, each) for each in wanted))
+
+
+def _occurs(session: Session, value: Value, part: Value) -> bool:
+    if value == part:
+        return True
+    if isinstance(value, Expr):
+        if not isinstance(part, Expr | Reference):
+            return False
+        wanted = scalar(session, part)
+        if wanted.kind == "symbol":
+            return any(
+                wanted.name in (node.name, _function_name(node)) for node in walk(tree_of(value)) if node.name
+            )
+        return any(node.value == wanted for node in walk(tree_of(value)))
+    found = session.resolve(value)
+    if isinstance(found, Table):
+        return any(_occurs(session, entry, part) for entry in found.entries.values())
+    if isinstance(found, Array):
+        return any(_occurs(session, session.current(each), part) for each in found.entries)
+    return any(_occurs(session, each, part) for each in parts_of(found))
+
+
+def _function_name(node: Tree) -> str:
+    return node.name if node.kind == "function" else ""
+
+
+def depends(session: Session, value: Value, part: Value) -> Value:
+    """depends(e, x): as has."""
+    return has(session, value, part)
+
+
+def indets(session: Session, value: Value, kind: Value | None = None) -> Value:
+    """indets(e), indets(e, 'function'): names and functions that occur; those of a type."""
+    found: list[Value] = []
+    for each in _scalars(session, value):
+        if kind is None:
+            found.extend(leaf for leaf in leaves(each) if not leaf.is_number)
+        else:
+            found.extend(node.value for node in walk(tree_of(each)) if is_type(session, node.value, kind))
+    return set_of(each for each in found if not (isinstance(each, Expr) and each.kind == "constant"))
+
+
+def _scalars(session: Session, value: Value) -> Iterable[Expr]:
+    if isinstance(value, Expr):
+        yield value
+        return
+    found = session.resolve(value)
+    parts = (
+        found.entries.values()
+        if isinstance(found, Table)
+        else found.entries
+        if isinstance(found, Array)
+        else parts_of(found)
+    )
+    for part in parts:
+        if not isinstance(part, Reference):
+            yield from _scalars(session, session.current(part))
+
+
+def items_of(session: Session, value: Value) -> tuple[Value, ...]:
+    """Return what a loop over a value goes through."""
+    found = session.resolve(value)
+    if isinstance(found, Table):
+        return tuple(session.current(each) for each in found.entries.values())
+    if isinstance(found, Listed | MapleSet | Sequence):
+        return found.items
+    if isinstance(found, String):
+        return tuple(String(letter) for letter in found.text)
+    return operands(session, found)
+
+
+# --- functions on each part -------------------------------------------------------------------------------------------
+
+
+def mapped(session: Session, function: Value, value: Value, *rest: Value) -> Value:
+    """map(f, e, ..): f of each operand."""
+    return _mapped(session, value, lambda each: session.call(function, (each, *rest)))
+
+
+def _mapped(session: Session, value: Value, function: Callable[[Value], Value]) -> Value:
+    found = session.resolve(value)
+    if isinstance(found, Array):
+        return replace(
+            found,
+            entries=[function(session.current(each)) for each in found.entries],
+            frame=None,
+            attributes=(),
+        )
+    if isinstance(found, Table):
+        return Table({key: function(entry) for key, entry in found.entries.items()})
+    if isinstance(found, Expr):
+        tree = tree_of(found)
+        if not tree.parts:
+            return function(found)
+        new = {part.value: function(part.value) for part in tree.parts}
+        return session.rebuild(found, new)
+    if parts_of(found):
+        return with_parts(found, [function(part) for part in parts_of(found)])
+    return found if isinstance(found, Listed | MapleSet | Sequence) else function(found)
+
+
+def mapped_second(session: Session, function: Value, first: Value, value: Value, *rest: Value) -> Value:
+    """map2(f, a, e): f(a, x) of each operand x of e."""
+    return _mapped(session, value, lambda each: session.call(function, (first, each, *rest)))
+
+
+def zipped(session: Session, function: Value, first: Value, second: Value) -> Value:
+    """zip(f, a, b): f of pairs of items."""
+    a, b = session.resolve(first), session.resolve(second)
+    one = list(a.entries) if isinstance(a, Array) else list(parts_of(a))
+    two = list(b.entries) if isinstance(b, Array) else list(parts_of(b))
+    made = [session.call(function, pair) for pair in zip(one, two, strict=False)]
+    if isinstance(a, Array) and len(made) == len(a.entries):
+        return replace(a, entries=made, frame=None, attributes=())
+    return Listed(tuple(made))
+
+
+def elementwise(session: Session, function: Value, arguments: tuple[Value, ...]) -> Value:
+    """Return ``f~(a, ..)``: f of each entry."""
+    for place, argument in enumerate(arguments):
+        found = session.resolve(argument)
+        if isinstance(found, Listed | MapleSet | Array | Table):
+            return _mapped_at(session, function, arguments, place, found)
+    return session.call(function, arguments)
+
+
+def _mapped_at(
+    session: Session, function: Value, arguments: tuple[Value, ...], place: int, whole: Value
+) -> Value:
+    """Return a container with a function called on each item.
+
+    Args:
+        session: the session.
+        function: the function.
+        arguments: its arguments.
+        place: which of them the item takes the place of.
+        whole: the container.
+    """
+    before, after = arguments[:place], arguments[place + 1 :]
+    return _mapped(session, whole, lambda each: session.call(function, (*before, each, *after)))
+
+
+def select(session: Session, function: Value, value: Value, *rest: Value) -> Value:
+    """select(f, e, ..): the operands for which f is true."""
+    return _selected(session, function, value, rest, wanted=True)
+
+
+def remove(session: Session, function: Value, value: Value, *rest: Value) -> Value:
+    """remove(f, e, ..): the operands for which f is not true."""
+    return _selected(session, function, value, rest, wanted=False)
+
+
+def _selected(
+    session: Session, function: Value, value: Value, rest: tuple[Value, ...], *, wanted: bool
+) -> Value:
+    """Return the operands for which a function is true, or those for which it isn't.
+
+    Args:
+        session: the session.
+        function: the function.
+        value: what has the operands.
+        rest: further arguments of the function.
+        wanted: which of them.
+    """
+
+    def keeps(each: Value) -> bool:
+        return truth(session, session.call(function, (each, *rest))) is wanted
+
+    found = session.resolve(value)
+    if isinstance(found, Expr):
+        tree = tree_of(found)
+        neutral = number(1 if tree.kind == "product" else 0)
+        chosen = [part.value for part in tree.parts if keeps(part.value)]
+        total = neutral
+        for each in chosen:
+            total = total * each if tree.kind == "product" else total + each
+        return total
+    return with_parts(found, [part for part in operands(session, found) if keeps(part)])
+
+
+def subsop(session: Session, *arguments: Value) -> Value:
+    """subsop(i = a, .., e): the i-th operand replaced."""
+    *rules, value = arguments
+    parts = list(operands(session, value))
+    for rule in rules:
+        place = as_integer(rule.left) if isinstance(rule, Relation) else None
+        if place is None or not 0 < abs(place) <= len(parts) or not isinstance(rule, Relation):
+            raise WorksheetError("subsop: expected equations of a place and a new operand, such as 2 = x")
+        parts[place - 1 if place > 0 else place] = rule.right
+    if isinstance(value, Expr):
+        old = tree_of(value).parts
+        return session.rebuild(value, {each.value: new for each, new in zip(old, parts, strict=True)})
+    return with_parts(value, flattened(parts))
+
+
+def sort(session: Session, value: Value, by: Value | None = None) -> Value:
+    """sort(L): a list in order; of a polynomial, itself."""
+    if not isinstance(value, Listed):
+        return value
+    return Listed(tuple(sorted(value.items, key=sort_key)))
+
+
+def member(session: Session, item: Value, value: Value, place: Value | None = None) -> Value:
+    """member(x, L): whether x is an item."""
+    found = compared(session, Relation("in", item, session.resolve(value)))
+    if found.truth and isinstance(place, Expr) and place.kind == "symbol":
+        items = items_of(session, value)
+        at = next(i for i, each in enumerate(items, 1) if compared(session, Relation("=", item, each)).truth)
+        session.assign(place.name, number(at))
+    return found
+
+
+def of_type(session: Session, value: Value, kind: Value) -> Value:
+    """type(e, t): whether e is of a type."""
+    return Boolean(is_type(session, value, kind))
+
+
+def whattype(session: Session, value: Value) -> Value:
+    """whattype(e): the basic type of e."""
+    if isinstance(value, Expr):
+        if value.is_number:
+            return symbol("float" if value.is_decimal else "integer" if value.ratio[1] == 1 else "fraction")
+        return _head(value)
+    if isinstance(value, Relation):
+        return symbol("equation")
+    if isinstance(value, ProcedureValue):
+        return symbol("procedure")
+    return _head(value)
+
+
+def holds(session: Session, relation: Value) -> Value:
+    """evalb(c), is(c): whether a condition holds."""
+    return Boolean(truth(session, relation))
+
+
+def side(which: str) -> Command:
+    """Return lhs or rhs."""
+
+    def command(session: Session, equation: Value) -> Value:
+        if isinstance(equation, Relation):
+            return equation.left if which == "left" else equation.right
+        if isinstance(equation, Range):
+            return equation.start if which == "left" else equation.stop
+        name = "lhs" if which == "left" else "rhs"
+        raise WorksheetError(f"{name}: {session.text(equation)[:60]} is no equation and no range")
+
+    return command
+
+
+COMMANDS: dict[str, Command] = {
+    "op": op,
+    "nops": nops,
+    "numelems": nops,
+    "has": has,
+    "depends": depends,
+    "indets": indets,
+    "map": mapped,
+    "map2": mapped_second,
+    "zip": zipped,
+    "select": select,
+    "remove": remove,
+    "subsop": subsop,
+    "sort": sort,
+    "member": member,
+    "type": of_type,
+    "whattype": whattype,
+    "evalb": holds,
+    "is": holds,
+    "lhs": side("left"),
+    "rhs": side("right"),
+}

@@ -1,0 +1,188 @@
+"""Strings and formatted printing."""
+
+from __future__ import annotations
+
+import re
+
+from symbody.errors import WorksheetError
+from symbody.symbolic import Expr, number
+from symbody.worksheet.arithmetic import scalar
+from symbody.worksheet.naming import symbol
+from symbody.worksheet.numeric import as_float, as_integer
+from symbody.worksheet.session import Command, Session
+from symbody.worksheet.value import NULL, Array, Listed, Range, String, Value
+
+__all__ = ["COMMANDS", "formatted", "unparsed"]
+
+
+def unparsed(session: Session, value: Value) -> str:
+    """Return a value as text; a name without backquotes."""
+    if isinstance(value, String):
+        return value.text
+    if isinstance(value, Expr) and value.kind == "symbol":
+        return str(value.name)
+    return session.text(value)
+
+
+_FORMAT = re.compile(
+    r"%(?P<flags>[-+ 0#{}]*)(?P<width>\d+|\*)?(?:\.(?P<precision>\d+))?(?P<long>[lhZ]*)(?P<kind>[a-zA-Z%])"
+)
+
+
+def formatted(session: Session, template: Value, values: tuple[Value, ...]) -> str:
+    """Return a text as C's printf makes it; ``%a`` writes any value."""
+    text = unparsed(session, template)
+    pending = list(values)
+
+    def piece(found: re.Match[str]) -> str:
+        kind = found["kind"]
+        if kind == "%":
+            return "%"
+        if not pending:
+            raise WorksheetError(f"printf: the format {found[0]} has no value")
+        width = found["width"] or ""
+        if width == "*":
+            width = str(as_integer(pending.pop(0)) or 0)
+        if int(width or 0) > 10_000 or int(found["precision"] or 0) > 1000:
+            raise WorksheetError(f"printf: the format {found[0]} is too wide")
+        return _piece(session, found["flags"].strip("{}"), width, found["precision"], kind, pending.pop(0))
+
+    return _FORMAT.sub(piece, text)
+
+
+def _piece(session: Session, flags: str, width: str, precision: str | None, kind: str, value: Value) -> str:
+    """Return a value in a format of C.
+
+    Args:
+        session: the session.
+        flags: ``+0`` of the format ``%+06.3f``.
+        width: its ``6``.
+        precision: its ``3``.
+        kind: its letter.
+        value: the value.
+    """
+    found = session.resolve(value)
+    if isinstance(found, Array | Listed) and kind in "dfeg":
+        items = found.entries if isinstance(found, Array) else found.items
+        return " ".join(
+            _piece(session, flags, width, precision, kind, session.current(each)) for each in items
+        )
+    point = f".{precision}" if precision is not None else ""
+    if kind in "aAsc" or kind in "qQp":
+        text = unparsed(session, value)
+        return f"%{flags.replace('0', '').replace('+', '')}{width}{point}s" % text
+    amount = as_float(scalar(session, value)) if isinstance(value, Expr) else None
+    if amount is None:
+        if kind in "di":
+            raise WorksheetError(f"printf: integer expected for %{kind}, found {session.text(value)[:60]}")
+        raise WorksheetError(f"printf: a number expected for %{kind}, found {session.text(value)[:60]}")
+    if kind in "di":
+        whole = as_integer(value)
+        if whole is None:
+            raise WorksheetError(f"printf: integer expected for %{kind}, found {session.text(value)[:60]}")
+        return f"%{flags}{width}{point}d" % whole
+    if kind in "xXo":
+        return f"%{flags}{width}{kind}" % (as_integer(value) or 0)
+    if kind in "feEgG":
+        return f"%{flags}{width}{point}{kind}" % amount
+    raise WorksheetError(f"printf: the format %{kind} is not known; expected one of %d %f %e %g %s %a")
+
+
+def printf(session: Session, template: Value, *values: Value) -> Value:
+    """printf(format, ..)."""
+    session.write(formatted(session, template, values))
+    return NULL
+
+
+def sprintf(session: Session, template: Value, *values: Value) -> Value:
+    """sprintf(format, ..): a string."""
+    return String(formatted(session, template, values))
+
+
+def nprintf(session: Session, template: Value, *values: Value) -> Value:
+    """nprintf(format, ..): a name."""
+    return symbol(formatted(session, template, values))
+
+
+def cat(session: Session, *values: Value) -> Value:
+    """cat(a, b, ..): a name, or a string if the first argument is one."""
+    text = "".join(unparsed(session, each) for each in values)
+    return String(text) if values and isinstance(values[0], String) else session.value(text)
+
+
+def length(session: Session, value: Value) -> Value:
+    """length(e): of a string, its letters; of an integer, its digits; of other values, the length of their text."""
+    if isinstance(value, String):
+        return number(len(value.text))
+    whole = as_integer(value)
+    if whole is not None:
+        return number(len(str(abs(whole))) if whole else 0)
+    return number(len(unparsed(session, value)))
+
+
+def substring(session: Session, text: Value, places: Value) -> Value:
+    """substring(s, i..j)."""
+    held = unparsed(session, text)
+    if isinstance(places, Range):
+        start, stop = as_integer(places.start) or 1, as_integer(places.stop)
+        stop = len(held) if stop is None else stop
+        start, stop = (each if each >= 0 else len(held) + 1 + each for each in (start, stop))
+        made = held[max(start, 1) - 1 : stop]
+    else:
+        place = as_integer(places) or 1
+        made = held[place - 1 : place] if place > 0 else held[place:][:1]
+    return String(made) if isinstance(text, String) else symbol(made)
+
+
+def search_text(session: Session, pattern: Value, text: Value) -> Value:
+    """searchtext(pattern, s): where a text occurs, without regard to case; 0 if it doesn't."""
+    return number(unparsed(session, text).lower().find(unparsed(session, pattern).lower()) + 1)
+
+
+def parse(session: Session, text: Value, *options: Value) -> Value:
+    """parse(s): the expression that a string holds."""
+    return session.parsed(unparsed(session, text))
+
+
+def upper(session: Session, text: Value) -> Value:
+    """StringTools[UpperCase](s)."""
+    return String(unparsed(session, text).upper())
+
+
+def lower(session: Session, text: Value) -> Value:
+    """StringTools[LowerCase](s)."""
+    return String(unparsed(session, text).lower())
+
+
+def replaced(session: Session, text: Value, old: Value, new: Value) -> Value:
+    """StringTools[SubstituteAll](s, old, new)."""
+    return String(unparsed(session, text).replace(unparsed(session, old), unparsed(session, new)))
+
+
+def split(session: Session, text: Value, separator: Value | None = None) -> Value:
+    """StringTools[Split](s, separator)."""
+    pieces = unparsed(session, text).split(unparsed(session, separator) if separator is not None else " ")
+    return Listed(tuple(String(piece) for piece in pieces))
+
+
+COMMANDS: dict[str, Command] = {
+    "printf": printf,
+    "sprintf": sprintf,
+    "nprintf": nprintf,
+    "cat": cat,
+    "length": length,
+    "substring": substring,
+    "searchtext": search_text,
+    "SearchText": search_text,
+    "parse": parse,
+}
+
+PACKAGES: dict[str, dict[str, Command]] = {
+    "StringTools": {
+        "UpperCase": upper,
+        "LowerCase": lower,
+        "SubstituteAll": replaced,
+        "Substitute": replaced,
+        "Split": split,
+    }
+}

@@ -1,0 +1,5 @@
+"""Comparing a run with the output that the worksheet's file contains."""
+
+from symbody.worksheet.check.verdict import Verdict, verdicts
+
+__all__ = ["Verdict", "verdicts"]

@@ -1,0 +1,189 @@
+"""Two printed values, the file's and the run's: equal by value, or where they differ."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterable, Mapping
+from fractions import Fraction
+
+from symbody.errors import SymbodyError
+from symbody.symbolic import Expr, free_symbols, number, subs
+from symbody.symbolic.expression.traverse import post_order
+from symbody.worksheet import syntax
+from symbody.worksheet.check.printed import NotComparable, functions_in, printed, value_of
+from symbody.worksheet.value import Listed, MapleSet, Range, Relation, Sequence, String, Unevaluated, Value
+
+__all__ = ["difference"]
+
+#: Decimals are printed with some 10 digits, fewer if ``Digits`` says so.
+_TOLERANCE = 1e-6
+
+_COUNTED = frozenset({"additions", "multiplications", "divisions", "functions", "assignments", "subscripts"})
+
+
+def difference(theirs: str, ours: str) -> str:
+    """Return where a run's output differs from the file's, or "" if it doesn't.
+
+    Raises:
+        NotComparable: one can't be read, or was cut before anything complete.
+    """
+    file, run = printed(theirs), printed(ours)
+    names = functions_in(file.expression) | functions_in(run.expression)
+    if file.name != run.name:
+        return f"the file has {file.name or 'a value'}, the run {run.name or 'a value'}"
+    if _counts(file.expression):
+        raise NotComparable(f"a count of operations, which depends on the form; ours is {ours.strip()}")
+    left, right = value_of(file.expression, names), value_of(run.expression, names)
+    return _Comparison(file.has_decimals or run.has_decimals).values(left, right, cut=file.cut)
+
+
+def _counts(expression: syntax.Expression) -> bool:
+    match expression:
+        case syntax.Name(name=name):
+            return name in _COUNTED
+        case syntax.Infix(operator="+" | "*", left=left, right=right):
+            return _counts(left) or _counts(right)
+    return False
+
+
+class _Comparison:
+    def __init__(self, has_decimals: bool) -> None:  # noqa: FBT001 - of a private class
+        self.has_decimals = has_decimals
+
+    def values(self, file: Value, run: Value, *, cut: bool) -> str:
+        """Return where two values differ; a value that was cut is compared as far as it goes."""
+        match file, run:
+            case Expr(), Expr():
+                return self._scalars(file, run)
+            case (Listed(items=left), Listed(items=right)) | (Sequence(items=left), Sequence(items=right)):
+                return self._items(left, right, cut=cut)
+            case _, Sequence(items=(first, *_)) if cut:
+                return self.values(file, first, cut=cut)
+            case MapleSet(items=left), MapleSet(items=right):
+                return self._sets(left, right, cut=cut)
+            case Unevaluated(function=kind, arguments=left), Unevaluated(function=other, arguments=right):
+                named = f"the file has {kind}(..), the run {other}(..)"
+                return named if kind != other else self._fields(left, right, cut=cut)
+        return self._others(file, run, cut=cut)
+
+    def _others(self, file: Value, run: Value, *, cut: bool) -> str:
+        match file, run:
+            case Relation(), Relation():
+                return self._relations(file, run, cut=cut)
+            case Range(), Range():
+                return self.values(file.start, run.start, cut=False) or self.values(
+                    file.stop, run.stop, cut=cut
+                )
+            case String(text=left), String(text=right):
+                return "" if left == right else f'the file has "{left}", the run "{right}"'
+        raise NotComparable(f"the file has {_kind(file)}, the run {_kind(run)}")
+
+    def _scalars(self, file: Expr, run: Expr) -> str:
+        if file == run or (self.has_decimals and _nearly_equal(file, run)):
+            return ""
+        return f"the file has {_short(file)}, the run {_short(run)}"
+
+    def _items(self, file: tuple[Value, ...], run: tuple[Value, ...], *, cut: bool) -> str:
+        if _is_column(file) != _is_column(run):
+            file, run = _flat(file), _flat(run)
+        if len(file) > len(run) or (len(file) < len(run) and not cut):
+            return f"the file has {len(file)} items, the run {len(run)}"
+        for index, (left, right) in enumerate(zip(file, run, strict=False), start=1):
+            found = self.values(left, right, cut=cut and index == len(file))
+            if found:
+                return f"[{index}] {found}"
+        return ""
+
+    def _sets(self, file: tuple[Value, ...], run: tuple[Value, ...], *, cut: bool) -> str:
+        missing = [item for item in file if not self._is_among(item, run)]
+        if missing:
+            return f"the run doesn't have {_short(missing[0])}"
+        more = [] if cut else [item for item in run if not self._is_among(item, file)]
+        return f"the file doesn't have {_short(more[0])}" if more else ""
+
+    def _is_among(self, item: Value, others: Iterable[Value]) -> bool:
+        return any(self._is_equal(item, other) for other in others)
+
+    def _is_equal(self, left: Value, right: Value) -> bool:
+        try:
+            return not self.values(left, right, cut=False)
+        except NotComparable:
+            return False
+
+    def _relations(self, file: Relation, run: Relation, *, cut: bool) -> str:
+        found = self.values(file.left, run.left, cut=False) or self.values(file.right, run.right, cut=cut)
+        sides = (file.left, file.right, run.left, run.right)
+        if found and file.operator == run.operator == "=" and all(isinstance(side, Expr) for side in sides):
+            a, b, c, d = sides
+            if a - b == c - d or a - b == d - c:  # type: ignore[operator]
+                return ""
+        return found or ("" if file.operator == run.operator else f"{file.operator} became {run.operator}")
+
+    def _fields(self, file: tuple[Value, ...], run: tuple[Value, ...], *, cut: bool) -> str:
+        """Compare the fields of an object, in any order; a frame may be shown by a name or in full."""
+        left, right = _by_name(file), _by_name(run)
+        if left is None or right is None:
+            return self._items(file, run, cut=cut)
+        for index, (name, value) in enumerate(left.items(), start=1):
+            if name not in right:
+                return f"the run has no field {name}"
+            if name == "frame" and (_is_symbol(value) or _is_symbol(right[name])):
+                continue
+            found = self.values(value, right[name], cut=cut and index == len(left))
+            if found:
+                return f"{name}: {found}"
+        more = [] if cut else [name for name in right if name not in left and name != "frame"]
+        return f"the file has no field {more[0]}" if more else ""
+
+
+def _by_name(fields: tuple[Value, ...]) -> Mapping[str, Value] | None:
+    pairs = [(field.left, field.right) for field in fields if isinstance(field, Relation)]
+    return {str(name): value for name, value in pairs} if len(pairs) == len(fields) else None
+
+
+def _is_symbol(value: Value) -> bool:
+    return isinstance(value, Expr) and value.kind == "symbol"
+
+
+def _is_column(items: tuple[Value, ...]) -> bool:
+    """Whether items are rows of one entry each."""
+    return all(isinstance(item, Listed) and len(item.items) == 1 for item in items)
+
+
+def _flat(items: tuple[Value, ...]) -> tuple[Value, ...]:
+    """Return the entries of a column, whether it is printed as a list or as rows of one entry."""
+    return tuple(
+        item.items[0] if isinstance(item, Listed) and len(item.items) == 1 else item for item in items
+    )
+
+
+def _nearly_equal(file: Expr, run: Expr) -> bool:
+    """Whether two expressions with rounded decimals agree at random points."""
+    chance = random.Random(7)
+    nodes = post_order([file, run], lambda node: node.args, lambda node: node.id)
+    names = {*free_symbols([file, run]), *(node for node in nodes if node.kind == "application")}
+    try:
+        for _ in range(3):
+            point = {name: number(Fraction(chance.randint(100, 999), 500)) for name in sorted(names, key=str)}
+            left, right = float(subs(file, point)), float(subs(run, point))
+            if abs(left - right) > _TOLERANCE * max(1e-3, abs(left), abs(right)):
+                return False
+    except (SymbodyError, TypeError, ValueError, OverflowError):
+        return False
+    return True
+
+
+def _kind(value: Value) -> str:
+    names = {
+        Listed: "a list",
+        MapleSet: "a set",
+        Sequence: "a sequence",
+        Relation: "an equation",
+        String: "a text",
+    }
+    return "an expression" if isinstance(value, Expr) else names.get(type(value), "an object")
+
+
+def _short(value: Value) -> str:
+    text = str(value) if isinstance(value, Expr) else _kind(value)
+    return text if len(text) <= 60 else text[:57] + "..."

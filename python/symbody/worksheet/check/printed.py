@@ -1,0 +1,324 @@
+"""Printed output back to values: what Maple prints, what the run prints, and what is complete of a cut output.
+
+Both texts are read in the same way, without the session: names are symbols, ``f(t)`` is a function of time, primes and
+``diff`` are derivatives, matrices are lists of rows, and an object is its type with its fields.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, fields, is_dataclass
+from typing import Any
+
+from lark import Token
+
+import symbody.symbolic as sb
+from symbody.errors import SymbodyError
+from symbody.symbolic import Expr, UndefinedFunction, number, pi, symbol, t
+from symbody.worksheet import syntax
+from symbody.worksheet.reading.parse import Failure, next_statement, terminator_after, tokens_of
+from symbody.worksheet.source import Line
+from symbody.worksheet.value import Listed, MapleSet, Range, Relation, Sequence, String, Unevaluated, Value
+
+__all__ = ["NotComparable", "Printed", "functions_in", "is_cut", "printed", "value_of"]
+
+
+class NotComparable(Exception):
+    """The reason why two outputs can't be compared."""
+
+
+@dataclass(frozen=True, slots=True)
+class Printed:
+    """A printed output: the name that it was assigned to, its expression, and whether its end was cut off."""
+
+    name: str
+    expression: syntax.Expression
+    cut: bool
+    has_decimals: bool
+
+
+_DOTS = re.compile(r"\s*(\.\.\.|…)\s*$")
+_MATRICES = frozenset({"matrix", "Matrix", "Vector", "vector", "array", "Array"})
+_OBJECTS = frozenset({"POINT", "VECTOR", "BODY", "FORCE", "TORQUE", "TIRE", "CONSTRAINT", "table"})
+_CONTAINERS = _MATRICES | _OBJECTS
+_OPENING = {"LPAR": ("RPAR", ")"), "LSQB": ("RSQB", "]"), "LBRACE": ("RBRACE", "}")}
+_CLOSING = {"RPAR", "RSQB", "RBRACE"}
+
+
+def printed(text: str) -> Printed:
+    """Return what a printed text says; of one that was cut, the part that is complete.
+
+    Raises:
+        NotComparable: nothing can be read.
+    """
+    text = " ".join(text.split())
+    cut = is_cut(text)
+    tokens = tokens_of(Line(_DOTS.sub("", text), 1))
+    if not tokens:
+        raise NotComparable("nothing is printed")
+    if cut:
+        tokens = _complete_part(tokens)
+    found = next_statement([*tokens, terminator_after(tokens[-1])])
+    if isinstance(found, Failure):
+        raise NotComparable("it can't be read as a value")
+    decimals = any(token.type == "DECIMAL" for token in tokens)
+    match found.statement:
+        case syntax.Assignment(targets=targets, value=value):
+            return Printed(", ".join(_name(target) for target in targets), value, cut, decimals)
+        case syntax.Evaluation(expression=expression):
+            return Printed("", expression, cut, decimals)
+    raise NotComparable("it can't be read as a value")
+
+
+def is_cut(text: str) -> bool:
+    """Whether the end of a printed text was cut off."""
+    return _DOTS.search(text) is not None
+
+
+def _complete_part(tokens: list[Token]) -> list[Token]:
+    """Return the tokens up to the last comma between items of lists, matrices and objects, and the missing brackets."""
+    open_brackets: list[tuple[str, bool]] = []
+    best: tuple[int, list[str]] | None = None
+    for index, token in enumerate(tokens):
+        if token.type in _OPENING:
+            before = str(tokens[index - 1]) if index else ""
+            open_brackets.append((token.type, token.type != "LPAR" or before in _CONTAINERS))
+        elif token.type in _CLOSING and open_brackets:
+            open_brackets.pop()
+        if token.type == "COMMA" and all(is_container for _, is_container in open_brackets):
+            best = index, [kind for kind, _ in open_brackets]
+    if best is None:
+        raise NotComparable("cut before anything complete")
+    end, kinds = best
+    closing = [Token(*_OPENING[kind], line=1, column=1, end_line=1, end_column=1) for kind in reversed(kinds)]
+    return [*tokens[:end], *closing]
+
+
+def functions_in(node: object) -> frozenset[str]:
+    """Return the names that a text uses as functions of time: ``x(t)``, or with primes."""
+    return frozenset(name for part in _parts(node) for name in _function_in(part))
+
+
+def _parts(node: object) -> Iterator[object]:
+    stack = [node]
+    while stack:
+        part = stack.pop()
+        if isinstance(part, tuple):
+            stack += part
+        elif is_dataclass(part):
+            yield part
+            stack += [getattr(part, each.name) for each in fields(part) if each.name != "place"]
+
+
+def _function_in(part: object) -> Iterator[str]:
+    match part:
+        case syntax.Call(function=head, arguments=(syntax.Name(name="t"),)):
+            yield _name(head)
+        case syntax.Infix(operator="^", left=syntax.Name(name=name), right=syntax.Name(name=marks)) if (
+            _primes(marks)
+        ):
+            yield name
+        case syntax.Name(name=name) if _primes(name):
+            yield name.rstrip("'")
+
+
+def _primes(name: str) -> int:
+    """Return how many primes end a name."""
+    return len(name) - len(name.rstrip("'"))
+
+
+def _name(node: syntax.Expression) -> str:
+    """Return a name, also one with indices: ``psi[dot]``."""
+    match node:
+        case syntax.Name(name=name):
+            return name
+        case syntax.Selection(whole=whole, indices=indices):
+            return f"{_name(whole)}[{','.join(_name(index) for index in indices)}]"
+        case syntax.Integer(value=value):
+            return str(value)
+        case syntax.Call(function=function, arguments=arguments):
+            return f"{_name(function)}({','.join(_name(argument) for argument in arguments)})"
+    raise NotComparable("a name in it can't be read")
+
+
+_SCALARS: Mapping[str, Callable[..., Expr]] = {
+    "sin": sb.sin,
+    "cos": sb.cos,
+    "tan": sb.tan,
+    "sec": lambda x: 1 / sb.cos(x),
+    "csc": lambda x: 1 / sb.sin(x),
+    "cot": lambda x: sb.cos(x) / sb.sin(x),
+    "arcsin": sb.asin,
+    "arccos": sb.acos,
+    "arctan": lambda y, x=None: sb.atan(y) if x is None else sb.atan2(y, x),
+    "sinh": sb.sinh,
+    "cosh": sb.cosh,
+    "tanh": sb.tanh,
+    "exp": sb.exp,
+    "ln": sb.log,
+    "sqrt": sb.sqrt,
+    "abs": abs,
+    "signum": sb.sign,
+}
+
+
+def value_of(node: syntax.Expression, functions: frozenset[str]) -> Value:
+    """Return the value of a printed expression; names in ``functions`` are functions of time also without ``(t)``.
+
+    Raises:
+        NotComparable: something in it has no value here.
+    """
+    try:
+        return _Values(functions).value(node)
+    except (SymbodyError, ArithmeticError, TypeError, RecursionError) as error:
+        raise NotComparable(f"a part of it can't be read: {error}") from None
+
+
+@dataclass(frozen=True, slots=True)
+class _Values:
+    functions: frozenset[str]
+
+    def value(self, node: syntax.Expression) -> Value:
+        reader = _READERS.get(type(node))
+        if reader is None:
+            raise NotComparable("a part of it has no value")
+        return reader(self, node)
+
+    def prefix(self, node: syntax.Prefix) -> Value:
+        if node.operator not in {"+", "-"}:
+            raise NotComparable(f"{node.operator} in it has no value")
+        operand = self._scalar(node.operand)
+        return -operand if node.operator == "-" else operand
+
+    def values(self, nodes: tuple[syntax.Expression, ...]) -> tuple[Value, ...]:
+        return tuple(self.value(node) for node in nodes)
+
+    def _scalar(self, node: syntax.Expression) -> Expr:
+        value = self.value(node)
+        if not isinstance(value, Expr):
+            raise NotComparable("a part of it is no number")
+        return value
+
+    def named(self, name: str) -> Expr:
+        if name == "Pi":
+            return pi
+        if name == "t":
+            return t
+        primes = _primes(name)
+        base = name.rstrip("'") if primes else name
+        return self._function_of_time(base, primes) if primes or base in self.functions else symbol(name)
+
+    def _function_of_time(self, name: str, order: int) -> Expr:
+        value: Expr = UndefinedFunction(name)(t)
+        for _ in range(order):
+            value = sb.diff(value, t)
+        return value
+
+    def infix(self, node: syntax.Infix) -> Value:
+        operator, left, right = node.operator, node.left, node.right
+        if operator in {"=", "<>", "<", "<=", ">", ">="}:
+            return Relation(operator, self.value(left), self.value(right))
+        if operator == "..":
+            return Range(self.value(left), self.value(right))
+        if operator == "^" and isinstance(right, syntax.Name) and right.name == "'" * len(right.name):
+            return self._function_of_time(_name(left), len(right.name))
+        arithmetic = _ARITHMETIC.get(operator)
+        if arithmetic is None:
+            raise NotComparable(f"{operator} in it has no value")
+        return arithmetic(self._scalar(left), self._scalar(right))
+
+    def call(self, node: syntax.Call) -> Value:
+        match node:
+            case syntax.Call(function=syntax.Name(name="diff" | "Diff"), arguments=(of, *variables)):
+                return self._derivative(of, variables)
+            case syntax.Call(
+                function=syntax.Call(function=operator, arguments=(name,)), arguments=(syntax.Name(name="t"),)
+            ):
+                return self._function_of_time(_name(name), _order(operator))
+            case syntax.Call(
+                function=syntax.Selection(whole=syntax.Name(name="Vector")), arguments=arguments
+            ):
+                return self._entries(arguments)
+            case syntax.Call(function=function, arguments=arguments):
+                return self._named_call(_name(function), arguments)
+
+    def _named_call(self, name: str, arguments: tuple[syntax.Expression, ...]) -> Value:
+        if name in _MATRICES:
+            return self._entries(arguments)
+        if name in _CONTAINERS:
+            return Unevaluated(symbol(name), self.values(arguments))
+        values = self.values(arguments)
+        scalars = [value for value in values if isinstance(value, Expr)]
+        if len(scalars) != len(values) or not values:
+            return Unevaluated(symbol(name), values)
+        return _SCALARS[name](*scalars) if name in _SCALARS else UndefinedFunction(name)(*scalars)
+
+    def _entries(self, arguments: tuple[syntax.Expression, ...]) -> Value:
+        entries = [one for one in arguments if isinstance(one, syntax.ListDisplay)]
+        if not entries:
+            raise NotComparable("a matrix in it is not printed in full")
+        return self.value(entries[0])
+
+    def _derivative(self, of: syntax.Expression, variables: list[syntax.Expression]) -> Expr:
+        value = self._scalar(of)
+        for variable in variables:
+            match variable:
+                case syntax.Infix(operator="$", left=name, right=syntax.Integer(value=times)):
+                    pass
+                case syntax.Call(
+                    function=syntax.Name(name="$"), arguments=(name, syntax.Integer(value=times))
+                ):
+                    pass
+                case _:
+                    name, times = variable, 1
+            for _ in range(min(times, 9)):
+                value = sb.diff(value, self._scalar(name))
+        return value
+
+
+_READERS: Mapping[type, Callable[[_Values, Any], Value]] = {
+    syntax.Integer: lambda values, node: number(node.value),
+    syntax.Decimal: lambda values, node: _decimal(node.text),
+    syntax.Name: lambda values, node: values.named(node.name),
+    syntax.Text: lambda values, node: String(node.text),
+    syntax.Delayed: lambda values, node: values.value(node.body),
+    syntax.SequenceDisplay: lambda values, node: Sequence(values.values(node.items)),
+    syntax.ListDisplay: lambda values, node: Listed(values.values(node.items)),
+    syntax.Columns: lambda values, node: Listed(values.values(node.items)),
+    syntax.Rows: lambda values, node: Listed(values.values(node.items)),
+    syntax.SetDisplay: lambda values, node: MapleSet(values.values(node.items)),
+    syntax.Selection: lambda values, node: symbol(_name(node)),
+    syntax.Prefix: _Values.prefix,
+    syntax.Infix: _Values.infix,
+    syntax.Call: _Values.call,
+}
+
+
+def _power(base: Expr, exponent: Expr) -> Expr:
+    return base**exponent
+
+
+_ARITHMETIC: Mapping[str, Callable[[Any, Any], Expr]] = {
+    "+": lambda a, b: a + b,
+    "-": lambda a, b: a - b,
+    "*": lambda a, b: a * b,
+    "/": lambda a, b: a / b,
+    "^": _power,
+}
+
+
+def _order(operator: syntax.Expression) -> int:
+    """Return the order of ``D`` and ``D@@2``."""
+    match operator:
+        case syntax.Name(name="D"):
+            return 1
+        case syntax.Infix(operator="@@", left=syntax.Name(name="D"), right=syntax.Integer(value=order)):
+            return min(order, 9)
+    raise NotComparable("an operator in it can't be read")
+
+
+def _decimal(text: str) -> Expr:
+    mantissa, _, exponent = text.lower().partition("e")
+    whole, _, fraction = mantissa.partition(".")
+    return number(f"{whole or '0'}.{fraction or '0'}" + (f"e{exponent}" if exponent else ""))

@@ -1,0 +1,134 @@
+"""The verdict on each output that the file contains: equal, differs, or not comparable with the reason."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from symbody.worksheet import syntax
+from symbody.worksheet.check.align import Block, Output, aligned
+from symbody.worksheet.check.compare import difference
+from symbody.worksheet.check.printed import NotComparable, is_cut
+from symbody.worksheet.outcome import Outcome
+from symbody.worksheet.reading.text_export import is_picture
+from symbody.worksheet.source import Cell
+
+__all__ = ["Verdict", "verdicts"]
+
+_MESSAGE = re.compile(r"\s*(Warning|Error|MBSymba)\b")
+_INDEX = re.compile(r"\s*\d+\s*,")
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """How a printed output compares.
+
+    Attributes:
+        line: the line of the statement that printed it.
+        kind: "equal", "differs" or "not comparable".
+        reason: where it differs, or why it can't be compared.
+    """
+
+    line: int
+    kind: str
+    reason: str = ""
+
+    def __str__(self) -> str:
+        return f"{self.kind}: {self.reason}" if self.reason else self.kind
+
+
+def verdicts(cells: Sequence[Cell], outcomes: Sequence[Outcome]) -> list[Verdict]:
+    """Return a verdict for each statement of which the file contains an output, in the file's order."""
+    outputs = list(_outputs(outcomes))
+    blocks = list(_blocks(cells))
+    comparable = [block for block in blocks if not is_picture(block.text)]
+    partners = dict(zip(comparable, aligned(comparable, outputs), strict=True))
+    groups: dict[tuple[str, int], list[Verdict]] = {}
+    for block in blocks:
+        partner = partners.get(block)
+        if partner is not None:
+            groups.setdefault(("statement", partner.number), []).append(_verdict(block, partner, outputs))
+            continue
+        reason = "a picture" if is_picture(block.text) else _unmatched(block, outcomes)
+        verdict = Verdict(_line(cells, block), "not comparable", reason)
+        groups.setdefault(("cell", block.cell), []).append(verdict)
+    return [_together(group) for group in groups.values()]
+
+
+def _together(group: Sequence[Verdict]) -> Verdict:
+    """Return the verdict on a statement with several outputs: the worst one, but what is equal has been compared."""
+    for kind in ("differs", "equal", "not comparable"):
+        of_kind = [verdict for verdict in group if verdict.kind == kind]
+        if not of_kind:
+            continue
+        reasons = list(dict.fromkeys(verdict.reason for verdict in of_kind if verdict.reason))
+        if len(of_kind) < len(group):
+            reasons.append(f"{len(of_kind)} of {len(group)} outputs")
+        return Verdict(group[0].line, kind, "; ".join(reasons))
+    raise AssertionError("no group is empty")
+
+
+def _outputs(outcomes: Sequence[Outcome]) -> Iterator[Output]:
+    for number, outcome in enumerate(outcomes):
+        for text in outcome.printed:
+            yield Output(text, outcome.cell, outcome.line, number, outcome.statement)
+
+
+def _blocks(cells: Sequence[Cell]) -> Iterator[Block]:
+    """Return the outputs in the file, without messages, which depend on the release."""
+    for number, cell in enumerate(cells):
+        for index, text in enumerate(cell.printed):
+            if not _MESSAGE.match(text):
+                yield Block(text, number, index)
+
+
+def _line(cells: Sequence[Cell], block: Block) -> int:
+    return cells[block.cell].input[-1].line
+
+
+def _unmatched(block: Block, outcomes: Sequence[Outcome]) -> str:
+    failed = any(outcome.error for outcome in outcomes if outcome.cell == block.cell)
+    shown = block.text if len(block.text) <= 50 else block.text[:47] + "..."
+    return f"{'the statement failed' if failed else 'the run printed nothing for it'}: {shown}"
+
+
+def _verdict(block: Block, output: Output, outputs: Sequence[Output]) -> Verdict:
+    try:
+        reason = difference(block.text, output.text)
+    except NotComparable as error:
+        return Verdict(output.line, "not comparable", str(error))
+    if not reason:
+        return Verdict(output.line, "equal", "as far as it is printed" if is_cut(block.text) else "")
+    if isinstance(output.statement, syntax.For) and _is_elsewhere(block, output, outputs):
+        return Verdict(output.line, "equal", "in another order, since sets have none")
+    if _counts_items(output.statement):
+        return Verdict(output.line, "not comparable", f"a count, which depends on the form: {reason}")
+    return Verdict(output.line, "differs", reason)
+
+
+def _is_elsewhere(block: Block, output: Output, outputs: Sequence[Output]) -> bool:
+    """Whether a loop over a set printed the value in another pass."""
+    text = _INDEX.sub("", block.text)
+    others = (_INDEX.sub("", other.text) for other in outputs if other.number == output.number)
+    return any(_is_equal(text, other) for other in others)
+
+
+def _is_equal(theirs: str, ours: str) -> bool:
+    try:
+        return not difference(theirs, ours)
+    except NotComparable:
+        return False
+
+
+def _counts_items(statement: syntax.Statement | None) -> bool:
+    """Whether a statement counts parts of an expression, which depends on its form."""
+    value = (
+        statement.value
+        if isinstance(statement, syntax.Assignment)
+        else getattr(statement, "expression", None)
+    )
+    match value:
+        case syntax.Call(function=syntax.Name(name="nops" | "length")):
+            return True
+    return False

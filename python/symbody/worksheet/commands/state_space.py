@@ -1,0 +1,91 @@
+"""Commands of equations of first order and of linear models."""
+
+from __future__ import annotations
+
+from symbody.errors import ExpressionError, WorksheetError
+from symbody.symbolic import Expr, Matrix, jacobian, number, solve, substitute, time_derivative, time_function
+from symbody.worksheet.mechanics import mechanics
+from symbody.worksheet.objects import members
+from symbody.worksheet.session import Command, Session
+from symbody.worksheet.value import Array, Listed, Relation, Sequence, Value
+
+__all__ = ["COMMANDS"]
+
+
+def first_order(session: Session, equations: Value, variables: Value, *time: Value) -> Value:
+    """first_order(eqns, [q, ...], t): the state [q, ..., q[dot], ...] and twice as many equations of first order."""
+    del time
+    residuals = _residuals(session, equations, "first_order")
+    q = _functions(session, variables, "first_order")
+    speeds = [time_function(f"{each.name}[dot]") for each in q]
+    rates = {time_derivative(each): u for each, u in zip(q, speeds, strict=True)}
+    accelerations = {time_derivative(each, 2): time_derivative(u) for each, u in zip(q, speeds, strict=True)}
+    kinematic = [Relation("=", rate, u) for rate, u in rates.items()]
+    dynamic = [Relation("=", each, number(0)) for each in substitute(tuple(residuals), accelerations | rates)]
+    return Sequence((Listed((*q, *speeds)), Listed((*kinematic, *dynamic))))
+
+
+def state_space(
+    session: Session, equations: Value, time: Value, states: Value, inputs: Value | None = None
+) -> Value:
+    """state_space(eqns, t, [x, ...], [u, ...]): the matrices A, B of diff(x,t) = A . x + B . u, of linear equations.
+
+    Args:
+        session: the session.
+        equations: linear equations of first order in the states, or of second order with rates among the states.
+        time: the independent variable.
+        states: functions of time and derivatives.
+        inputs: the functions of time that are given from outside.
+    """
+    del time
+    residuals = _residuals(session, equations, "state_space")
+    x = _functions(session, states, "state_space")
+    u = [] if inputs is None else _functions(session, inputs, "state_space")
+    rates = [time_derivative(each) for each in x]
+    unknown = [rate for rate in rates if rate not in x]
+    residuals = [each for each in residuals if not each.is_zero]
+    if len(residuals) != len(unknown):
+        residuals = [each for each in residuals if each.free_symbols & {*unknown}]
+    if len(residuals) != len(unknown):
+        raise WorksheetError(
+            f"state_space: {len(residuals)} equations for the rates of {len(unknown)} states; expected as many, of "
+            "first order in the states"
+        )
+    try:
+        solved = dict(solve(residuals, unknown)) if unknown else {}
+    except ExpressionError as fault:
+        raise WorksheetError(f"state_space: {fault}") from fault
+    right = [solved.get(rate, rate) for rate in rates]
+    A, B = jacobian(right, x), jacobian(right, u) if u else None
+    kind = mechanics(session).matrix_kind
+    return Sequence((_array(A, kind), Array(len(x), 0, [], kind) if B is None else _array(B, kind)))
+
+
+def _array(matrix: Matrix, kind: str) -> Array:
+    rows, columns = matrix.shape
+    return Array(rows, columns, list(matrix.entries), kind)
+
+
+def _residuals(session: Session, equations: Value, where: str) -> list[Expr]:
+    found = []
+    for item in members(session, session.current(equations)):
+        value = item.left - item.right if _is_equation(item) else item  # type: ignore[union-attr, operator]
+        if not isinstance(value, Expr):
+            raise WorksheetError(f"{where}: expected equations, or expressions that are zero")
+        found.append(value)
+    return found
+
+
+def _is_equation(item: Value) -> bool:
+    return isinstance(item, Relation) and isinstance(item.left, Expr) and isinstance(item.right, Expr)
+
+
+def _functions(session: Session, variables: Value, where: str) -> list[Expr]:
+    items = members(session, variables)
+    found = [item for item in items if isinstance(item, Expr) and item.is_variable]
+    if len(found) != len(items):
+        raise WorksheetError(f"{where}: expected a list of functions of time, such as [x(t), diff(x(t),t)]")
+    return found
+
+
+COMMANDS: dict[str, Command] = {"first_order": first_order, "state_space": state_space}

@@ -1,0 +1,377 @@
+"""Full evaluation at use: a value with all that was assigned since it was made.
+
+A scalar keeps its symbols. When it is used, those that have a value by now are substituted; the result is remembered
+with the count of assignments and the names that it depends on, so that this costs nothing where nothing changed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
+from typing import Any, Protocol
+
+from symbody.symbolic import Expr, UndefinedFunction, free_symbols, pi, t, time_derivative
+from symbody.symbolic.expression.traverse import post_order
+from symbody.worksheet.naming import symbol
+from symbody.worksheet.print import sort_key
+from symbody.worksheet.value import (
+    NULL,
+    Array,
+    Boolean,
+    Listed,
+    MapleSet,
+    ProcedureValue,
+    Quoted,
+    Range,
+    Reference,
+    Relation,
+    Sequence,
+    Table,
+    Unevaluated,
+    Value,
+)
+
+__all__ = ["Seen", "current", "is_last_name", "named", "resolved", "set_of"]
+
+CONSTANTS: dict[str, Value] = {
+    "Pi": pi,
+    "true": Boolean(truth=True),
+    "false": Boolean(truth=False),
+    "FAIL": Boolean(truth=None),
+    "NULL": NULL,
+}
+
+
+@dataclass
+class Seen:
+    """An evaluated scalar: at which count, on which names it depends, and the result."""
+
+    stamp: int
+    names: frozenset[str]
+    result: Value
+
+
+class State(Protocol):
+    """What is read of a session."""
+
+    names: dict[str, Value]
+    remembered: dict[str, dict[tuple[Value, ...], Value]]
+    scopes: list[Any]
+    resolving: list[str]
+    depends: list[set[str]]
+    seen: dict[int, Seen]
+    assigned: dict[str, int]
+    count: int
+    applied: set[str]
+    indexed: dict[str, tuple[str, tuple[Value, ...]]]
+    opaque: dict[str, Value]
+    options: Any
+
+    @property
+    def scope(self) -> Any: ...
+    @property
+    def call(self) -> Callable[[Value, tuple[Value, ...]], Value]: ...
+    @property
+    def evaluate(self) -> Callable[[Any], Value]: ...
+    @property
+    def rebuild(self) -> Callable[[Expr, dict[Expr, Value]], Value]: ...
+    @property
+    def select(self) -> Callable[[Value, tuple[Value, ...]], Value]: ...
+    @property
+    def face(self) -> Callable[[Any, Array, Array], Array] | None: ...
+
+
+def is_last_name(value: Value) -> bool:
+    """Whether evaluation of a name stops before this value: tables, procedures, matrices of the old kind."""
+    return isinstance(value, Table | ProcedureValue) or (
+        isinstance(value, Array) and value.kind in ("matrix", "vector", "array")
+    )
+
+
+def resolved(session: State, value: Value) -> Value:
+    """Return what a reference, or a bare name, stands for in the session: names of procedures are not among them."""
+    for _ in range(100):
+        if isinstance(value, Reference) or (isinstance(value, Expr) and value.kind == "symbol"):
+            name = value.name
+        else:
+            return value
+        found = session.names.get(name)
+        if found is None:
+            return value
+        value = found
+    return value
+
+
+def named(session: State, name: str) -> Value:
+    """Return what a name stands for: its last name if that is a table, a procedure or an old matrix."""
+    scope = session.scope
+    while scope is not None:
+        if name in scope.names:
+            return _local(session, scope, scope.names[name])
+        if name in scope.local:
+            return symbol(name)
+        scope = scope.parent
+    _depend_on(session, (name,))
+    alias = session.options.aliases.get(name) if session.options.aliases else None
+    if alias is not None:
+        return current(session, alias)
+    if name not in session.names:
+        return CONSTANTS.get(name) or symbol(name)
+    if name in session.resolving:
+        return symbol(name)
+    value = session.names[name]
+    if is_last_name(value):
+        return Reference(name)
+    session.resolving.append(name)
+    try:
+        return current(session, value)
+    finally:
+        session.resolving.pop()
+
+
+def _local(session: State, scope: Any, value: Value) -> Value:
+    """A local name is evaluated by one level, as in Maple; names of the session in it are evaluated fully.
+
+    A parameter t whose value is t, or a value that holds names which are local by chance, stays as it is.
+    """
+    if isinstance(value, Expr) and any(
+        leaf.name in scope.names or leaf.name in scope.local
+        for leaf in value.free_symbols
+        if leaf.kind == "symbol"
+    ):
+        return value
+    return current(session, value)
+
+
+def current(session: State, value: Value, *, arrays: bool = False) -> Value:
+    """Return a value with all that was assigned since it was made; new matrices as they are unless ``arrays``."""
+    if isinstance(value, Expr):
+        return _scalar(session, value)
+    if isinstance(value, Reference):
+        return _reference(session, value)
+    if isinstance(value, Quoted):
+        return session.evaluate(value.body)
+    if isinstance(value, Array):
+        return _array(session, value) if arrays else value
+    return _container(session, value, arrays=arrays)
+
+
+def _reference(session: State, value: Reference) -> Value:
+    found = session.names.get(value.name)
+    if found is None:
+        return symbol(value.name)
+    return value if is_last_name(found) else named(session, value.name)
+
+
+def _container(session: State, value: Any, *, arrays: bool) -> Value:
+    if isinstance(value, Listed | MapleSet | Sequence):
+        items = [current(session, item, arrays=arrays) for item in value.items]
+        if all(new is old for new, old in zip(items, value.items, strict=True)):
+            return value
+        flat = flattened(items)
+        return set_of(flat) if isinstance(value, MapleSet) else type(value)(tuple(flat))
+    if isinstance(value, Relation):
+        left, right = (
+            current(session, value.left, arrays=arrays),
+            current(session, value.right, arrays=arrays),
+        )
+        return value if left is value.left and right is value.right else Relation(value.operator, left, right)
+    if isinstance(value, Range):
+        start, stop = current(session, value.start), current(session, value.stop)
+        return value if start is value.start and stop is value.stop else Range(start, stop)
+    if isinstance(value, Unevaluated):
+        arguments = tuple(_argument(session, each, arrays=arrays) for each in value.arguments)
+        function = value.function
+        if isinstance(function, Expr) and function.kind == "symbol" and function.name in session.names:
+            return session.call(function, arguments)
+        return replace(value, arguments=arguments)
+    return value  # type: ignore[no-any-return]
+
+
+def _argument(session: State, value: Value, *, arrays: bool) -> Value:
+    """A field of an object that is shown by a name stays so: ``frame = ground``."""
+    if isinstance(value, Relation) and isinstance(value.right, Expr) and value.right.kind == "symbol":
+        return value
+    return current(session, value, arrays=arrays)
+
+
+def _array(session: State, value: Array) -> Array:
+    entries = [current(session, entry) for entry in value.entries]
+    if all(new is old for new, old in zip(entries, value.entries, strict=True)):
+        made = value
+    else:
+        made = replace(value, entries=entries)
+    return (
+        session.face(session, value, made) if value.frame is not None and session.face is not None else made
+    )
+
+
+def flattened(items: Iterable[Value]) -> list[Value]:
+    """Return items with sequences among them opened."""
+    flat: list[Value] = []
+    for item in items:
+        if isinstance(item, Sequence):
+            flat.extend(item.items)
+        else:
+            flat.append(item)
+    return flat
+
+
+def set_of(items: Iterable[Value]) -> MapleSet:
+    """Return a set: items different by value, in an order that depends on their texts alone."""
+    return MapleSet(tuple(sorted(dict.fromkeys(items), key=sort_key)))
+
+
+# --- scalars ----------------------------------------------------------------------------------------------------------
+
+
+def _scalar(session: State, value: Expr) -> Value:
+    seen = session.seen.get(value.id)
+    inside = bool(session.scopes) or bool(session.resolving)
+    if seen is not None and not _changed(session, seen):
+        seen.stamp = session.count
+        _depend_on(session, seen.names)
+        return seen.result
+    session.depends.append(set())
+    try:
+        result = _evaluated(session, value)
+    finally:
+        names = session.depends.pop()
+        _depend_on(session, names)
+    if not inside or not (names & _guarded(session)):
+        if len(session.seen) > 500_000:
+            session.seen.clear()
+        session.seen[value.id] = Seen(session.count, frozenset(names), result)
+    return result
+
+
+def _depend_on(session: State, names: Iterable[str]) -> None:
+    if session.depends:
+        session.depends[-1].update(names)
+
+
+def _guarded(session: State) -> set[str]:
+    """Names whose meaning here isn't that of the session: those being resolved, and those of procedures."""
+    names = set(session.resolving)
+    scope = session.scope
+    while scope is not None:
+        names |= scope.local | scope.names.keys()
+        scope = scope.parent
+    return names
+
+
+def _changed(session: State, seen: Seen) -> bool:
+    if session.scopes and seen.names & _guarded(session):
+        return True
+    if session.resolving and not seen.names.isdisjoint(session.resolving):
+        return True
+    stamp = seen.stamp
+    return stamp != session.count and any(session.assigned.get(name, 0) > stamp for name in seen.names)
+
+
+def _evaluated(session: State, value: Expr) -> Value:
+    if value.kind == "symbol":
+        return _symbol(session, value)
+    depends = session.depends[-1]
+    new: dict[Expr, Value] = {}
+    for variable in _variables(value):
+        depends.add(variable.name)
+        found = _symbol(session, variable) if variable.kind == "symbol" else _function(session, variable)
+        if found is not variable:
+            new[variable] = found
+    for node in _applications(session, value):
+        depends.add(node.name)
+        if node.name in session.names or node.name in session.remembered:
+            arguments = tuple(current(session, each) for each in node.args)
+            called = session.call(symbol(node.name), arguments) if not any(node.orders) else node
+            if called is not node and called != node:
+                new[node] = called
+    scalars = {old: found for old, found in new.items() if isinstance(found, Expr)}
+    others = {old: found for old, found in new.items() if not isinstance(found, Expr | Reference)}
+    if others:
+        return session.rebuild(value, new)
+    return value.subs(scalars) if scalars else value
+
+
+def _variables(value: Expr) -> list[Expr]:
+    """The variables in a fixed order."""
+    return sorted(
+        free_symbols([value]), key=lambda each: (each.name, each.kind, each.kind != "symbol" and each.order)
+    )
+
+
+def _applications(session: State, value: Expr) -> list[Expr]:
+    known = session.applied & (session.names.keys() | session.remembered.keys())
+    if not known:
+        if session.applied:
+            session.depends[-1].update(session.applied)
+        return []
+    nodes = post_order([value], lambda node: node.args, lambda node: node.id)
+    found = [node for node in nodes if node.kind == "application"]
+    session.depends[-1].update(node.name for node in found)
+    return found
+
+
+def _symbol(session: State, value: Expr) -> Value:
+    name = value.name
+    indexed = session.indexed.get(name)
+    if indexed is not None:
+        return _indexed(session, value, *indexed)
+    opaque = session.opaque.get(name)
+    if opaque is not None:
+        return _opaque(session, value, opaque)
+    found = named(session, name)
+    return value if found == value or found == Reference(name) else found
+
+
+def _indexed(session: State, value: Expr, base: str, indices: tuple[Value, ...]) -> Value:
+    _depend_on(session, (base,))
+    holder = resolved(session, symbol(base))
+    if isinstance(holder, Table):
+        key = tuple(current(session, each) for each in indices)
+        if key in holder.entries and base not in session.resolving:
+            session.resolving.append(base)
+            try:
+                return current(session, holder.entries[key])
+            finally:
+                session.resolving.pop()
+    if isinstance(holder, Array | Listed):
+        return current(session, session.select(holder, indices))
+    return value
+
+
+def _opaque(session: State, value: Expr, content: Value) -> Value:
+    found = current(session, content)
+    return value if found == content else found
+
+
+def _function(session: State, value: Expr) -> Value:
+    """Return the value of a function of time, or of its derivative, if it has one by now."""
+    name = value.name
+    if name in session.resolving:
+        return value
+    found = _of_time(session, name)
+    if not isinstance(found, Expr):
+        return value
+    return time_derivative(found, value.order) if value.order else found
+
+
+def _of_time(session: State, name: str) -> Value | None:
+    entry = session.remembered.get(name, {}).get((t,))
+    held = session.names.get(name)
+    if entry is None and not isinstance(held, ProcedureValue | Expr):
+        return None
+    session.resolving.append(name)
+    try:
+        if entry is not None:
+            return current(session, entry)
+        if isinstance(held, ProcedureValue):
+            return session.call(Reference(name), (t,))
+        head = current(session, held) if held is not None else None
+        if isinstance(head, Expr) and head.is_number:
+            return head
+        if isinstance(head, Expr) and head.kind == "symbol" and head.name != name:
+            return UndefinedFunction(head.name)(t)
+        return None
+    finally:
+        session.resolving.pop()

@@ -1,0 +1,35 @@
+"""A worksheet's file to cells: which reader takes it is decided by what is in it."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from symbody.worksheet.reading.mw import mw_cells
+from symbody.worksheet.reading.plain_text import plain_text_cells
+from symbody.worksheet.reading.text_export import text_export_cells
+from symbody.worksheet.source import Cell
+
+__all__ = ["read_source", "source_cells"]
+
+_PROMPT = re.compile(r"^ *>", re.MULTILINE)
+
+
+def read_source(path: Path | str) -> tuple[Cell, ...]:
+    """Return the cells of a worksheet: a text export, Maple's XML, or a file with input only."""
+    data = Path(path).read_bytes()
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        text = data.decode("latin-1")  # what old versions of Maple wrote
+    return source_cells(text)
+
+
+def source_cells(text: str) -> tuple[Cell, ...]:
+    """Return the cells of a worksheet's text."""
+    text = text.replace("\r\n", "\n").replace("\r", "\n").replace("\N{NO-BREAK SPACE}", " ")
+    if text.lstrip().startswith("<?xml") or text.lstrip().startswith("<Worksheet"):
+        return mw_cells(text)
+    if _PROMPT.search(text):
+        return text_export_cells(text)
+    return plain_text_cells(text)

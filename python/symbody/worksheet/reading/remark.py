@@ -1,0 +1,180 @@
+"""Remarks that lost their ``#``: what is no code, though it stands among code.
+
+Texts exported from old sheets have prose behind a terminator, behind a comma, and on lines of its own inside an open
+bracket. What can't continue a statement is a remark up to the end of its line, from the last separator on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+from lark import Token
+
+from symbody.worksheet import syntax
+from symbody.worksheet.reading.parse import TERMINATORS, Failure, Parsed, next_statement
+
+__all__ = ["Span", "is_trailing_remark", "remark_in", "used_names"]
+
+_KEYWORDS = """IF THEN ELIF ELSE FOR DO IN AND OR NOT XOR UNION WITHOUT INTERSECT SUBSET MOD CLAUSE HEADED DECLARED READ
+SAVE STOP DONE QUIT NEXT BREAK RETURN ERROR TRY CATCH FINALLY END ASSUMING IMPLIES"""
+_WORDS = frozenset(_KEYWORDS.split()) | {"NAME"}
+_OPERANDS = _WORDS | {"STRING", "INTEGER", "DECIMAL", "BACKQUOTED"}
+_SEPARATORS = TERMINATORS | {"COMMA", "LPAR", "LSQB", "LBRACE", "THEN", "DO", "ELSE"}
+_MARKS = frozenset({"COMMA", "SEMICOLON", "COLON", "MINUS", "DOT", "UNKNOWN"})  # of prose, too
+_OPENING = frozenset({"LPAR", "LSQB", "LBRACE"})
+_CLOSING = frozenset({"RPAR", "RSQB", "RBRACE"})
+
+#: How many places are tried for the beginning of a remark.
+_TRIALS = 6
+
+
+@dataclass(frozen=True, slots=True)
+class Span:
+    """Tokens from ``begin`` to the one before ``end``."""
+
+    begin: int
+    end: int
+
+
+def used_names(tokens: Iterable[Sequence[Token]]) -> frozenset[str]:
+    """Return the names that occur in code: beside an operator or a bracket. Each item holds the tokens of a line."""
+    return frozenset(str(line[i]) for line in tokens for i in range(len(line)) if _is_used(line, i))
+
+
+def _is_used(line: Sequence[Token], index: int) -> bool:
+    if line[index].type not in {"NAME", "BACKQUOTED"}:
+        return False
+    kinds = [line[k].type for k in (index - 1, index + 1) if 0 <= k < len(line)]
+    return not any(kind in _WORDS for kind in kinds) and any(kind not in _MARKS for kind in kinds)
+
+
+def is_trailing_remark(tokens: Sequence[Token], begin: int, found: Parsed) -> bool:
+    """Whether a statement that only the end of the cell ends is text behind the last terminator of its line."""
+    if tokens[found.end - 1] or not begin or tokens[begin - 1].line != tokens[begin].line:
+        return False
+    statement = found.statement
+    match statement:
+        case syntax.Assignment():
+            return False
+        case syntax.Evaluation(expression=syntax.Call(arguments=arguments)):
+            return not arguments or arguments == (syntax.Name("t", place=statement.place),)
+    return isinstance(statement, syntax.Evaluation)
+
+
+def remark_in(tokens: Sequence[Token], begin: int, failure: Failure, used: Collection[str]) -> Span | None:
+    """Return the remark that keeps the statement at ``begin`` from being read, if there is one."""
+    for span in _candidates(tokens, begin, failure.index):
+        if not _is_prose(tokens, span, begin):
+            continue
+        span = _with_bare_words(tokens, span, begin, used)  # noqa: PLW2901 - the same remark, longer
+        if span.begin == begin or _helps(tokens, begin, span):
+            return span
+    return None
+
+
+def _candidates(tokens: Sequence[Token], begin: int, index: int) -> Iterator[Span]:
+    """Return where the remark can stand: it ends with the line of the wrong token, or with the line before."""
+    last = min(index, len(tokens) - 1)
+    ends = [_line_end(tokens, last)]
+    if begin < index <= last and (tokens[index].line != tokens[index - 1].line or not tokens[index]):
+        ends.insert(0, index)
+    for end in ends:
+        if _is_tail(tokens, begin, end):
+            yield Span(begin, end)
+        yield from _behind_separators(tokens, begin, min(index, end - 1), end)
+    if begin < index < ends[-1] and tokens[index - 1].type in _CLOSING:
+        yield Span(index, ends[-1])
+
+
+def _is_tail(tokens: Sequence[Token], begin: int, end: int) -> bool:
+    """Whether the tokens are what follows the last terminator of their line."""
+    text = tokens[begin:end]
+    return (
+        bool(begin)
+        and bool(text)
+        and tokens[begin - 1].line == text[-1].line
+        and not any(token.type in TERMINATORS for token in text)
+        and _depths(text)[-1] == 0
+    )
+
+
+def _behind_separators(tokens: Sequence[Token], begin: int, index: int, end: int) -> Iterator[Span]:
+    line = tokens[end - 1].line
+    trials = 0
+    for separator in range(index, begin - 1, -1):
+        if separator != begin and tokens[separator - 1].type not in _SEPARATORS:
+            continue
+        if separator == begin or min(_depths(tokens[separator:index])) >= 0:
+            yield Span(separator, end)
+        trials += 1
+        if trials == _TRIALS or tokens[separator].line != line:
+            break
+
+
+def _depths(tokens: Sequence[Token]) -> list[int]:
+    """Return how many brackets are open before the first token, and behind each."""
+    depths = [0]
+    for token in tokens:
+        depths.append(depths[-1] + (token.type in _OPENING) - (token.type in _CLOSING))
+    return depths
+
+
+def _line_end(tokens: Sequence[Token], index: int) -> int:
+    """Return the end of a token's line; the end of the cell, a terminator without text, doesn't belong to it."""
+    end = index
+    while end < len(tokens) and tokens[end].line == tokens[index].line and tokens[end]:
+        end += 1
+    return end
+
+
+def _is_prose(tokens: Sequence[Token], span: Span, begin: int) -> bool:
+    """Whether tokens read as prose: words side by side, signs that mean nothing, or words alone."""
+    text = tokens[span.begin : span.end]
+    if not text or any(token == ":=" for token in text):
+        return False
+    if span.begin > begin and text[-1].type == "SEMICOLON":  # the end of a statement with a missing bracket
+        return False
+    at_line_start = span.begin == begin and (not begin or tokens[begin - 1].line != text[0].line)
+    if at_line_start:  # a statement with a mistake in it is no remark
+        first = text[:2]
+        return (
+            text[-1].type != "SEMICOLON"
+            and len(first) == 2
+            and first[0].type in {"NAME", "UNKNOWN"}
+            and _is_prose_sign(first[1])
+        )
+    if any(token.type == "UNKNOWN" for token in text):
+        return True
+    if all(token.type in _WORDS | _MARKS for token in text):
+        return True
+    return any(
+        {first.type, second.type} <= _OPERANDS and "NAME" in {first.type, second.type}
+        for first, second in pairwise(text)
+    )
+
+
+def _is_prose_sign(token: Token) -> bool:
+    return token.type in _WORDS or token.type == "UNKNOWN"
+
+
+def _with_bare_words(tokens: Sequence[Token], span: Span, begin: int, used: Collection[str]) -> Span:
+    """Return the remark with the words before it that occur nowhere in code: ``show(AB), rocker, the second link``."""
+    first = span.begin
+    while (
+        first - 2 > begin
+        and tokens[first - 1].type == "COMMA"
+        and tokens[first - 2].type == "NAME"
+        and tokens[first - 2] not in used
+        and tokens[first - 3].type in _SEPARATORS
+    ):
+        first -= 2
+    return Span(first, span.end)
+
+
+def _helps(tokens: Sequence[Token], begin: int, span: Span) -> bool:
+    """Whether the statement can be read on behind a remark."""
+    rest = [*tokens[begin : span.begin], *tokens[span.end :]]
+    found = next_statement(rest)
+    return isinstance(found, Parsed) or found.index > span.begin - begin

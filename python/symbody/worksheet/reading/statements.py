@@ -1,0 +1,97 @@
+"""Cells to statements: each with its place, and what can't be read as a mistake that doesn't stop the others."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Sequence
+
+from lark import Token
+
+from symbody.worksheet.reading.builder import one_place
+from symbody.worksheet.reading.mistake import mistake
+from symbody.worksheet.reading.parse import (
+    TERMINATORS,
+    Failure,
+    next_statement,
+    opened,
+    terminator_after,
+    tokens_of,
+)
+from symbody.worksheet.reading.remark import Span, is_trailing_remark, remark_in, used_names
+from symbody.worksheet.source import Cell, Line, Remark, SyntaxMistake
+from symbody.worksheet.syntax import Place, Statement
+
+#: How many times as much as a sheet without mistakes may be read.
+_EFFORT = 8
+
+__all__ = ["is_open", "names_in_code", "statements"]
+
+
+def statements(cell: Cell, used: Collection[str] = ()) -> Iterator[Statement | Remark | SyntaxMistake]:
+    """Return the statements of a cell in order, with mistakes and remarks where they stand.
+
+    The end of the cell ends a statement. Behind a mistake, reading goes on with the next statement. ``used`` are the
+    names in the code of the whole sheet (`names_in_code`); words that are not among them can be remarks.
+    """
+    lines = [tokens_of(line) for line in cell.input]
+    used = used or used_names(lines)
+    tokens = [token for line in lines for token in line]
+    if tokens and tokens[-1].type not in TERMINATORS:
+        tokens.append(terminator_after(tokens[-1]))
+    begin, effort = 0, _EFFORT * (len(tokens) + 1000)
+    while begin < len(tokens) and tokens[begin]:
+        found = next_statement(tokens, begin)
+        if isinstance(found, Failure):
+            effort -= 10 + found.index - begin
+            span = remark_in(tokens, begin, found, used) if effort > 0 else None
+            if span is None:
+                yield mistake(cell, tokens, begin, found)
+                begin = _next_begin(tokens, begin, found.index) if effort > 0 else len(tokens)
+                continue
+        elif cell.remarks_lost_marks and is_trailing_remark(tokens, begin, found):
+            span = Span(begin, found.end - 1)
+        else:
+            yield found.statement
+            begin = found.end
+            continue
+        yield _remark(cell, tokens[span.begin : span.end])
+        del tokens[span.begin : span.end]
+
+
+def names_in_code(cells: Iterable[Cell]) -> frozenset[str]:
+    """Return the names that occur in the code of a sheet."""
+    return used_names(tokens_of(line) for cell in cells for line in cell.input)
+
+
+def is_open(lines: Sequence[Line]) -> bool:
+    """Whether the last statement of lines goes on: it needs more than a terminator."""
+    *_, last = [None, *statements(Cell(tuple(lines)))]
+    if not isinstance(last, SyntaxMistake):
+        return False
+    tokens = [token for line in lines for token in tokens_of(line)]
+    end = one_place(tokens[-1])
+    return (last.place.line, last.place.column) >= (end.end_line, end.end_column)
+
+
+def _next_begin(tokens: Sequence[Token], begin: int, index: int) -> int:
+    """Return where the next statement begins: behind the next terminator that no loop or procedure contains."""
+    depth = 0
+    for end in range(begin, len(tokens)):
+        depth += opened(tokens, end)
+        if end >= index and depth <= 0 and tokens[end].type in TERMINATORS:
+            return end + 1
+    # A loop or a procedure has no end: its statements are read one by one.
+    return next((k + 1 for k in range(begin, len(tokens)) if tokens[k].type in TERMINATORS), len(tokens))
+
+
+def _remark(cell: Cell, tokens: Sequence[Token]) -> Remark:
+    """Return the remark that tokens are, with its text as the file has it."""
+    first, last = one_place(tokens[0]), one_place(tokens[-1])
+    place = Place(first.line, first.column, last.end_line, last.end_column)
+    texts = {line.line: line for line in cell.input}
+    pieces = []
+    for number in sorted({token.line or 1 for token in tokens}):
+        line = texts[number]
+        begin = place.column - line.column if number == place.line else 0
+        end = place.end_column - line.column if number == place.end_line else len(line.text)
+        pieces.append(line.text[begin:end].strip())
+    return Remark(place, " ".join(pieces).removesuffix("\n"))

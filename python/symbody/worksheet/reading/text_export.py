@@ -1,0 +1,207 @@
+"""Maple's export to plain text: prompts, statements that go on without a prompt, printed output, and prose.
+
+The export doesn't mark what is what. A line with a prompt is code. A paragraph without one is code if it can be read
+as statements, each with its terminator; it is output if it can be read as a value, or if it was cut; else it is prose.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+
+from lark import Token
+
+from symbody.worksheet import syntax
+from symbody.worksheet.reading.parse import Failure, next_statement, terminator_after, tokens_of
+from symbody.worksheet.reading.statements import is_open
+from symbody.worksheet.source import Cell, Line
+
+__all__ = ["is_picture", "text_export_cells"]
+
+_PROMPTS = re.compile(r"\s*(?:>\s*)+")
+_PROMPT_WITHIN = re.compile(r"(?<=[;:])\s*>\s")
+_PICTURE = re.compile(r"\[Maple [\w ]+\]|!\[.*\]\(.*\)")
+_MESSAGE = re.compile(r"(Warning|Error),|MBSymba(_| release)")
+
+
+@dataclass(slots=True)
+class _Cells:
+    """The cells that are complete, and what is known of the next one."""
+
+    done: list[Cell] = field(default_factory=list)
+    input: list[Line] = field(default_factory=list)
+    printed: list[str] = field(default_factory=list)
+    prose: list[str] = field(default_factory=list)
+
+    def close(self) -> None:
+        """Complete the cell, if it has code."""
+        if self.input:
+            self.done.append(Cell(tuple(self.input), tuple(self.printed), tuple(self.prose)))
+            self.input, self.printed, self.prose = [], [], []
+
+    def print(self, block: str) -> None:
+        """Add a block of output; before the first code, it is prose."""
+        (self.printed if self.input else self.prose).append(block)
+
+    def goes_on(self) -> bool:
+        """Whether the last statement needs more, and nothing was printed behind it."""
+        return bool(self.input) and not self.printed and is_open(self.input)
+
+
+def text_export_cells(text: str) -> tuple[Cell, ...]:
+    """Return the cells of a text export."""
+    cells = _Cells()
+    for paragraph in _paragraphs(text):
+        _read_paragraph(cells, paragraph)
+    cells.close()
+    return tuple(cells.done)
+
+
+def is_picture(block: str) -> bool:
+    """Whether a block of output stands for a picture that the export left out."""
+    return _PICTURE.fullmatch(block.strip()) is not None
+
+
+def _paragraphs(text: str) -> Iterator[list[Line]]:
+    """Return the groups of lines between empty lines."""
+    group: list[Line] = []
+    for number, line in enumerate(text.split("\n"), start=1):
+        if line.strip():
+            group.append(Line(line, number))
+        elif group:
+            yield group
+            group = []
+    if group:
+        yield group
+
+
+def _read_paragraph(cells: _Cells, lines: Sequence[Line]) -> None:
+    prompted = [_PROMPTS.match(line.text) is not None for line in lines]
+    first = prompted.index(True) if True in prompted else len(lines)
+    if first:
+        _read_without_prompt(cells, lines[:first])
+    if first < len(lines):
+        if not cells.goes_on():
+            cells.close()
+        _read_code(cells, lines[first:])
+
+
+def _read_code(cells: _Cells, lines: Sequence[Line]) -> None:
+    """Read lines from the first prompt on: code, up to lines without a prompt that can't be code."""
+    for index, line in enumerate(lines):
+        prompt = _PROMPTS.match(line.text)
+        if prompt is not None:
+            if cells.printed:
+                cells.close()
+            cells.input += _inputs(line, prompt.end())
+        elif not cells.printed and (is_open(cells.input) or _begins_code(lines[index:])):
+            cells.input.append(line)
+        elif _is_output(line.text):
+            cells.print(line.text.strip())
+        else:
+            cells.input.append(line)  # among code: a remark, if it can't be read
+
+
+def _inputs(line: Line, begin: int) -> Iterator[Line]:
+    """Return the code behind a prompt, in pieces where there are several prompts."""
+    for prompt in _PROMPT_WITHIN.finditer(line.text, begin):
+        yield Line(line.text[begin : prompt.start()], line.line, begin + 1)
+        begin = prompt.end()
+    if line.text[begin:].strip():
+        yield Line(line.text[begin:], line.line, begin + 1)
+
+
+def _read_without_prompt(cells: _Cells, lines: Sequence[Line]) -> None:
+    """Read a paragraph, or its beginning, without a prompt: code, output or prose."""
+    if cells.goes_on() and not is_open([*cells.input, *lines]) and _begins_code([*cells.input, *lines]):
+        cells.input += lines
+    elif _is_code(lines):
+        cells.close()
+        cells.input += lines
+    else:
+        seen: list[str] = []
+        for line in lines:
+            text = line.text.strip()
+            if text in seen:  # the export repeats an output that had several lines
+                continue
+            seen.append(text)
+            if _is_output(text):
+                cells.print(text)
+            else:
+                cells.close()
+                cells.prose.append(text)
+
+
+def _begins_code(lines: Sequence[Line]) -> bool:
+    """Whether a statement with a terminator begins at the first line."""
+    found = next_statement([token for line in lines for token in tokens_of(line)])
+    return not isinstance(found, Failure) and _is_action(found.statement)
+
+
+def _is_code(lines: Sequence[Line]) -> bool:
+    """Whether lines are statements, each with its own terminator, that do something."""
+    tokens = [token for line in lines for token in tokens_of(line)]
+    begin = 0
+    while begin < len(tokens):
+        found = next_statement(tokens, begin)
+        if isinstance(found, Failure) or not _is_action(found.statement):
+            return False
+        if _is_spaced_call(tokens[begin : found.end]):
+            return False
+        begin = found.end
+    return begin > 0
+
+
+def _is_action(statement: syntax.Statement) -> bool:
+    """Whether a statement is more than a value: words before a colon are prose."""
+    match statement:
+        case syntax.Evaluation(expression=syntax.SequenceDisplay(items=items)):
+            return all(isinstance(item, syntax.Call) for item in items)
+        case syntax.Evaluation(expression=syntax.Name(name=name)):
+            return name == "restart"
+        case syntax.Evaluation(expression=syntax.Infix(operator=operator)):
+            return operator != "="
+        case syntax.Evaluation(expression=expression):
+            return isinstance(expression, syntax.Call)
+        case syntax.Empty():
+            return False
+    return True
+
+
+def _is_spaced_call(tokens: Sequence[Token]) -> bool:
+    """Whether tokens are a word and a bracket with a space between, as in prose: ``Solution (numerical):``."""
+    return len(tokens) > 1 and tokens[1] == "(" and tokens[0].end_column != tokens[1].column
+
+
+def _is_output(text: str) -> bool:
+    """Whether a line reads as a printed value, whole or cut, as a message or as a picture."""
+    text = text.strip()
+    if text.endswith("...") or is_picture(text) or _MESSAGE.match(text):
+        return True
+    tokens = tokens_of(Line(text, 1))
+    if not tokens or tokens[-1].type in {"SEMICOLON", "COLON"}:
+        return False
+    found = next_statement([*tokens, terminator_after(tokens[-1])])
+    if isinstance(found, Failure) or found.end <= len(tokens):
+        return False
+    return not _is_bare(found.statement)
+
+
+def _is_bare(statement: syntax.Statement) -> bool:
+    """Whether a statement is a word, or words with commas or ``and`` between them."""
+    match statement:
+        case syntax.Evaluation(expression=expression):
+            return _has_words_only(expression)
+    return not isinstance(statement, syntax.Assignment)
+
+
+def _has_words_only(expression: syntax.Expression) -> bool:
+    match expression:
+        case syntax.Name():
+            return True
+        case syntax.SequenceDisplay(items=items):
+            return all(_has_words_only(item) for item in items)
+        case syntax.Infix(operator="and" | "or" | "in" | "mod" | "-", left=left, right=right):
+            return _has_words_only(left) and _has_words_only(right)
+    return False

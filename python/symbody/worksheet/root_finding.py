@@ -1,0 +1,98 @@
+"""Roots in numbers: Newton's method with a line search, from several starts."""
+
+from __future__ import annotations
+
+import itertools
+import random
+from collections.abc import Callable, Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.symbolic import Expr, jacobian
+
+__all__ = ["newton"]
+
+Column = NDArray[np.float64]
+Bounds = tuple[float, float] | None
+
+_TOLERANCE = 1e-12
+_STARTS = 200
+
+
+def newton(
+    residuals: list[Expr],
+    unknowns: list[Expr],
+    starts: list[float | None],
+    ranges: list[Bounds],
+) -> list[float] | None:
+    """Return a root within the ranges, or None; the starts are fixed, so that the result is always the same."""
+    slopes = jacobian(residuals, unknowns)
+    entries = [slopes[i, j] for i in range(len(residuals)) for j in range(len(unknowns))]
+
+    def evaluate(expressions: list[Expr], x: Column) -> Column:
+        values = dict(zip(unknowns, map(float, x), strict=True))
+        return np.array([each.evaluate(values) for each in expressions])
+
+    for start in itertools.islice(_candidates(starts, ranges), _STARTS):
+        found = _iterated(
+            lambda x: evaluate(residuals, x),
+            lambda x: evaluate(entries, x).reshape(len(residuals), len(unknowns)),
+            np.array(start),
+        )
+        if found is None:
+            continue
+        if all(
+            each is None or each[0] - 1e-9 <= x <= each[1] + 1e-9
+            for x, each in zip(found, ranges, strict=True)
+        ):
+            return [0.0 if abs(x) < 1e-14 else float(x) for x in found]
+    return None
+
+
+def _candidates(starts: list[float | None], ranges: list[Bounds]) -> Iterator[list[float]]:
+    chance = random.Random(1)
+    middle = [
+        start if start is not None else (sum(bounds) / 2 if bounds else 0.0)
+        for start, bounds in zip(starts, ranges, strict=True)
+    ]
+    yield middle
+    yield [m + 0.1 * (i + 1) / len(middle) for i, m in enumerate(middle)]
+    width = 1.0
+    while True:
+        yield [
+            chance.uniform(*bounds) if bounds else m + chance.uniform(-width, width)
+            for m, bounds in zip(middle, ranges, strict=True)
+        ]
+        width = min(width * 1.1, 1e4)
+
+
+def _iterated(
+    function: Callable[[Column], Column], slope: Callable[[Column], Column], x: Column
+) -> Column | None:
+    try:
+        value = function(x)
+        for _ in range(60):
+            size = np.linalg.norm(value)
+            if not np.isfinite(size):
+                return None
+            new, new_value = x, value
+            step = np.linalg.lstsq(slope(x), -value, rcond=None)[0]
+            factor = 1.0
+            while factor > 1e-6:
+                new = x + factor * step
+                new_value = function(new)
+                if np.linalg.norm(new_value) < size or size == 0:
+                    break
+                factor /= 2
+            else:
+                return x if size < 1e-9 else None
+            x, value = new, new_value
+            if (
+                np.linalg.norm(factor * step) <= _TOLERANCE * (1 + np.linalg.norm(x))
+                and np.linalg.norm(value) < 1e-8
+            ):
+                return x
+    except (ArithmeticError, ValueError, np.linalg.LinAlgError):
+        return None
+    return x if np.linalg.norm(value) < 1e-9 else None

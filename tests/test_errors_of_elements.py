@@ -1,0 +1,175 @@
+"""Mistakes with elements: their whole messages, beside `test_errors.py`."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+import pytest
+
+import symbody as sb
+from symbody import Body, Element, Expr, SymbodyError, TireForce, errors, functions_of_time, ground, symbols
+
+x, y, psi, theta = functions_of_time("x y psi theta")
+m, k, c, R, N, C = symbols("m k c R N C")
+block = Body(sb.translate(x, 0, 0), 1, name="block")
+fork = sb.translate(x, y, R) * sb.rotate("Z", psi)
+wheel = Body(fork * sb.rotate("Y", theta), m, 1, 1, 1, name="wheel")
+TIRE = {"FNOMIN": 4000, "UNLOADED_RADIUS": 0.3, "PCX1": 1.6, "PDX1": 1.1, "PKX1": 22}
+LATERAL = {"FNOMIN": 4000, "UNLOADED_RADIUS": 0.3, "PCY1": 1.3, "PDY1": 1, "PKY1": -15, "PKY2": 2}
+
+
+def damped(damping: sb.ExprLike) -> Element:
+    return sb.spring(block.center_of_mass, sb.origin(ground), k, damping=damping, on=block, name="band")
+
+
+def tire(law: Any, **options: Any) -> Element:
+    return sb.tire(wheel, R, law, load=N, carrier=fork, name="front", **options)
+
+
+def at_rest(law: Any) -> object:
+    rolling = sb.System([wheel], [tire(law)], [x, y, psi, theta], constraints=[y, psi])
+    return sb.simulate(sb.newton_euler(rolling), {m: 20, R: 0.3, C: 5e4}, t=(0, 0.1))
+
+
+def pushed(law: Callable[[Expr], Expr], start: float) -> object:
+    push = sb.motor(x, law(x), on=block, name="push")
+    return sb.simulate(sb.newton_euler(sb.System([block], [push], [x])), {}, {x: start}, t=(0, 0.1))
+
+
+SCALAR = "expected an expression, such as symbols('a'), or a finite number"
+SCALAR_HERE = "expected an expression, or a finite number"
+NOT_NEGATIVE = "expected a number that isn't negative, as a size or a resistance is"
+TAKES_SYMBOLS = (
+    "expected a function that takes symbols, such as lambda load, kappa, slip, camber: TireForce(0, "
+    "-C*symbody.atan(slip)), with atan of symbody, not of math or numpy"
+)
+
+MISTAKES: list[tuple[Callable[[], object], str]] = [
+    (lambda: damped(-1), f"spring: damping = -1; {NOT_NEGATIVE}"),
+    (
+        lambda: sb.torsion_spring(x, k, damping=-0.5, on=block),
+        f"torsion_spring: damping = -0.5; {NOT_NEGATIVE}",
+    ),
+    (
+        lambda: sb.bushing(block.frame, ground, [k] * 6, damping=[c, c, c, -1, c, c], on=block),
+        f"bushing: damping of rotation x = -1; {NOT_NEGATIVE}",
+    ),
+    (
+        lambda: sb.bushing(
+            block.frame, ground, [k] * 6, damping=np.eye(6) + 2 * np.eye(6)[[1, 0, 2, 3, 4, 5]], on=block
+        ),
+        (
+            "bushing: damping has the eigenvalue -1, so that it would give energy; expected a matrix without negative "
+            "eigenvalues, or six numbers that aren't negative"
+        ),
+    ),
+    (
+        lambda: sb.friction(x, on=block, coulomb=1, static=2, stribeck_speed=0, creep_speed=1),
+        "friction: stribeck_speed = 0; expected a positive speed",
+    ),
+    (
+        lambda: tire(sb.linear_tire(cornering=C), rolling_radius=-0.3),
+        "tire_kinematics: rolling_radius = -0.3; expected a positive number",
+    ),
+    (
+        lambda: sb.magic_formula(TIRE, pressure=0),
+        "magic_formula: pressure = 0; expected a positive number, in the unit of NOMPRES",
+    ),
+    (
+        lambda: sb.magic_formula(TIRE, version=6.1),  # type: ignore[arg-type]
+        "magic_formula: version = 6.1 is a float; expected '5.2' or '6.1'",
+    ),
+    (
+        lambda: sb.magic_formula(TIRE | {"PDX1": math.nan}),
+        f"magic_formula: PDX1 = nan is a float; {SCALAR}",
+    ),
+    (
+        lambda: sb.magic_formula(TIRE | {"PDX1": "1.1"}),
+        f"magic_formula: PDX1 = '1.1' is a str; {SCALAR}",
+    ),
+    (
+        lambda: sb.magic_formula(TIRE | {"FNOMIN": 0}),
+        "magic_formula: FNOMIN = 0; expected a positive number",
+    ),
+    (
+        lambda: sb.magic_formula(TIRE | {"LMUX": -1}),
+        "magic_formula: LMUX = -1; expected a positive number",
+    ),
+    (
+        lambda: sb.magic_formula(LATERAL | {"PKY2": 0}),
+        (
+            "magic_formula: PKY2 = 0, by which the law divides; expected another number, or PCY1 = 0 for a tyre "
+            "without this force"
+        ),
+    ),
+    (lambda: sb.magic_formula(TIRE)(math.nan), f"MagicFormula: load = nan is a float; {SCALAR}"),
+    (lambda: sb.linear_tire(cornering=1)(4000, math.inf), f"LinearTire: kappa = inf is a float; {SCALAR}"),
+    (
+        lambda: tire(lambda load, kappa, slip, camber: TireForce(math.nan, 0)),  # type: ignore[arg-type]
+        f"tire: in the TireForce that the law returns, longitudinal = nan is a float; {SCALAR_HERE}",
+    ),
+    (
+        lambda: tire(lambda load, kappa, slip, camber: TireForce(1 / 0, load)),
+        f"tire: the law fails: division by zero; {TAKES_SYMBOLS}",
+    ),
+    (
+        lambda: at_rest(sb.linear_tire(longitudinal=C)),
+        (
+            "simulate: at t = 0 s: x'', theta'', the power are not finite there, at x = 0, y = 0, psi = 0, theta = 0; "
+            "front stands still there along its direction of rolling (VS = 0), so that its slips are 0/0; give the "
+            "tyre relaxation=(sigma_x, sigma_y), or a least_speed, or start with a vehicle that moves; what was "
+            "computed is the error's motion"
+        ),
+    ),
+    (
+        lambda: pushed(sb.log, -1.0),
+        (
+            "simulate: at t = 0 s: x'', the power are not finite there, at x = -1; the force of push is not finite "
+            "there; look for a division by zero, or a root or logarithm of a negative value, in its law, or parameters "
+            "that make no sense in it; what was computed is the error's motion"
+        ),
+    ),
+]
+
+
+@pytest.mark.parametrize(("mistake", "message"), MISTAKES)
+def test_message(mistake: Callable[[], object], message: str) -> None:
+    with pytest.raises(SymbodyError) as caught:
+        mistake()
+    assert str(caught.value) == message
+    assert isinstance(caught.value, errors.LoadError | errors.SimulationError)
+
+
+def notices_of(element: Element, values: Mapping[Expr, Any], *, many: bool = False) -> list[str]:
+    equations = sb.newton_euler(sb.System([block], [element], [x]))
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        if many:
+            sb.simulate_many(equations, values, {x: 1.0}, t=(0, 0.1), progress=False)
+        else:
+            sb.simulate(equations, values, {x: 1.0}, t=(0, 0.1), progress=False)
+    assert all(each.filename == __file__ for each in caught)
+    return [str(each.message) for each in caught]
+
+
+def test_values_of_resistances_are_checked_when_a_simulation_begins() -> None:
+    assert notices_of(damped(c), {k: 1.0, c: 0.1}) == []
+    assert notices_of(damped(c), {k: 1.0, c: -0.1}) == [f"simulate: band: damping = -0.1; {NOT_NEGATIVE}"]
+    assert notices_of(damped(c), {k: 1.0, c: [0.1, -0.1, -0.2]}, many=True) == [
+        f"simulate_many: in 2 of 3 cases, first case 1: band: damping = -0.1; {NOT_NEGATIVE}"
+    ]
+    friction = sb.friction(x, on=block, coulomb=k, creep_speed=c, name="rail")
+    assert notices_of(friction, {k: 1.0, c: -1.0}) == [f"simulate: rail: creep_speed = -1; {NOT_NEGATIVE}"]
+    stage = sb.bushing(block.frame, ground, [k] * 6, damping=[c] * 6, on=block, name="mount")
+    assert notices_of(stage, {k: 1.0, c: -1.0}) == [f"simulate: mount: damping of x = -1; {NOT_NEGATIVE}"]
+
+
+def test_sizes_of_displaced_and_substituted_elements_are_checked() -> None:
+    moved = sb.displaced(damped(c), sb.translate(0, 0.0, 0))
+    assert isinstance(moved, Element)
+    assert moved.sizes == {"damping": c}
+    assert sb.subs(damped(c), {c: 2 * m}).sizes == {"damping": 2 * m}

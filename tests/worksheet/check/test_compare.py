@@ -1,0 +1,80 @@
+"""Printed values: equal by value, different, or not comparable with a reason."""
+
+from __future__ import annotations
+
+import pytest
+
+from symbody.worksheet.check.compare import difference
+from symbody.worksheet.check.printed import NotComparable
+
+EQUAL = [
+    ("l^2, l^2", "l^2, l*l"),
+    ("a := x^`'`+2*`y''`", "a := diff(x(t),t)+2*diff(y(t),`$`(t,2))"),
+    ("v := diff(x(t),t,t)", "v := D(D(x))(t)*0+diff(x(t), t$2)"),
+    ("D(u)(t)", "diff(u(t),t)"),
+    ("theta^`'`*theta", "theta(t)*diff(theta(t),t)"),
+    ("x = y", "x = y"),
+    ("a+b = c", "a-c = -b"),
+    ("{a, b, c}", "{c, a, b}"),
+    ("T := matrix([[1, 0], [0, cos(q(t))]])", "T := Matrix([[1,0],[0,sin(q(t)+1/2*Pi)]])"),
+    ("coords = matrix([[a], [b]])", "coords = [a, b]"),
+    (
+        "P = POINT(frame = ground,coords = matrix([[0], [1]]))",
+        "P = POINT(coords = matrix([[0],[1]]),frame = ground)",
+    ),
+    (
+        "P = POINT(frame = TT,coords = matrix([[0]]))",
+        "P = POINT(frame = matrix([[1,0],[0,1]]),coords = matrix([[0]]))",
+    ),
+    ("x := .3333333333*F(a)+1.414213562*y(t)", "x := 1/3*F(a)+sqrt(2)*y(t)"),
+    ("x := 1..3", "x := 1 .. 3"),
+    ('"a b"', '"a b"'),
+    # Cut, but something is complete.
+    ("TN := matrix([[ux, vx], [uy, vy*cos(...", "TN := matrix([[ux,vx],[uy,vy+1],[0,0]])"),
+    (
+        "A = POINT(frame = TN,coords = matrix([[0], [0]...",
+        "A = POINT(frame = TN,coords = matrix([[0],[0],[1]])), B = 3",
+    ),
+    ("s := {b = 2, a...", "s := {a = 1, b = 2}"),
+    ("1, x*...", "1, y"),
+]
+
+
+@pytest.mark.parametrize(("theirs", "ours"), EQUAL, ids=[theirs for theirs, _ in EQUAL])
+def test_equal(theirs: str, ours: str) -> None:
+    assert not difference(theirs, ours)
+
+
+DIFFERENT = [
+    ("a := x", "b := x", "the file has a, the run b"),
+    ("a := x+1", "a := x", "the file has x + 1, the run x"),
+    ("[a, b]", "[a, b, c]", "the file has 2 items, the run 3"),
+    ("[a, [b, c]]", "[a, [b, d]]", "[2] [2] the file has c, the run d"),
+    ("{a, b}", "{a}", "the run doesn't have b"),
+    ("{a}", "{a, b}", "the file doesn't have b"),
+    ("P = POINT(coords = [0])", "P = POINT(coords = [1])", "coords: [1] the file has 0, the run 1"),
+    ("P = POINT(coords = [0])", "P = VECTOR(coords = [0])", "the file has POINT(..), the run VECTOR(..)"),
+    ("x := .33*a", "x := 1/3*a", "the file has 0.33*a, the run a/3"),
+    ("x < y", "x <= y", "< became <="),
+    ("[a, b, ...", "[a, c, d]", "[2] the file has b, the run c"),
+]
+
+
+@pytest.mark.parametrize(("theirs", "ours", "where"), DIFFERENT, ids=[theirs for theirs, _, _ in DIFFERENT])
+def test_different(theirs: str, ours: str, where: str) -> None:
+    assert difference(theirs, ours) == where
+
+
+REASONS = [
+    ("1/9*(m*l^2*diff(xA(t),`$`(t,2))+...", "3", "cut before anything complete"),
+    ("276*multiplications+9*additions", "3*multiplications", "a count of operations"),
+    ("a b c", "3", "it can't be read as a value"),
+    ("[a]", "a", "the file has a list, the run an expression"),
+    ("a and b", "a", "and in it has no value"),
+]
+
+
+@pytest.mark.parametrize(("theirs", "ours", "reason"), REASONS, ids=[theirs for theirs, _, _ in REASONS])
+def test_not_comparable(theirs: str, ours: str, reason: str) -> None:
+    with pytest.raises(NotComparable, match=reason):
+        difference(theirs, ours)

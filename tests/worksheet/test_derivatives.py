@@ -1,0 +1,55 @@
+"""Derivatives of all that holds scalars, and rules of the sheet."""
+
+import pytest
+
+from tests.worksheet.printed_by import printed
+
+CASES = {
+    "total": (
+        "diff(m*x(t)^2,t);",
+        ["2*m*x(t)*diff(x(t),t)"],
+    ),
+    "twice": (
+        "diff(x(t)^2,t,t); diff(x(t),t$2);",
+        ["2*diff(x(t),t)^2+2*x(t)*diff(x(t),`$`(t,2))", "diff(x(t),`$`(t,2))"],
+    ),
+    "by a function": (
+        "diff(m*x(t)^2/2,x(t)), diff(diff(x(t),t)^2,diff(x(t),t));",
+        ["m*x(t), 2*diff(x(t),t)"],
+    ),
+    "lists and matrices": (
+        "diff([x(t),y(t)],t); map(diff,matrix([[x(t),1]]),t);",
+        ["[diff(x(t),t), diff(y(t),t)]", "matrix([[diff(x(t),t), 0]])"],
+    ),
+    "an unknown function": (
+        "diff(X(q),q); diff(f(x,y),y);",
+        ["diff(X(q),q)", "diff(f(x,y),y)"],
+    ),
+    "D": (
+        "D(sin)(0), D(f)(a), D(x)(t); g := u -> u^3: D(g)(2);",
+        ["1, diff(f(a),a), diff(x(t),t)", "12"],
+    ),
+    "a rule of one argument": (
+        (
+            "`diff/theta` := proc(t) omega(t) end proc: diff(theta(t),t); diff(theta(t),t,t); diff(sin(theta(t)),t);"
+        ),
+        ["omega(t)", "diff(omega(t),t)", "cos(theta(t))*omega(t)"],
+    ),
+    "a rule of two arguments": (
+        "`diff/f` := proc(a,x) g(a)*diff(a,x) end proc: diff(f(2*t),t);",
+        ["2*g(2*t)"],
+    ),
+    "a rule of a function of two": (
+        "`diff/h` := proc(a,b,x) a*diff(b,x) end proc: diff(h(u,v^2),v);",
+        ["2*u*v"],
+    ),
+    "a rule in a velocity": (
+        "`diff/q` := proc(t) u(t) end proc: comp_X(velocity(origin(translate(q(t),0,0))));",
+        ["u(t)"],
+    ),
+}
+
+
+@pytest.mark.parametrize(("sheet", "expected"), CASES.values(), ids=CASES.keys())
+def test_derivatives(sheet: str, expected: list[str]) -> None:
+    assert printed(sheet) == expected

@@ -1,0 +1,50 @@
+"""A name that is assigned later changes all that was built with it, when that is used."""
+
+import pytest
+
+from tests.worksheet.printed_by import failures, printed
+
+CASES = {
+    "an expression": ("a := w-b: b := 2: a;", ["w-2"]),
+    "through a chain of names": ("a := b: b := c: c := 7: a; c := 8: a;", ["7", "8"]),
+    "a name that loses its value": ("a := b+1: b := 2: a; b := 'b': a;", ["3", "b+1"]),
+    "a list and an equation": ("L := [p, q = p]: p := 5: L; L[1];", ["[5, q = 5]", "5"]),
+    "an entry of a table": ("T[1] := 2*p: p := 5: T[1];", ["10"]),
+    "an entry of a matrix": ("A := matrix(1,1,[[p]]): p := 5: A[1,1]; evalm(A);", ["5", "matrix([[5]])"]),
+    "inside a loop": (
+        "q := evalf(Pi*n/4): for n from 1 to 2 do q; od;",
+        [".7853981635", "1.570796327"],
+    ),
+    "a function of time that gets a value": ("e := 2*f(t): f(t) := V*t: e; diff(f(t),t);", ["2*V*t", "V"]),
+    "at another argument it has none": ("x(t) := V*t: x(0);", ["x(0)"]),
+    "a name made by concatenation": ("e := FzB(t): k := B: Fz||k(t) := 0: FzB(t);", ["0"]),
+    "a function that becomes an operator": ("e := h(2)+h(t): h := x -> x^2: e;", ["t^2+4"]),
+    "the old value in a cycle": ("theta := 3*u: theta := subs(u=v, theta): theta;", ["3*v"]),
+    "a frame and a point": (
+        "T := translate(a,0,0): P := origin(T): a := 5: comp_X(P,ground);",
+        ["5"],
+    ),
+    "an indexed name": ("e := 2*a[1]: a[1] := 4: e;", ["8"]),
+}
+
+
+@pytest.mark.parametrize(("sheet", "expected"), CASES.values(), ids=CASES.keys())
+def test_values_are_evaluated_when_they_are_used(sheet: str, expected: list[str]) -> None:
+    assert printed(sheet) == expected
+
+
+def test_a_name_that_would_hold_itself_is_an_error() -> None:
+    (message,) = failures("x := x + 1;")
+    assert message == "recursive assignment: x has no value that its new value could use"
+
+
+def test_a_name_without_a_value_that_gets_itself_stays_without() -> None:
+    assert printed("x := 5: x := 'x': x;") == ["x"]
+
+
+def test_names_that_hold_each_other_do_not_hang() -> None:
+    assert printed("a := b: b := a: a;") == ["b"]
+
+
+def test_restart_forgets_everything() -> None:
+    assert printed("x := 3: f(t) := 5: alias(c=cos): restart: x, f(t), c;") == ["x, f(t), c"]

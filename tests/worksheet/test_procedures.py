@@ -1,0 +1,98 @@
+"""Procedures, operators and their parameters."""
+
+import pytest
+
+from tests.worksheet.printed_by import failures, printed
+
+CASES = {
+    "the last value": (
+        "f := proc(x,y) local z; z := x+y; z^2 end proc: f(1,a);",
+        ["(a+1)^2"],
+    ),
+    "return": (
+        "f := proc(x) if x>0 then return 1 end if; 2 end proc: f(1), f(-1);",
+        ["1, 2"],
+    ),
+    "recursive": (
+        "f := proc(n) if n<=1 then 1 else n*f(n-1) end if end proc: f(10);",
+        ["3628800"],
+    ),
+    "nested": (
+        "f := proc(x) local g; g := y -> x+y; g(2) end proc: f(a);",
+        ["a+2"],
+    ),
+    "a default": (
+        "f := proc(a,b:=5) a+b end proc: f(1), f(1,2);",
+        ["6, 3"],
+    ),
+    "keywords": (
+        'f := proc(a,{col:="x"}) col end proc: f(1), f(1,col="y");',
+        ['"x", "y"'],
+    ),
+    "args and nargs": (
+        "f := proc() nargs, args end: f(a,b); g := proc() add(args[i],i=1..nargs) end: g(1,2,3);",
+        ["2, a, b", "6"],
+    ),
+    "types of objects": (
+        "f := proc(B::BODY) B[mass] end proc: b1 := make_BODY(ground,m): f(b1);",
+        ["m"],
+    ),
+    "local names are local": (
+        "z := 7: f := proc() local z; z := 1 end proc: f(): z;",
+        ["7"],
+    ),
+    "global names": (
+        "f := proc() global z; z := 9; NULL end proc: f(): z;",
+        ["9"],
+    ),
+    "an operator of two": (
+        "f := (x,y) -> x*y: f(2,3);",
+        ["6"],
+    ),
+    "composition": (
+        "f := x->x^2: g := x->x+1: (f@g)(2), (f@@2)(3);",
+        ["9, 81"],
+    ),
+    "an operator that is not named": (
+        "map(x->x^2,[1,2]); (x->2*x)(a);",
+        ["[1, 4]", "2*a"],
+    ),
+    "unapply": (
+        "f := unapply(a*x^2,x): f(2); unapply(a*b,a);",
+        ["4*a", "a -> a*b"],
+    ),
+    "an error that is caught": (
+        'try error "bad %1", 3 catch "bad": 5 end try;',
+        [],
+    ),
+    "anti-bodies": (
+        (
+            "f := proc(B::BODY) local C; C := copy(B); C[mass] := -m; C end: B := make_BODY(ground,m): f(B)[mass], B[mass];"
+        ),
+        ["-m, m"],
+    ),
+    "an alias hides a parameter": (
+        "alias(c=cos): f := proc(x) c(x) end proc: f(0);",
+        ["1"],
+    ),
+}
+
+
+@pytest.mark.parametrize(("sheet", "expected"), CASES.values(), ids=CASES.keys())
+def test_procedures(sheet: str, expected: list[str]) -> None:
+    assert printed(sheet) == expected
+
+
+def test_a_wrong_type_is_told() -> None:
+    (message,) = failures("f := proc(n::integer) n end proc: f(a);")
+    assert message == ("invalid input: f expects its 1st argument, n, to be of type integer, but received a")
+
+
+def test_too_many_arguments_are_told_where_the_heading_ends() -> None:
+    (message,) = failures("f := proc(n, $) n end proc: f(1,2);")
+    assert "too many and/or wrong type of arguments passed to f; first unused argument is 2" in message
+
+
+def test_an_error_of_the_sheet_is_told() -> None:
+    (message,) = failures('f := proc(n) error "no %1", n end proc: f(3);')
+    assert message == "(in f) no 3"

@@ -1,0 +1,45 @@
+"""Quotes strip one level each evaluation."""
+
+import pytest
+
+from tests.worksheet.printed_by import printed
+
+CASES = {
+    "a name": (
+        "x := 3: 'x'; x;",
+        ["x", "3"],
+    ),
+    "a function": (
+        "'sin(arctan(lambda))'; %;",
+        ["sin(arctan(lambda))", "lambda/(lambda^2+1)^(1/2)"],
+    ),
+    "in an equation": (
+        "W := 5: 'W' = W;",
+        ["W = 5"],
+    ),
+    "two levels": (
+        "x := 3: ''x''; %; %;",
+        ["'x'", "x", "3"],
+    ),
+    "an axis without quotes": (
+        "comp(X,make_VECTOR(ground,u,v,w));",
+        ["u"],
+    ),
+    "a concatenation": (
+        "n := 2: 'a||n';",
+        ["a2"],
+    ),
+    "unassign by a quoted name": (
+        "x := 3: unassign('x'): x;",
+        ["x"],
+    ),
+    "an entry": (
+        "T[1] := 4: 'T[1]';",
+        ["T[1]"],
+    ),
+}
+
+
+@pytest.mark.parametrize(("sheet", "expected"), CASES.values(), ids=CASES.keys())
+def test_quotes(sheet: str, expected: list[str]) -> None:
+    assert printed(sheet) == expected

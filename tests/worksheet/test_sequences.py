@@ -1,0 +1,65 @@
+"""Sequences flatten everywhere, and NULL disappears."""
+
+import pytest
+
+from tests.worksheet.printed_by import printed
+
+CASES = {
+    "in a list": (
+        "s := a,b: [s,c,NULL];",
+        ["[a, b, c]"],
+    ),
+    "in a call": (
+        "f(op([1,2]),3);",
+        ["f(1,2,3)"],
+    ),
+    "seq": (
+        "seq(i^2,i=1..4), seq(k,k={a,b}), seq(x*2,x in [p,q]);",
+        ["1, 4, 9, 16, a, b, 2*p, 2*q"],
+    ),
+    "a step": (
+        "seq(i,i=0..1,0.5);",
+        ["0, .5, 1."],
+    ),
+    "dollar": (
+        "x$3; k^2 $ k=1..3; [i*10 $ i=1..2];",
+        ["x, x, x", "1, 4, 9", "[10, 20]"],
+    ),
+    "Translate takes several from one": (
+        "Translate(comp_XYZ(make_VECTOR(ground,1,2,3)))[1,4];",
+        ["1"],
+    ),
+    "slices": (
+        "L := [a,b,c,d]: L[2..3]; L[-2..-1]; L[2..-1]; L[-1];",
+        ["[b, c]", "[c, d]", "[b, c, d]", "d"],
+    ),
+    "several assignments": (
+        "a, b := 1, 2: (c,d) := b, a: c, d;",
+        ["2, 1"],
+    ),
+    "the index keeps its value": (
+        "i := 7: seq(i,i=1..2): i;",
+        ["7"],
+    ),
+    "add and mul": (
+        "add(i,i=1..4), mul(i,i=1..4), add([a,b]);",
+        ["10, 24, a+b"],
+    ),
+    "sum with a quoted index": (
+        "c := [p,q]: sum('lambda||k(t)*c['k']','k'=1..2); sum('lambda||k(t)'*c['k'],'k'=1..2);",
+        ["p*lambda1(t)+q*lambda2(t)", "p*lambda1(t)+q*lambda2(t)"],
+    ),
+    "union joins lists": (
+        "[a,b] union [b]; {a,b} union {b,c}; {a,b} minus {b}; {a,b} intersect {b};",
+        ["[a, b, b]", "{a, b, c}", "{a}", "{b}"],
+    ),
+    "a sum of a name": (
+        "sum(k,k=1..n);",
+        ["sum(k,k = 1 .. n)"],
+    ),
+}
+
+
+@pytest.mark.parametrize(("sheet", "expected"), CASES.values(), ids=CASES.keys())
+def test_sequences(sheet: str, expected: list[str]) -> None:
+    assert printed(sheet) == expected

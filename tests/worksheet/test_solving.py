@@ -1,0 +1,65 @@
+"""solve, fsolve and what follows from solutions."""
+
+import pytest
+
+from tests.worksheet.printed_by import printed
+
+CASES = {
+    "one unknown alone": (
+        "solve(a*x+b=0,x); solve(z^2-4,z);",
+        ["-b/a", "2, -2"],
+    ),
+    "a set": (
+        "solve({u+v=3,u-v=1},{u,v});",
+        ["{u = 2, v = 1}"],
+    ),
+    "a list": (
+        "solve([u+v=3,u-v=1],[u,v]); op(%); %%[1];",
+        ["[[u = 2, v = 1]]", "[u = 2, v = 1]", "[u = 2, v = 1]"],
+    ),
+    "functions and derivatives": (
+        "solve({diff(x(t),t)-3*k},{diff(x(t),t)}); solve(x(t)-2,x(t));",
+        ["{diff(x(t),t) = 3*k}", "2"],
+    ),
+    "a list under one derivative": (
+        "solve({diff(x(t),t)-3*k, diff(y(t),t)+diff(x(t),t)}, diff([x(t),y(t)],t));",
+        ["[[diff(x(t),t) = 3*k, diff(y(t),t) = -3*k]]"],
+    ),
+    "free unknowns": (
+        "solve({x+y=1},{x,y});",
+        ["{x = 1-y, y = y}"],
+    ),
+    "no solution": (
+        "s := [solve({x=1,x=2},{x})];",
+        ["s := []"],
+    ),
+    "allvalues": (
+        "[allvalues(solve(z^2=9,z))];",
+        ["[3, -3]"],
+    ),
+    "numbers in ranges": (
+        "fsolve(cos(r)=r,r=0..1); fsolve({w^2+v^2=4,w-v=0},{w=0..3,v=0..3});",
+        [".7390851332", "{v = 1.414213562, w = 1.414213562}"],
+    ),
+    "assign": (
+        "assign({a=2,b=3}): a*b;",
+        ["6"],
+    ),
+    "relations in unknowns": (
+        "simplify(a*u+b*v,{u=w1,v=2*w1},[u,v]);",
+        ["w1*(a+2*b)"],
+    ),
+    "a relation of a polynomial": (
+        "simplify(3*p^2+3*q^2,{p^2+q^2=1});",
+        ["3"],
+    ),
+    "isolate": (
+        "isolate(a*x+b=0,x);",
+        ["x = -b/a"],
+    ),
+}
+
+
+@pytest.mark.parametrize(("sheet", "expected"), CASES.values(), ids=CASES.keys())
+def test_solving(sheet: str, expected: list[str]) -> None:
+    assert printed(sheet) == expected

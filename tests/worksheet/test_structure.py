@@ -1,0 +1,89 @@
+"""Maple's op, nops, has and indets see the printed structure."""
+
+import pytest
+
+from tests.worksheet.printed_by import printed
+
+CASES = {
+    "operands": (
+        "op(a+b*c); op(2,u=v); op([1,2],[[1,2],3]); op(0,f(x)); op(1..2,[a,b,c]);",
+        ["b*c, a", "v", "2", "f", "a, b"],
+    ),
+    "counts": (
+        "nops(a+b+c), nops(a*b), nops([a,b]), nops({a,a}), nops(x), nops(u=v);",
+        ["3, 2, 2, 1, 1, 2"],
+    ),
+    "has a function": (
+        "has([sin(q(t)),3],q(t)), has(diff(q(t),t),q(t)), has(q(t),p(t));",
+        ["true, true, false"],
+    ),
+    "has a power in a product": (
+        "has(a*d(t)^2,d(t)^2), has(a*d(t)^3,d(t)^2), has(cos(d(t))*a,cos(d(t)));",
+        ["true, false, true"],
+    ),
+    "has one of several": (
+        "has(a*b,[c,b]), has(a*b,{c});",
+        ["true, false"],
+    ),
+    "has in a matrix": (
+        "has(Matrix([[a,1],[0,b]]),b);",
+        ["true"],
+    ),
+    "has a derivative": (
+        "has(Matrix([[diff(x(t),t)]]),diff(x(t),t)), has(x(t),diff(x(t),t));",
+        ["true, false"],
+    ),
+    "coefficients by value": (
+        "e := a*x^2+b*x+c: coeff(e,x,2), coeff(e,x^2), coeff(e,x), coeff(e,x,0);",
+        ["a, a, b, c"],
+    ),
+    "coefficients of a function": (
+        "coeff(m*diff(x(t),t,t)+k*x(t),diff(x(t),t,t));",
+        ["m"],
+    ),
+    "collect": (
+        "collect(a*x+b*x+c,x); collect((x+1)*(x+a),x,simplify);",
+        ["x*(a+b)+c", "x^2+x*(a+1)+a"],
+    ),
+    "indets": (
+        "indets(x^2+sin(y(t)),'function'); indets(a+b*c);",
+        ["{sin(y(t)), y(t)}", "{a, b, c}"],
+    ),
+    "map": (
+        "map(sin,[0,Pi/2]); map(f,a+b); map(diff,[x^2,x],x); map2(f,a,[1,2]);",
+        ["[0, 1]", "f(a)+f(b)", "[2*x, 1]", "[f(a,1), f(a,2)]"],
+    ),
+    "elementwise": (
+        "rhs~([a=b,c=d]); diff(x(t),t)=~0; [1,2] +~ 3; f~([a,b]);",
+        ["[b, d]", "diff(x(t),t) = 0", "[4, 5]", "[f(a), f(b)]"],
+    ),
+    "select and remove": (
+        "select(has,[a*x,b],x); remove(has,a*x+b,x); select(x->x>1,[1,2,3]);",
+        ["[a*x]", "b", "[2, 3]"],
+    ),
+    "subsop": (
+        "subsop(2=z,[a,b,c]);",
+        ["[a, z, c]"],
+    ),
+    "convert": (
+        "convert([1,2,1],set); convert({b,a},list); convert(a+b,string); T[2]:=b: T[1]:=a: convert(T,list);",
+        ["{1, 2}", "[a, b]", '"a+b"', "[a, b]"],
+    ),
+    "sets merge what is equal in value": (
+        "nops({sin(x)^2+cos(x)^2, 1});",
+        ["1"],
+    ),
+    "sides": (
+        "lhs(a=b), rhs(a=b), lhs(1..n);",
+        ["a, b, 1"],
+    ),
+    "length": (
+        'length("abc"), length(1234);',
+        ["3, 4"],
+    ),
+}
+
+
+@pytest.mark.parametrize(("sheet", "expected"), CASES.values(), ids=CASES.keys())
+def test_structure(sheet: str, expected: list[str]) -> None:
+    assert printed(sheet) == expected

@@ -1,0 +1,89 @@
+"""subs replaces parts of the printed structure, and nothing else."""
+
+import pytest
+
+from tests.worksheet.printed_by import printed
+
+CASES = {
+    "one after the other": (
+        "subs(u=2,v=u,u+v);",
+        ["u+2"],
+    ),
+    "at once": (
+        "subs([u=v,v=u],u+2*v), subs({u=v,v=u},u+2*v);",
+        ["2*u+v, 2*u+v"],
+    ),
+    "a derivative before the function": (
+        "subs(diff(x(t),t)=u, x(t)=0, diff(x(t),t)+x(t)*k);",
+        ["u"],
+    ),
+    "the same in a set": (
+        "subs({x(t)=0, diff(x(t),t)=u}, diff(x(t),t)+x(t)*k);",
+        ["u"],
+    ),
+    "a function in its derivative": (
+        "subs(x(t)=A*sin(t), diff(x(t),t,t));",
+        ["-A*sin(t)"],
+    ),
+    "a power in a product": (
+        "subs(d(t)^2=0, a*d(t)^2+d(t));",
+        ["d(t)"],
+    ),
+    "another power stays": (
+        "subs(x^2=0, x^3+x^2*k);",
+        ["x^3"],
+    ),
+    "a sum inside a longer one stays": (
+        "subs(a+b=c,a+b+d);",
+        ["a+b+d"],
+    ),
+    "a product inside a longer one stays": (
+        "subs(a*b=c,a*b*d);",
+        ["a*b*d"],
+    ),
+    "a function of an angle": (
+        "subs(cos(q(t))=c, m*cos(q(t))+cos(2*q(t)));",
+        ["c*m+cos(2*q(t))"],
+    ),
+    "lists and equations": (
+        "subs(a=1,[a,b=a]);",
+        ["[1, b = 1]"],
+    ),
+    "a matrix": (
+        "M := Matrix([[a,1],[0,a]]): subs(a=2,M);",
+        ["Matrix([[2, 1], [0, 2]])"],
+    ),
+    "a vector": (
+        "v := make_VECTOR(ground,a,b,0): comp_X(subs(a=5,v));",
+        ["5"],
+    ),
+    "a body": (
+        "B := make_BODY(ground,m): C := subs(m=3,B): C[mass];",
+        ["3"],
+    ),
+    "the time": (
+        "subs(t=0,x(t)+diff(x(t),t));",
+        ["D(x)(0)+x(0)"],
+    ),
+    "a name of a function": (
+        "subs(f=g,f(2)+f(t));",
+        ["g(2)+g(t)"],
+    ),
+    "a solution": (
+        "s := solve({u+v=3,u-v=1},{u,v}): subs(s,u*v);",
+        ["2"],
+    ),
+    "eval at a point": (
+        "eval(x^2+y,x=3); eval(x+y,[x=1,y=2]);",
+        ["y+9", "3"],
+    ),
+    "algsubs divides": (
+        "algsubs(a*b=c,a*b*d+a*b);",
+        ["c*d+c"],
+    ),
+}
+
+
+@pytest.mark.parametrize(("sheet", "expected"), CASES.values(), ids=CASES.keys())
+def test_substitution(sheet: str, expected: list[str]) -> None:
+    assert printed(sheet) == expected
