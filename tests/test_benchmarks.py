@@ -9,9 +9,11 @@ from collections.abc import Iterable
 from dataclasses import replace
 from fractions import Fraction
 from math import cos, isclose, sin, sqrt
+from pathlib import Path
 
 import pytest
 
+from benchmarks import own_process, page
 from benchmarks.derive.by_symbody import net
 from benchmarks.derive.engines import ENGINES, SYMBODY, Algebra
 from benchmarks.derive.problem import Problem, Target
@@ -20,6 +22,8 @@ from benchmarks.derive.report import section, targets
 from benchmarks.derive.rounds import agree, in_this_process
 from benchmarks.derive.tape import Operations, Tape
 from benchmarks.derive.trial import from_json, main, to_json, trial
+from benchmarks.own_process import in_own_process
+from benchmarks.page import write_page
 from symbody import Expr, derivation, lagrange_equations, newton_euler
 
 OPERATION_TARGETS = [
@@ -147,3 +151,22 @@ def test_lowering_keeps_the_value_and_counts_the_operations(algebra: Algebra) ->
     assert counted(tape) == (2, 4, 1, 2)
     sine = sin(6.0)
     assert tape.evaluate({"x": 2.0, "y": 3.0}.__getitem__) == pytest.approx([sine + 9, sine * cos(2.0) - 4.5])
+
+
+def test_a_process_of_its_own_prints_the_result_or_says_why_there_is_none(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    assert "usage:" in str(in_own_process("json.tool", "--help"))
+    with pytest.raises(RuntimeError, match=r"^json\.tool nowhere failed:"):
+        in_own_process("json.tool", "nowhere")
+    monkeypatch.setattr(own_process, "PATIENCE", 0.01)
+    assert in_own_process("json.tool", "--help") is None
+
+
+def test_a_page_is_written_whole_or_stays(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(page, "FOLDER", tmp_path)
+    write_page("table.md", "one")
+    monkeypatch.setattr(Path, "write_text", lambda *_, **__: int("no number"))
+    with pytest.raises(ValueError, match="no number"):
+        write_page("table.md", "two")
+    assert [file.read_bytes() for file in tmp_path.iterdir()] == [b"one"]

@@ -128,9 +128,9 @@ MISTAKES: list[tuple[Callable[[], object], str]] = [
     (
         lambda: pushed(sb.log, -1.0),
         (
-            "simulate: at t = 0 s: x'', the power are not finite there, at x = -1; the force of push is not finite "
-            "there; look for a division by zero, or a root or logarithm of a negative value, in its law, or parameters "
-            "that make no sense in it; what was computed is the error's motion"
+            "simulate: at t = 0 s: x'', the power are not finite there, at x = -1; push is not finite; look in it for "
+            "a division by zero, a root or logarithm of a negative value, or parameters that make no sense; what was "
+            "computed is the error's motion"
         ),
     ),
 ]

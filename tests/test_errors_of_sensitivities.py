@@ -135,13 +135,24 @@ def test_beside_a_double_root() -> None:
         assert found.sensitivity(x, by=l) == pytest.approx(slope(found[x]), rel=1e-9)
 
 
-def mode(*, repeated: bool = False) -> Mode:
+def loose_mode() -> Mode:
+    """Return the mode of two masses with a spring between: only their distance is determined."""
+    x0, y0 = symbols("x0 y0")
+    pull = Force(ground, l - k * (x - y) ** 3, 0, 0, at=body.center_of_mass, on=body)
+    foot = Body(translate(y, 0, 0), m)
+    back = Force(ground, k * (x - y) ** 3 - l, 0, 0, at=foot.center_of_mass, on=foot)
+    linear = linearize(newton_euler(System([body, foot], [pull, back], [x, y])), about={x: x0, y: y0})
+    return modes(linear, {m: 1.0, k: 2.0, l: 2.0, x0: 2.0, y0: 1.0}).near(3.5j)
+
+
+def mode(*, repeated: bool = False, place: float | None = None) -> Mode:
     """Return the mode of a cart about a position x0 that a force holds, or one of two equal carts."""
-    x0 = symbols("x0")
+    x0 = symbols("x0") if place is None else place
     force = Force(ground, l - k * x**3, 0, 0, at=body.center_of_mass, on=body)
     if not repeated:
         linear = linearize(newton_euler(System([body], [force], [x])), about={x: x0})
-        return modes(linear, {m: 1.0, k: 2.0, l: 2.0, x0: 1.0})[0]
+        own = {x0: 1.0} if isinstance(x0, Expr) else {}
+        return modes(linear, {m: 1.0, k: 2.0, l: 2.0, **own})[0]
     other = Body(translate(0, y, 0), m)
     pulls = [Force(ground, -k * x, 0, 0, at=body.center_of_mass, on=body)]
     pulls += [Force(ground, 0, -k * y, 0, at=other.center_of_mass, on=other)]
@@ -368,11 +379,19 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     ),
     (
         errors.ModelError,
-        lambda: mode().sensitivity(by=k),
+        lambda: mode(place=1.0).sensitivity(by=k),
         (
             "Mode.sensitivity: when k changes, the reference motion isn't steady any more: the equation of motion of "
-            "x' is off; expected the derivatives of its values as well: linearize about symbols, about={q: q0}, and "
-            "give together={q0: found.sensitivity(q, by=k)} of the equilibrium or steady motion"
+            "x' is off; expected a motion that follows: linearize about symbols, such as about={q: q0}, and give "
+            "their values to modes"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: loose_mode().sensitivity(by=k),
+        (
+            "Mode.sensitivity: the conditions of the steady motion don't determine how x0 and y0 change: give as many "
+            "of them as are free, such as together={x0: 0} for one that stays"
         ),
     ),
     (

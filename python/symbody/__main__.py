@@ -7,12 +7,13 @@ import sys
 from collections.abc import Sequence
 from importlib.metadata import version
 
-from symbody.worksheet.command_line import add_run_options
+from symbody.worksheet.command_line import add_convert_options, add_run_options
 
 COMMANDS = {
     "version": "print the version",
     "doctor": "report which packages, extras and programs are there, and how to get the missing ones",
     "run": "run an MBSymba worksheet, without Maple",
+    "convert": "write an MBSymba worksheet as a Python program",
 }
 
 EPILOG = """\
@@ -35,6 +36,10 @@ def main(words: Sequence[str] | None = None) -> int:
         from symbody.worksheet.run import run_file  # noqa: PLC0415 - the interpreter of worksheets
 
         return run_file(given)
+    elif command == "convert":
+        from symbody.worksheet.convert import convert_file  # noqa: PLC0415 - likewise
+
+        return convert_file(given)
     else:
         parser.print_help()
     return 0
@@ -53,6 +58,8 @@ def _parser() -> argparse.ArgumentParser:
         command = commands.add_parser(name, help=purpose, description=f"{purpose[0].upper()}{purpose[1:]}.")
         if name == "run":
             add_run_options(command)
+        elif name == "convert":
+            add_convert_options(command)
     return parser
 
 

@@ -180,3 +180,5 @@ def test_eigenvalues_about_an_equilibrium_that_moves() -> None:
         expected = difference(lambda p, part=part: getattr(frequency(p), part), HELD[m])
         assert getattr(slope, part) == pytest.approx(expected, rel=1e-6)
     assert np.isfinite(slope)
+    assert mode.sensitivity(by=m) == pytest.approx(slope, rel=1e-9)  # by the conditions of the equilibrium
+    assert mode.sensitivity(by=m, together={q0: moved[q0]}) == pytest.approx(slope, rel=1e-9)

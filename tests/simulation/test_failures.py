@@ -64,8 +64,8 @@ MISTAKES = {
         {m: 1, x: 0},
         {m: 1, x: 1},
         SimulationError,
-        r"at t = 0 s: x'', the power are not finite there, at x = 0; look for a division by zero, a root or logarithm "
-        r"of a negative value, or parameters that make no sense",
+        r"at t = 0 s: x'', the power are not finite there, at x = 0; Force\(.*\) is not finite; look in it for a "
+        r"division by zero, a root or logarithm of a negative value, or parameters that make no sense",
         0.0,
     ),
     # From rest, x'^2/2 = 2/3 (1 - (x - 1)^(3/2)): the time to x = 1 is an integral of Euler's.

@@ -834,15 +834,15 @@ def test_floating_cases_begin_upright() -> None:
 
 def test_failures_are_told_in_the_names_of_the_model() -> None:
     mass = Body(translate(x, 0, 0), m)
-    push = Force(ground, -1 / x, 0, 0, at=mass.center_of_mass, on=mass)
+    push = Force(ground, -1 / x, 0, 0, at=mass.center_of_mass, on=mass, name="push")
     eqs = newton_euler(System([mass], [push], coordinates=[x]))
     with pytest.warns(
         ModelNotice, match=r"1 of 2 motions failed; the first is case 1 .*: at t = 0 s: x''.* not finite"
     ):
         runs = simulate_many(eqs, {m: 1}, {x: [5.0, 0.0]}, t=(0, 1))
     assert runs.failures[0].message == (
-        "at t = 0 s: x'', the power are not finite there, at x = 0; look for a division by zero, a root or logarithm "
-        "of a negative value, or parameters that make no sense"
+        "at t = 0 s: x'', the power are not finite there, at x = 0; push is not finite; look in it for a division by "
+        "zero, a root or logarithm of a negative value, or parameters that make no sense"
     )
 
 

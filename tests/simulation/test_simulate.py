@@ -350,7 +350,8 @@ class TestEndsBeforeTheEnd:
     def test_not_a_number_at_the_begin_names_the_rate(self):
         message, motion = self.failed(oscillator(k / x), {m: 1, k: 4}, {x: 0})
         assert message == (
-            "simulate: at t = 0 s: x'', the power are not finite there, at x = 0; look for a division by zero, a root "
+            "simulate: at t = 0 s: x'', the power are not finite there, at x = 0; Force(Vector(ground, k/x, 0, 0), "
+            "at=Point(translate...dy(translate(x, 0, 0), m)) is not finite; look in it for a division by zero, a root "
             "or logarithm of a negative value, or parameters that make no sense; what was computed is the error's "
             "motion"
         )

@@ -41,6 +41,10 @@ CASES = {
         "for i to 3 do a[i] := i*x od: a[2], a[3];",
         ["2*x, 3*x"],
     ),
+    "a deeper print level": (
+        "printlevel := 2: for i to 1 do if true then i end if end do;",
+        ["1"],
+    ),
     "print inside": (
         "for i to 2 do print(i) od:",
         ["1", "2"],

@@ -67,9 +67,25 @@ CASES = {
     ),
     "anti-bodies": (
         (
-            "f := proc(B::BODY) local C; C := copy(B); C[mass] := -m; C end: B := make_BODY(ground,m): f(B)[mass], B[mass];"
+            "f := proc(B::BODY) local C; C := copy(B); C[mass] := -m; C end: B := make_BODY(ground,m): f(B)[mass];"
         ),
-        ["-m, m"],
+        ["-m"],
+    ),
+    "names of values are not those of parameters": (
+        "e := x^2+y: f := proc(x) local y; y := 7; e+x end proc: f(2); e;",
+        ["x^2+y+2", "x^2+y"],
+    ),
+    "a parameter t whose value is t": (
+        "f := proc(t) diff(x(t),t) end proc: f(t);",
+        ["diff(x(t),t)"],
+    ),
+    "packages inside a procedure": (
+        "f := proc(M) uses LinearAlgebra; Transpose(M) end proc: f(<1,2>); Transpose(q);",
+        ["Vector[row]([1, 2])", "Transpose(q)"],
+    ),
+    "operators as functions": (
+        "`+`(a,b,c), `*`(op([a,b])), `if`(1<2,a,b);",
+        ["a+b+c, a*b, a"],
     ),
     "an alias hides a parameter": (
         "alias(c=cos): f := proc(x) c(x) end proc: f(0);",

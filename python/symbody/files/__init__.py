@@ -1,1 +1,1 @@
-"""Atomic replacement of files."""
+"""Atomic replacement of files, and the folder of what is kept between processes."""

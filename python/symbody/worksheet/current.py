@@ -61,12 +61,15 @@ class State(Protocol):
     depends: list[set[str]]
     seen: dict[int, Seen]
     assigned: dict[str, int]
-    count: int
+    log: list[str]
+    variables: dict[int, frozenset[str]]
     applied: set[str]
     indexed: dict[str, tuple[str, tuple[Value, ...]]]
     opaque: dict[str, Value]
     options: Any
 
+    @property
+    def count(self) -> int: ...
     @property
     def scope(self) -> Any: ...
     @property
@@ -103,14 +106,19 @@ def resolved(session: State, value: Value) -> Value:
 
 
 def named(session: State, name: str) -> Value:
-    """Return what a name stands for: its last name if that is a table, a procedure or an old matrix."""
+    """Return what a name in the code stands for, in the procedure that runs, in those around it, or in the session."""
     scope = session.scope
     while scope is not None:
         if name in scope.names:
-            return _local(session, scope, scope.names[name])
+            return current(session, scope.names[name])
         if name in scope.local:
             return symbol(name)
         scope = scope.parent
+    return _of_session(session, name)
+
+
+def _of_session(session: State, name: str) -> Value:
+    """Return what a name of the session stands for: its last name if that is a table, a procedure or an old matrix."""
     _depend_on(session, (name,))
     alias = session.options.aliases.get(name) if session.options.aliases else None
     if alias is not None:
@@ -127,20 +135,6 @@ def named(session: State, name: str) -> Value:
         return current(session, value)
     finally:
         session.resolving.pop()
-
-
-def _local(session: State, scope: Any, value: Value) -> Value:
-    """A local name is evaluated by one level, as in Maple; names of the session in it are evaluated fully.
-
-    A parameter t whose value is t, or a value that holds names which are local by chance, stays as it is.
-    """
-    if isinstance(value, Expr) and any(
-        leaf.name in scope.names or leaf.name in scope.local
-        for leaf in value.free_symbols
-        if leaf.kind == "symbol"
-    ):
-        return value
-    return current(session, value)
 
 
 def current(session: State, value: Value, *, arrays: bool = False) -> Value:
@@ -160,7 +154,7 @@ def _reference(session: State, value: Reference) -> Value:
     found = session.names.get(value.name)
     if found is None:
         return symbol(value.name)
-    return value if is_last_name(found) else named(session, value.name)
+    return value if is_last_name(found) else _of_session(session, value.name)
 
 
 def _container(session: State, value: Any, *, arrays: bool) -> Value:
@@ -251,11 +245,11 @@ def _depend_on(session: State, names: Iterable[str]) -> None:
 
 
 def _guarded(session: State) -> set[str]:
-    """Names whose meaning here isn't that of the session: those being resolved, and those of procedures."""
+    """Names whose meaning here isn't that of the session: those being resolved, and local ones."""
     names = set(session.resolving)
     scope = session.scope
     while scope is not None:
-        names |= scope.local | scope.names.keys()
+        names |= scope.local
         scope = scope.parent
     return names
 
@@ -265,8 +259,10 @@ def _changed(session: State, seen: Seen) -> bool:
         return True
     if session.resolving and not seen.names.isdisjoint(session.resolving):
         return True
-    stamp = seen.stamp
-    return stamp != session.count and any(session.assigned.get(name, 0) > stamp for name in seen.names)
+    since = session.count - seen.stamp
+    if since < len(seen.names):
+        return any(name in seen.names for name in session.log[seen.stamp :])
+    return any(session.assigned.get(name, 0) > seen.stamp for name in seen.names)
 
 
 def _evaluated(session: State, value: Expr) -> Value:
@@ -274,8 +270,7 @@ def _evaluated(session: State, value: Expr) -> Value:
         return _symbol(session, value)
     depends = session.depends[-1]
     new: dict[Expr, Value] = {}
-    for variable in _variables(value):
-        depends.add(variable.name)
+    for variable in _variables(session, value):
         found = _symbol(session, variable) if variable.kind == "symbol" else _function(session, variable)
         if found is not variable:
             new[variable] = found
@@ -293,11 +288,46 @@ def _evaluated(session: State, value: Expr) -> Value:
     return value.subs(scalars) if scalars else value
 
 
-def _variables(value: Expr) -> list[Expr]:
-    """The variables in a fixed order."""
-    return sorted(
-        free_symbols([value]), key=lambda each: (each.name, each.kind, each.kind != "symbol" and each.order)
+def _variables(session: State, value: Expr) -> list[Expr]:
+    """Return the variables that may have a value, in a fixed order; the scalar depends on all of them."""
+    names = names_of(session, value)
+    _depend_on(session, names)
+    known = names & _named_somewhere(session)
+    if not known:
+        return []
+    found = [each for each in free_symbols([value]) if each.name in known]
+    return sorted(found, key=lambda each: (each.name, each.kind, each.kind != "symbol" and each.order))
+
+
+def _named_somewhere(session: State) -> set[str]:
+    held = (
+        session.names,
+        session.remembered,
+        session.indexed,
+        session.opaque,
+        session.options.aliases,
+        CONSTANTS,
     )
+    return set().union(*(each.keys() for each in held if each))
+
+
+_FEW = 8
+
+
+def names_of(session: State, value: Expr) -> frozenset[str]:
+    """Return the names of the variables in a scalar; those of its parts, if they are known, save a walk."""
+    known = session.variables.get(value.id)
+    if known is None:
+        parts = value.args
+        of_parts = [session.variables.get(part.id) for part in parts[:_FEW] if part.args or part.is_variable]
+        if parts and len(parts) <= _FEW and None not in of_parts:
+            known = frozenset().union(*(each for each in of_parts if each is not None))
+        else:
+            known = frozenset(each.name for each in free_symbols([value]))
+        if len(session.variables) > 500_000:
+            session.variables.clear()
+        session.variables[value.id] = known
+    return known
 
 
 def _applications(session: State, value: Expr) -> list[Expr]:
@@ -320,8 +350,20 @@ def _symbol(session: State, value: Expr) -> Value:
     opaque = session.opaque.get(name)
     if opaque is not None:
         return _opaque(session, value, opaque)
-    found = named(session, name)
+    if _is_local(session, name):
+        return value
+    found = _of_session(session, name)
     return value if found == value or found == Reference(name) else found
+
+
+def _is_local(session: State, name: str) -> bool:
+    """Whether a symbol may be a local name that has no value yet; parameters are none, they are in the code only."""
+    scope = session.scope
+    while scope is not None:
+        if name in scope.local:
+            return True
+        scope = scope.parent
+    return False
 
 
 def _indexed(session: State, value: Expr, base: str, indices: tuple[Value, ...]) -> Value:

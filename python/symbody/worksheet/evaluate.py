@@ -301,18 +301,37 @@ class Evaluator:
         if isinstance(function, syntax.Elementwise):
             return self._mapped(self.evaluate(function.function), self.arguments(node.arguments))
         name = function.name if isinstance(function, syntax.Name) else None
-        if name is not None and name not in session.names and name not in session.options.aliases:
-            form = builtins.FORMS.get(name)
-            if form is not None and not self._is_local(name):
-                return form(session, *node.arguments)
-            return self.call(
-                symbol(name) if not self._is_local(name) else self._named(name),
-                self.arguments(node.arguments),
-            )
-        head = self._named(name) if name is not None else self.evaluate(function)
-        if isinstance(head, Builtin) and head.name in builtins.FORMS:
-            return builtins.FORMS[head.name](session, *node.arguments)
+        if name is None or self._is_local(name):
+            head = self.evaluate(function)
+        elif name in session.names or name in session.options.aliases:
+            head = self._named(name)
+        else:
+            head = symbol(name)
+        form = self._form(head)
+        if form is not None:
+            return self._guarded(form, self._head_name(head), node.arguments)
         return self.call(head, self.arguments(node.arguments))
+
+    def _form(self, head: Value) -> Callable[..., Value] | None:
+        """Return the command that takes its arguments unevaluated, if a head is one."""
+        name = self._head_name(head)
+        return builtins.FORMS.get(name) if name not in self.session.names else None
+
+    def _head_name(self, head: Value) -> str:
+        if isinstance(head, Builtin) or (isinstance(head, Expr) and head.kind == "symbol"):
+            return str(head.name)
+        return ""
+
+    def _guarded(self, function: Callable[..., Value], name: str, arguments: tuple[Any, ...]) -> Value:
+        """Call a command; wrong arguments are told by its name."""
+        try:
+            return function(self.session, *arguments)
+        except TypeError as error:
+            if "argument" in str(error) and "positional" in str(error):
+                raise WorksheetError(f"{name}: {builtins.usage(function, len(arguments))}") from error
+            raise WorksheetError(f"{name}: arguments that it can't use; {error}") from error
+        except (AssertionError, AttributeError, LookupError) as error:
+            raise WorksheetError(f"{name}: arguments that it can't use") from error
 
     def _is_local(self, name: str) -> bool:
         scope = self.session.scope
@@ -366,6 +385,9 @@ class Evaluator:
         return Unevaluated(function, arguments)
 
     def _named_call(self, name: str, arguments: tuple[Value, ...]) -> Value:
+        if name.startswith("evalf["):
+            base, (digits,) = self.session.indexed[name]
+            return self.call(symbol(base), (*arguments, digits))
         found = builtins.command(self.session, name)
         if found is not None:
             return self._command(name, found, arguments)
@@ -380,12 +402,7 @@ class Evaluator:
                 )
             )
         self.session.limits.check()
-        try:
-            return function(self.session, *arguments)
-        except TypeError as error:
-            if "argument" not in str(error) or "positional" not in str(error):
-                raise
-            raise WorksheetError(f"{name}: {builtins.usage(function, len(arguments))}") from error
+        return self._guarded(function, name, arguments)
 
     def _application(self, name: str, arguments: tuple[Value, ...]) -> Value:
         if arguments and all(isinstance(each, Expr | Reference) for each in arguments):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 from typing import Any
@@ -60,6 +61,7 @@ class Interpreter:
         self.session.face = _face
         mbsymba.install(self.session)
         self._level = 0
+        self._quiet = 0
         self._methods: dict[type, Callable[[Any], Value]] = {
             syntax.Assignment: self._assignment,
             syntax.Evaluation: lambda node: self._evaluate(node.expression),
@@ -91,8 +93,10 @@ class Interpreter:
         session.scopes.clear()
         session.resolving.clear()
         session.depends.clear()
-        self._level = 0
+        self._level = self._quiet = 0
         self.evaluator.depth = 0
+        frames = sys.getrecursionlimit()
+        sys.setrecursionlimit(max(frames, _FRAMES))
         try:
             self._statement(statement, shown=statement.shown)
         except Returned:
@@ -105,14 +109,19 @@ class Interpreter:
             if error.place is None:
                 error.place = statement.place
             raise
-        except (SymbodyError, *_FAULTS) as error:
+        except _FAULTS as error:
             raise WorksheetError(str(error) or type(error).__name__, statement.place) from error
+        finally:
+            sys.setrecursionlimit(frames)
         return session.lines
 
     def run(self, text: str) -> None:
-        """Execute the statements of a text, as ``read`` does; a mistake ends it."""
+        """Execute the statements of a text, as ``read`` does; a mistake ends it.
+
+        Behind ``read "f":`` they print nothing, however they end.
+        """
         for statement in _statements_of(text):
-            self._statement(statement, shown=statement.shown)
+            self._statement(statement, shown=statement.shown and not self._quiet)
 
     def parsed(self, text: str) -> Value:
         """Return the value of an expression given as a text."""
@@ -215,15 +224,12 @@ class Interpreter:
             raise WorksheetError(f"attempting to assign to {name} which is protected", target.place)
         scope = session.scope
         while scope is not None:
-            if name in scope.names and scope is session.scope and self._is_parameter_name(scope.names[name]):
-                name = scope.names[name].name  # type: ignore[union-attr]
-                break
             if name in scope.names or name in scope.local:
                 scope.names[name] = value
                 return
             scope = scope.parent
-        if name == "Digits" and isinstance(value, Expr) and (digits := as_float(value)):
-            session.options.digits = int(digits)
+        if name in ("Digits", "printlevel") and isinstance(value, Expr) and (amount := as_float(value)):
+            self._set_option(name, int(amount))
         if isinstance(value, Expr) and value.kind == "symbol" and value.name == name:
             session.unassign(name)
             return
@@ -231,8 +237,11 @@ class Interpreter:
             return  # of the table that it is already
         session.assign(name, self._without_cycle(name, value, target))
 
-    def _is_parameter_name(self, value: Value) -> bool:
-        return False
+    def _set_option(self, name: str, amount: int) -> None:
+        if name == "Digits":
+            self.session.options.digits = min(max(amount, 1), 1000)
+        else:
+            self.session.options.printlevel = amount
 
     def _without_cycle(self, name: str, value: Value, target: syntax.Expression) -> Value:
         """A value that holds its own name uses the old value; there is none of a name that had no value."""
@@ -385,7 +394,11 @@ class Interpreter:
             self._body(node.finally_)
 
     def _read(self, node: syntax.Read) -> Value:
-        return read_file(self.session, self.evaluator.evaluate(node.file))
+        self._quiet += not node.shown
+        try:
+            return read_file(self.session, self.evaluator.evaluate(node.file))
+        finally:
+            self._quiet -= not node.shown
 
     def _save(self, node: syntax.Save) -> Value:
         *names, file = (self.evaluator.unevaluated(each) for each in node.arguments)
@@ -425,15 +438,12 @@ def _face(session: Session, before: Array, after: Array) -> Array:
     return replace(after, frame=chain)
 
 
-_FAULTS = (
-    ArithmeticError,
-    AssertionError,
-    AttributeError,
-    LookupError,
-    MemoryError,
-    OSError,
-    TypeError,
-    ValueError,
+_FRAMES = 20_000
+"""Calls of Python inside each other: some ten for each call of a procedure, and for each pair of parentheses."""
+
+_FAULTS: tuple[type[Exception], ...] = (
+    *(SymbodyError, ArithmeticError, AssertionError, AttributeError, LookupError, MemoryError),
+    *(OSError, RuntimeError, StopIteration, TypeError, ValueError),
 )
 """What a value that a command doesn't expect may raise in it; the next statement runs."""
 

@@ -42,8 +42,8 @@ def use_moving_frame(session: Session, *arguments: Value) -> Value:
 def name_ground(session: Session) -> None:
     """Set the names of the frame from which all others count, as the mode has it."""
     face = frame_face.ground_face(mechanics(session))
-    session.names |= dict.fromkeys(frame_face.GROUNDS, face)
-    session.count += 1
+    for name in frame_face.GROUNDS:
+        session.assign(name, face)
 
 
 def _set_globals(session: Session, modes: Mechanics, linear: Triple, angular: Triple) -> None:
@@ -51,12 +51,12 @@ def _set_globals(session: Session, modes: Mechanics, linear: Triple, angular: Tr
     rows = [zero, -z, y, u, z, zero, -x, v, -y, x, zero, w, zero, zero, zero, zero]
     matrix = Array(4, 4, list(left(modes, entered(modes, rows))), modes.matrix_kind)
     spin = made("VECTOR", frame=frame_face.ground_face(modes), comps=column(angular, 0, modes))
-    session.names |= {"VM": matrix, "omegaMV": spin, "mframe_flag": Boolean(True)}
+    session.assign("VM", matrix)
+    session.assign("omegaMV", spin)
+    session.assign("mframe_flag", Boolean(True))
     session.lines.append("Warning, The base frame <moving_frame> has been selected.")
     if modes.release < 6:
-        rows_of = [", ".join(map(str, matrix.entries[k : k + 4])) for k in range(0, 16, 4)]
-        session.lines.append("The moving velocity matrix is:")
-        session.lines.append(f"matrix([{', '.join(f'[{row}]' for row in rows_of)}])")
+        session.lines += ["The moving velocity matrix is:", session.text(matrix)]
 
 
 def _tracking(modes: Mechanics, pose: Frame, linear: Triple, angular: Triple) -> Listed:

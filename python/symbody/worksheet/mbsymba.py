@@ -23,7 +23,7 @@ from symbody.worksheet.derivative_rules import with_rules
 from symbody.worksheet.mechanics import Mechanics, mechanics
 from symbody.worksheet.session import Command, Session
 from symbody.worksheet.small_variables import linear_modeling, linearize
-from symbody.worksheet.value import Boolean, MapleSet, String, Table, Value
+from symbody.worksheet.value import Boolean, MapleSet, Reference, String, Table, Value
 
 __all__ = ["COMMANDS", "describe", "install", "load"]
 
@@ -87,10 +87,16 @@ def install(session: Session) -> None:
     session.mechanics = Mechanics()
     master_frame.name_ground(session)
     session.names |= {
+        "_gravity": _null_vector(session),
+        "omegaMV": _null_vector(session),
         "small_vars": MapleSet(()),
         "dependent_coordinates": Boolean(False),
         "mframe_flag": Boolean(False),
     }
+
+
+def _null_vector(session: Session) -> Value:
+    return kinematics.make_VECTOR(session, Reference("ground"), number(0), number(0), number(0))
 
 
 _PACKAGE = re.compile(r"mbsymba(?:_r(?P<release>\d)(?P<minor>[._]\d)?)?(?P<part>_\w+)?", re.IGNORECASE)

@@ -196,7 +196,7 @@ class Reader:
         table = self.object(value, "BODY")
         if id(table) not in self._bodies:
             inertia = self._inertia(table)
-            mass = self.scalar(get(table, "mass") or number(0))
+            mass = self._constant(table, "mass", get(table, "mass") or number(0))
             name = value.name if isinstance(value, Reference) else ""
             self._bodies[id(table)] = Body.of_inertia(self.frame(table), mass, inertia, name=name)
         return self._bodies[id(table)]
@@ -205,7 +205,24 @@ class Reader:
         array = self.session.resolve(get(table, "inertia") or number(0))
         if not isinstance(array, Array) or (array.rows, array.columns) != (3, 3):
             raise WorksheetError(f"{self.where}: the field inertia of a BODY is no 3x3 matrix")
-        return Matrix.from_entries(3, 3, [self.scalar(entry) for entry in array.entries])
+        J = Matrix.from_entries(3, 3, [self._constant(table, "inertia", entry) for entry in array.entries])
+        for i, j in ((1, 0), (2, 0), (2, 1)):
+            if J[i, j] != J[j, i]:
+                a, b = (self.session.text(entry)[:40] for entry in (J[i, j], J[j, i]))
+                raise WorksheetError(
+                    f"{self.where}: the inertia of a BODY isn't symmetric: its entry {i + 1}, {j + 1} is {a}, and its "
+                    f"entry {j + 1}, {i + 1} is {b}"
+                )
+        return J
+
+    def _constant(self, table: Table, name: str, value: Value) -> Expr:
+        found = self.scalar(value)
+        if found.depends_on_time:
+            raise WorksheetError(
+                f"{self.where}: the {name} of a {kind_of(table)} is {self.session.text(found)[:40]}, which depends on "
+                "time; expected a constant: make several bodies of parts that move relative to each other"
+            )
+        return found
 
     def load(self, value: Value) -> Load | None:
         """Return a force or a torque; None for one that acts on no body, but on the master frame alone."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, add3, number, scale3
 from symbody.worksheet import frame_face
 from symbody.worksheet.commands.frames import inv_frame
@@ -87,6 +88,10 @@ def _sum(session: Session, operator: str, left_value: Value, right_value: Value)
         return left_value
     if operator == "-" and kinds == ("POINT", "POINT"):
         return join_points(session, right_value, left_value)
+    if operator == "+" and kinds == ("POINT", "POINT"):
+        raise WorksheetError(
+            "the sum of two points has no meaning; expected a POINT and a VECTOR, or two vectors"
+        )
     if operator == "+" and kinds[0] in _VECTORS and kinds[1] == "POINT":
         a, b, kinds = b, a, (kinds[1], kinds[0])
     if kinds[1] not in _VECTORS or kinds[0] not in {*_VECTORS, "POINT"} or not isinstance(a, Table):

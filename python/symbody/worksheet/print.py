@@ -108,7 +108,7 @@ _SUM, _NEGATIVE, _PRODUCT, _POWER, _ATOM = range(5)
 
 _Text = tuple[str, int]
 
-_PLAIN_NAME = re.compile(r"[A-Za-z_~][A-Za-z0-9_~]*(\[[^\[\]]*\])*")
+_PLAIN_NAME = re.compile(r"[A-Za-z_~?][A-Za-z0-9_~]*(\[[^\[\]]*\])*")
 _KEYWORDS = frozenset(
     [
         "and",
@@ -262,7 +262,7 @@ def _function(node: Tree, parts: list[_Text], style: Style) -> _Text:
     if node.name in style.declared and [part for part, _ in parts] == ["t"]:
         return name_text(node.name), _ATOM
     name = style.functions.get(node.name, node.name)
-    if not name.startswith("D") or not name.startswith(("D(", "D[")):
+    if not name.startswith(("D(", "D[", "(D@@")):
         name = name_text(name, style.raw)
     return f"{name}({','.join(part for part, _ in parts)})", _ATOM
 

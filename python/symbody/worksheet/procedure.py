@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr
 from symbody.worksheet import syntax
+from symbody.worksheet.builtins import PACKAGES
 from symbody.worksheet.naming import symbol
 from symbody.worksheet.session import Scope, Session
 from symbody.worksheet.types import has_type
@@ -54,6 +55,11 @@ def call_procedure(
     scope = _scope(session, procedure, arguments, name)
     session.scopes.append(scope)
     resolving, session.resolving = session.resolving, []
+    packages = session.packages
+    if isinstance(definition, syntax.Procedure) and definition.uses:
+        session.packages = packages | {
+            k: v for use in definition.uses for k, v in PACKAGES.get(use, {}).items()
+        }
     try:
         if isinstance(definition, syntax.Procedure):
             return execute(definition.body)
@@ -69,6 +75,7 @@ def call_procedure(
     finally:
         session.scopes.pop()
         session.resolving = resolving
+        session.packages = packages
 
 
 def _scope(session: Session, procedure: ProcedureValue, arguments: tuple[Value, ...], name: str) -> Scope:

@@ -96,7 +96,7 @@ class Session:
 
     Attributes:
         names: the value of each name that was assigned, as it was assigned; `value` evaluates it.
-        count: the number of assignments so far: a value with an older stamp may hold names that have values now.
+        log: the names that were assigned, one after the other.
         assigned: the count at which each name was assigned last.
         remembered: the entries of remember tables, as ``x(t) := V*t`` makes them, by function and arguments.
         folder: where files are written; nothing is written elsewhere.
@@ -115,6 +115,7 @@ class Session:
         files: the files that ``fopen`` has opened.
         resolving: names that are being evaluated.
         depends: names on which the scalars depend that are being evaluated.
+        variables: the names of the variables in scalars.
         seen: evaluated scalars (`current`).
         call: calls a function with arguments; set by the interpreter.
         evaluate: evaluates an expression; set by the interpreter.
@@ -127,7 +128,7 @@ class Session:
     """
 
     names: dict[str, Value] = field(default_factory=dict)
-    count: int = 0
+    log: list[str] = field(default_factory=list)
     assigned: dict[str, int] = field(default_factory=dict)
     remembered: dict[str, dict[tuple[Value, ...], Value]] = field(default_factory=dict)
     folder: Path = field(default_factory=Path)
@@ -144,6 +145,7 @@ class Session:
     indexed: dict[str, tuple[str, tuple[Value, ...]]] = field(default_factory=dict)
     applied: set[str] = field(default_factory=set)
     seen: dict[int, current.Seen] = field(default_factory=dict)
+    variables: dict[int, frozenset[str]] = field(default_factory=dict)
     resolving: list[str] = field(default_factory=list)
     depends: list[set[str]] = field(default_factory=list)
     unfinished: bool = False
@@ -159,6 +161,11 @@ class Session:
     face: Callable[[Session, Array, Array], Array] | None = None
 
     # --- names -------------------------------------------------------------------------------------------------------
+
+    @property
+    def count(self) -> int:
+        """The number of assignments so far: a value with an older stamp may hold names that have values now."""
+        return len(self.log)
 
     @property
     def scope(self) -> Scope | None:
@@ -185,7 +192,7 @@ class Session:
 
     def touch(self, name: str) -> None:
         """Note that the meaning of a name has changed."""
-        self.count += 1
+        self.log.append(name)
         self.assigned[name] = self.count
 
     def current(self, value: Value) -> Value:
@@ -268,8 +275,16 @@ class Session:
         if text not in self.notices:
             self.notices.append(text)
 
+    def close(self) -> None:
+        """Close the files that the sheet left open."""
+        for file in self.files.values():
+            if hasattr(file, "close"):
+                file.close()
+        self.files.clear()
+
     def restart(self) -> None:
         """Forget everything but the folders, what was printed, and the limits."""
+        self.close()
         kept: Mapping[str, Any] = {name: getattr(self, name) for name in _KEPT}
         self.__dict__.update(Session(**kept).__dict__)
 

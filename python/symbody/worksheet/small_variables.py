@@ -63,7 +63,7 @@ def _out(modes: Mechanics) -> dict[Expr, Expr]:
 
 
 def linear_modeling(session: Session, *sets: Value) -> Value:
-    """Keep first-order terms in small variables from now on, and second-order terms in energies.
+    """linear_modeling({x(t), ...}): keep first order in small variables from now on, and second order in energies.
 
     Later sets hold other small variables, such as forces. An equation ``x = a`` says that x deviates little from a.
     An empty set ends the mode.
@@ -72,18 +72,17 @@ def linear_modeling(session: Session, *sets: Value) -> Value:
     modes.small = {x: value for each in sets for x, value in _deviations(session, each, "linear_modeling")}
     if not modes.small:
         session.lines.append("Warning, Non-Linear Modeling option has been choosen")
-        session.names["small_vars"] = MapleSet(())
+        session.assign("small_vars", MapleSet(()))
         return NULL
     session.lines.append("Warning, Linear Modeling option has been choosen for the following variables:")
     names = [*modes.small, *(time_derivative(x) for x in modes.small if x.kind == "time_function"), number(0)]
     found = MapleSet(tuple(names))
-    session.names["small_vars"] = found
-    session.count += 1
+    session.assign("small_vars", found)
     return Relation("=", symbol("small_vars"), found)
 
 
 def linearize(session: Session, value: Value, about: Value | None = None) -> Value:
-    """Return the first-order terms of an expression, an equation, a list, a set or a matrix."""
+    """linearize(e [, {x(t), ...}]): the first-order terms of an expression, an equation, a list, a set or a matrix."""
     modes = mechanics(session)
     places = dict(_deviations(session, about, "linearize")) if about is not None else modes.small
     return _linear(session, session.current(value), places)
@@ -116,6 +115,6 @@ def _deviations(session: Session, value: Value, where: str) -> Iterable[tuple[Ex
             continue
         if variable.kind not in {"symbol", "time_function"}:
             raise WorksheetError(
-                f"{where}: {variable} is not a variable; expected names and functions of time"
+                f"{where}: {session.text(variable)[:60]} is not a variable; expected names and functions of time"
             )
         yield variable, at

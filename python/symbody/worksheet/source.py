@@ -46,7 +46,14 @@ class Remark:
 
 @dataclass(frozen=True, slots=True)
 class SyntaxMistake:
-    """A statement that can't be read; ``message`` says where, what was found and what was expected, with a caret."""
+    """A statement that can't be read.
+
+    Attributes:
+        place: where reading stopped.
+        message: where, what was found and what was expected, with a caret.
+        is_open: the cell ends before the statement does.
+    """
 
     place: Place
     message: str
+    is_open: bool = False

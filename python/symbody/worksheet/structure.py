@@ -64,12 +64,31 @@ def tree_of(expression: Expr) -> Tree:
         _trees.clear()
     for node in post_order([expression], _unknown_parts, lambda node: node.id):
         if node.id not in _trees:
-            _trees[node.id] = _made(node, [_trees[part.id] for part in node.args])
+            _trees[node.id] = _made(node, [_trees[part.id] for part in _flat_parts(node)])
     return _trees[expression.id]
 
 
 def _unknown_parts(node: Expr) -> Iterable[Expr]:
-    return () if node.id in _trees else node.args
+    return () if node.id in _trees else _flat_parts(node)
+
+
+_LONGEST = 3000
+"""The length up to which sums inside sums are opened at once."""
+
+
+def _flat_parts(node: Expr) -> Iterable[Expr]:
+    """Return the parts of a node, those of a sum inside a sum in its place: long running sums need no trees."""
+    if node.kind != "sum" or all(part.kind != "sum" for part in node.args):
+        return node.args
+    flat: list[Expr] = []
+    pending = list(reversed(node.args))
+    while pending:
+        part = pending.pop()
+        if part.kind == "sum" and len(flat) + len(pending) < _LONGEST and part.id not in _trees:
+            pending.extend(reversed(part.args))
+        else:
+            flat.append(part)
+    return flat
 
 
 def _made(node: Expr, parts: list[Tree]) -> Tree:
@@ -119,7 +138,10 @@ def _application(node: Expr, parts: list[Tree]) -> Tree:
                 tree = _derivative(value, tree, part)
         return tree
     places = ",".join(str(i) for i, order in enumerate(node.orders, 1) for _ in range(order))
-    operator = f"D({node.name})" if places == "1" and len(parts) == 1 else f"D[{places}]({node.name})"
+    operator = f"D[{places}]({node.name})"
+    if len(parts) == 1:
+        order = node.orders[0]
+        operator = f"D({node.name})" if order == 1 else f"(D@@{order})({node.name})"
     return _call(node, operator, parts)
 
 

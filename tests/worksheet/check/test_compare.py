@@ -14,6 +14,7 @@ EQUAL = [
     ("D(u)(t)", "diff(u(t),t)"),
     ("theta^`'`*theta", "theta(t)*diff(theta(t),t)"),
     ("x = y", "x = y"),
+    ("cos(theta[1](t)+theta[2](t))", "cos(theta[1])*cos(theta[2])-sin(theta[1])*sin(theta[2](t))"),
     ("a+b = c", "a-c = -b"),
     ("{a, b, c}", "{c, a, b}"),
     ("T := matrix([[1, 0], [0, cos(q(t))]])", "T := Matrix([[1,0],[0,sin(q(t)+1/2*Pi)]])"),

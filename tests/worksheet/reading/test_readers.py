@@ -68,6 +68,40 @@ def test_code_that_lost_its_prompt() -> None:
     ]
 
 
+def test_a_bracket_stays_open_over_paragraphs_and_prose() -> None:
+    (cell,) = source_cells("> s := {a,\n\nthe first body\n\nb}:\n")
+    assert kinds(cell) == ["Remark", "Assignment"]
+    first, second = source_cells("> s := {a,\n\nthe first body\n\n> b := 2:\n")
+    assert (kinds(first), kinds(second)) == (["SyntaxMistake"], ["Assignment"])
+
+
+def test_a_statement_of_several_lines_without_an_end_until_the_last() -> None:
+    (cell,) = source_cells("> T := a\n+ b\n* c;\n\nT := 3\n")
+    assert (kinds(cell), cell.printed) == (["Assignment"], ("T := 3",))
+
+
+def test_output_directly_below_the_code() -> None:
+    (cell,) = source_cells("> a := x+x;\na := 2*x\n")
+    assert (kinds(cell), cell.printed) == (["Assignment"], ("a := 2*x",))
+    (open_end,) = source_cells("> energy(b)\n-m*g*z\n")
+    assert (kinds(open_end), open_end.printed) == (["Evaluation"], ("-m*g*z",))
+
+
+def test_prose_between_lines_of_code() -> None:
+    (cell,) = source_cells("> a := 1;\nthe second one\nb := 2;\n")
+    assert (kinds(cell), cell.prose) == (["Assignment", "Assignment"], ("the second one",))
+
+
+def test_a_mistake_in_code_without_a_prompt_is_told() -> None:
+    (cell,) = source_cells("> a := 1;\nb := f(1 2);\n")
+    assert kinds(cell) == ["Assignment", "SyntaxMistake"]
+
+
+def test_code_that_lost_its_prompt_and_the_mark_of_its_remark() -> None:
+    _, cell = source_cells("> a := 1;\n\nprose\n\nb := f(a, 2): show(b);  the body\n")
+    assert kinds(cell) == ["Assignment", "Evaluation", "Remark"]
+
+
 PROSE = [
     "Note:",
     "command structure:  body1 := make_BODY (point of the mass, Ix comp):",

@@ -41,6 +41,18 @@ CASES = [
     ("q := [x(t), lateral, of the vehicle\n y(t)];", ["Assignment"], ["lateral, of the vehicle"]),
     ("q := [x(t), z, of the vehicle\n y(t)]: z := 1;", ["Assignment"] * 2, ["of the vehicle"]),
     ("for i to 3 do  all links\n i; od;", ["For"], ["all links"]),
+    (
+        "q := [x(t) = 0,   the first\n y(t) = 0        the second one, of them\n ]:",
+        ["Assignment"],
+        ["the first", "the second one, of them"],
+    ),
+    ("q := [x(t),\n y(t) the second\n ]:", ["Assignment"], ["the second"]),
+    (
+        "p := proc(a, b)   computes it\n  local x;   of the call\n  x := a;  it is\nend proc:",
+        ["Assignment"],
+        ["computes it", "of the call", "it is"],
+    ),
+    ("f(x)  the value", ["Evaluation"], ["the value"]),
     # Lines of prose among code.
     ("The energy of the plate\nB := 3;", ["Assignment"], ["The energy of the plate"]),
     ("B := 3;\nThe energy: it is kept\nshow(B);", ["Assignment", "Evaluation"], ["The energy: it is kept"]),

@@ -15,12 +15,10 @@ from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 
+from symbody.files.cache_folder import VARIABLE, folder, is_own
 from symbody.files.replacement import TEMPORARY, replacements
 
 __all__ = ["BOUND", "VARIABLE", "folder", "kept_or_made"]
-
-VARIABLE = "SYMBODY_CACHE"
-"""The environment variable that holds the folder, or "off"."""
 
 BOUND = 256 << 20
 """The largest size of the folder, in bytes; the least recently used files are removed."""
@@ -55,32 +53,6 @@ def kept_or_made(identity: str, text: str, make: Callable[[], bytes]) -> bytes:
     return made
 
 
-def folder() -> Path | None:
-    """Return the folder of the cache; None if it is switched off, or others can write to the folder.
-
-    They could put code there that this process would run.
-    """
-    chosen = os.environ.get(VARIABLE, "")
-    if chosen.strip().lower() in {"off", "0", "no", "false"} or not hasattr(os, "getuid"):
-        return None
-    try:
-        place = Path(chosen).expanduser().absolute() if chosen else _standard()
-        place.mkdir(mode=0o700, parents=True, exist_ok=True)
-        return place if _is_own(place.lstat(), stat.S_ISDIR) else None
-    except (OSError, RuntimeError, ValueError):
-        return None
-
-
-def _standard() -> Path:
-    """Return the folder by the XDG base directory specification."""
-    given = os.environ.get("XDG_CACHE_HOME", "")
-    return (Path(given) if Path(given).is_absolute() else Path.home() / ".cache") / "symbody"
-
-
-def _is_own(found: os.stat_result, is_kind: Callable[[int], bool]) -> bool:
-    return is_kind(found.st_mode) and found.st_uid == os.getuid() and not found.st_mode & 0o022
-
-
 def _place(identity: str, text: str) -> Path | None:
     home = folder()
     name = hashlib.sha256(f"{identity}\0{text}".encode()).hexdigest()
@@ -96,7 +68,7 @@ def _read(place: Path) -> bytes | None:
     try:
         handle = os.open(place, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK)
         with os.fdopen(handle, "rb") as file:
-            if not _is_own(os.fstat(handle), stat.S_ISREG):
+            if not is_own(os.fstat(handle), stat.S_ISREG):
                 return None
             proof, code = file.read(_DIGEST), file.read()
     except OSError:
@@ -124,7 +96,7 @@ def _trim(home: Path) -> None:
     for file in (*home.iterdir(), *home.glob(f"{TEMPORARY}*/*/*")):
         with suppress(OSError):
             state = file.lstat()
-            if _OWN.fullmatch(file.name) and _is_own(state, stat.S_ISREG):
+            if _OWN.fullmatch(file.name) and is_own(state, stat.S_ISREG):
                 found.append((state.st_mtime_ns, file, state.st_size))
     size = sum(each for _, _, each in found)
     if size <= BOUND:

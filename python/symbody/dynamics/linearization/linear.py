@@ -53,6 +53,7 @@ class Linear:
         ignorable: the coordinates on which nothing else depends, left out or not.
         conditions: what values of parameters must fulfil, so that `about` is a steady motion.
         system: the system that deviates.
+        symbols_of_motion: symbols of the user's own in the steady motion, such as theta0 in ``{theta: theta0}``.
         definitions: speeds in the state that the system doesn't have, such as those along axes that turn, by its own.
 
     >>> from symbody import (
@@ -84,6 +85,7 @@ class Linear:
     conditions: tuple[Condition, ...]
     system: Variables
     definitions: Mapping[Expr, Expr] = field(default_factory=dict)
+    symbols_of_motion: tuple[Expr, ...] = ()
 
     @cached_property
     def parameters(self) -> tuple[Expr, ...]:

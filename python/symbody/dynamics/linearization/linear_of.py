@@ -100,6 +100,9 @@ def linear_of(
         conditions=conditions,
         system=eqs.system,
         definitions=motion.axes.definitions,
+        symbols_of_motion=tuple(
+            sorted(free_symbols([*motion.given.values()]) - {t, *eqs.parameters}, key=str)
+        ),
     )
 
 

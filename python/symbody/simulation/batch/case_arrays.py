@@ -37,7 +37,8 @@ class Results:
         findings: what a user should know of each case.
         outputs: the values of the outputs, shape (k, outputs, N).
         states: the states, shape (k, N, n); shape (k, 0, n) if they are not kept.
-        occurrences: the events of each case: which one, the instant, and the state there.
+        slopes: the derivatives of the states by p parameters and initial values, shape (k, N, n, p).
+        occurrences: the events of each case: which one, the instant, the state there, and its derivatives, (n, p).
     """
 
     status: NDArray[np.int8]
@@ -48,10 +49,13 @@ class Results:
     findings: NDArray[np.object_]
     outputs: Array
     states: Array
+    slopes: Array
     occurrences: NDArray[np.object_]
 
     @classmethod
-    def empty(cls, cases: int, instants: int, kept: int, state: int, outputs: int) -> Results:
+    def empty(
+        cls, cases: int, instants: int, kept: int, state: int, outputs: int, slopes: tuple[int, int] = (0, 0)
+    ) -> Results:
         """Return the results of cases that were not run.
 
         Args:
@@ -60,6 +64,7 @@ class Results:
             kept: the number of instants whose states are kept: N or 0.
             state: the length of a state, n.
             outputs: the number of outputs.
+            slopes: the shape of the derivatives of a state, (n, p).
         """
         return cls(
             np.zeros(cases, dtype=np.int8),
@@ -70,6 +75,7 @@ class Results:
             _empty_tuples(cases),
             np.full((cases, outputs, instants), np.nan),
             np.full((cases, kept, state), np.nan),
+            np.full((cases, kept if slopes[1] else 0, *slopes), np.nan),
             _empty_tuples(cases),
         )
 
@@ -87,7 +93,8 @@ class Results:
         """Return all results as arrays of numbers and texts, for a file."""
         case, events = _flat(self.occurrences)
         found_in, findings = _flat(self.findings)
-        size = self.states.shape[2]
+        size, shape = self.states.shape[2], self.slopes.shape[2:]
+        states = [np.append(at, [np.nan] * (size - len(at))) for _, _, at, _ in events]  # without the work
         return {
             "status": self.status,
             "reached": self.reached,
@@ -96,14 +103,18 @@ class Results:
             "counts": self.counts,
             "outputs": self.outputs,
             "states": self.states,
+            "slopes": self.slopes,
             "finding_case": found_in,
             "finding_kind": np.array([finding.kind for finding in findings], dtype=np.str_),
             "finding_subject": np.array([finding.subject for finding in findings], dtype=np.str_),
             "finding_size": np.array([finding.size for finding in findings], dtype=np.float64),
             "event_case": case,
-            "event_number": np.array([event for event, _, _ in events], dtype=np.int64),
-            "event_t": np.array([t for _, t, _ in events], dtype=np.float64),
-            "event_state": np.array([state for _, _, state in events], dtype=np.float64).reshape(-1, size),
+            "event_number": np.array([event for event, *_ in events], dtype=np.int64),
+            "event_t": np.array([t for _, t, *_ in events], dtype=np.float64),
+            "event_state": np.array(states, dtype=np.float64).reshape(-1, size),
+            "event_slopes": np.array([at for *_, at in events], dtype=np.float64).reshape(
+                len(events), *shape
+            ),
         }
 
     @classmethod
@@ -111,8 +122,9 @@ class Results:
         """Return the results that `arrays` describes."""
         cases = len(arrays["status"])
         occurrences, findings = _empty_tuples(cases), _empty_tuples(cases)
-        for case, event, t, state in _rows(arrays, "event", "case", "number", "t", "state"):
-            occurrences[case] += ((int(event), float(t), state),)
+        names = ("case", "number", "t", "state", "slopes")
+        for case, event, t, state, slopes in _rows(arrays, "event", *names):
+            occurrences[case] += ((int(event), float(t), state[np.isfinite(state)], slopes),)
         for case, kind, subject, size in _rows(arrays, "finding", "case", "kind", "subject", "size"):
             findings[case] += (Finding(str(kind), str(subject), float(size)),)
         texts = arrays["messages"].astype(object)
@@ -148,6 +160,7 @@ _COLUMNS = (
     "findings",
     "outputs",
     "states",
+    "slopes",
     "occurrences",
     "status",
 )

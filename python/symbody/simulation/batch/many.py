@@ -59,6 +59,7 @@ def simulate_many(
     constraints: str | tuple[float, float] = "projection",
     guess: Mapping[Expr, float] | None = None,
     max_step: float = inf,
+    sensitivities: Sequence[Expr] | None = None,
     executor: Executor | None = None,
     threads: int | None = None,
     path: str | os.PathLike[str] | None = None,
@@ -87,6 +88,8 @@ def simulate_many(
         constraints: how constraints are enforced; see `simulate`.
         guess: where to look for initial states that satisfy the constraints.
         max_step: the longest step, in s.
+        sensitivities: parameters, and coordinates, speeds and states for their initial values, by which all motions are
+            differentiated; `Runs.sensitivity` has the derivatives.
         executor: an executor whose workers run the motions: one of `concurrent.futures`, or dask's
             ``client.get_executor()``. By default, native threads of this process run them.
         threads: the number of these threads; by default one for each core.
@@ -107,6 +110,10 @@ def simulate_many(
     Runs(3 cases, 1001 instants)
     """
     workforce = _checked(executor, core_count() if threads is None else threads, path)
+    if sensitivities and not keep_states:
+        raise ArgumentError(
+            f"{PREFIX}keep_states=False, and sensitivities are those of states; leave one of them out"
+        )
     all_cases = cases_of(parameters, initial, cases)
     task = task_of(
         eqs,
@@ -121,6 +128,7 @@ def simulate_many(
         constraints=constraints,
         guess=guess,
         max_step=max_step,
+        sensitivities=sensitivities,
         keeps_states=keep_states,
         where=PLACE,
     )

@@ -55,6 +55,7 @@ def _options(task: Task) -> Iterator[str]:
     yield repr(task.options)
     yield repr(task.constraints)
     yield repr(task.keeps_states)
+    yield from (f"by {name}" for name in task.by)
     yield from (f"{name} {value!r}" for name, value in sorted(_texts(task.guess).items()))
 
 

@@ -11,11 +11,12 @@ from numpy.typing import NDArray
 from symbody.errors import SymbodyError
 from symbody.simulation.batch.case_arrays import Results, Status
 from symbody.simulation.integrate.diagnosis import diagnosis
-from symbody.simulation.integrate.initial_state import initial_state
+from symbody.simulation.integrate.initial_state import initial_slopes, initial_state
 from symbody.simulation.integrate.integrated import Integrated, run_motions
 from symbody.simulation.integrate.notices import deficiency_findings, findings_of
 from symbody.simulation.integrate.outcome import FailureKind, with_deficiencies
 from symbody.simulation.integrate.task import KeepGoing, Task
+from symbody.simulation.integrate.with_sensitivities import beside_sensitivities
 from symbody.simulation.integrate.without_redundant import without_redundant
 from symbody.symbolic.numeric.deficiency import noting
 
@@ -33,7 +34,8 @@ def empty_results(task: Task, cases: int) -> Results:
     """Return results of cases that were not run."""
     instants = len(task.instants)
     kept = instants if task.keeps_states else 0
-    return Results.empty(cases, instants, kept, task.model.width, len(task.outputs))
+    slopes = (len(task.model.state), len(task.by))
+    return Results.empty(cases, instants, kept, task.model.width, len(task.outputs), slopes)
 
 
 def run_cases(task: Task, cases: Cases, threads: int = 1, keep_going: KeepGoing = lambda _: True) -> Results:
@@ -46,7 +48,7 @@ def run_cases(task: Task, cases: Cases, threads: int = 1, keep_going: KeepGoing 
         keep_going: called from time to time with the number of finished cases; False ends all of them.
     """
     results = empty_results(task, cases.count)
-    tasks, states = _begun(task, cases, results, keep_going)
+    tasks, states, slopes = _begun(task, cases, results, keep_going)
     finished = 0
 
     def goes_on(done: float) -> bool:
@@ -54,7 +56,15 @@ def run_cases(task: Task, cases: Cases, threads: int = 1, keep_going: KeepGoing 
 
     for each, chosen in _grouped(tasks).items():
         parameters = cases.subset(np.array(chosen)).parameters
-        motions = run_motions(each, parameters, states[chosen], threads, goes_on)
+        starts = states[chosen]
+        if each.variation is not None:
+            starts = np.array(
+                [
+                    beside_sensitivities(states[k], slopes[k], each.variation, cases.parameters_of(k))
+                    for k in chosen
+                ]
+            )
+        motions = run_motions(each, parameters, starts, threads, goes_on)
         for case, motion in zip(chosen, motions, strict=True):
             if motion is not None:
                 _record(results, case, motion)
@@ -72,10 +82,11 @@ def _grouped(tasks: Mapping[int, Task]) -> dict[Task, list[int]]:
 
 def _begun(
     task: Task, cases: Cases, results: Results, keep_going: KeepGoing
-) -> tuple[dict[int, Task], Array]:
-    """Return the tasks of the cases that can start, and all initial states; record why the others fail."""
+) -> tuple[dict[int, Task], Array, dict[int, Array]]:
+    """Return the tasks of the cases that can start, all initial states, and derivatives; record why others fail."""
     states = _free_initial_states(task, cases)
     tasks = dict.fromkeys(np.flatnonzero(np.isfinite(states).all(axis=1)).tolist(), task)
+    slopes = {case: initial_slopes(task, {}, {}, states[case]) for case in tasks} if task.by else {}
     reduced: dict[tuple[int, ...], Task] = {}
     for looked, case in enumerate(np.flatnonzero(~np.isfinite(states).all(axis=1)).tolist()):
         if looked % LOOK == 0 and not keep_going(0):
@@ -84,13 +95,15 @@ def _begun(
             try:
                 parameters = cases.parameters_of(case)
                 states[case] = initial_state(task, parameters, cases.initial_of(case))
+                if task.by:
+                    slopes[case] = initial_slopes(task, parameters, cases.initial_of(case), states[case])
                 own = without_redundant(task, parameters, states[case], reduced.values())
                 out = () if own.redundancy is None else own.redundancy.choice
                 tasks[case] = task if own is task else reduced.setdefault(out, own)
             except SymbodyError as error:
                 results.status[case], results.messages[case] = Status.FAILED, str(error)
         results.findings[case] = deficiency_findings(found, task.model)
-    return tasks, states
+    return tasks, states, slopes
 
 
 def _free_initial_states(task: Task, cases: Cases) -> Array:
@@ -125,9 +138,16 @@ def _record(results: Results, case: int, motion: Integrated) -> None:
         statistics.jacobians,
         statistics.is_stiff,
     )
+    found = outcome.sensitivities
+    none = np.empty((len(outcome.occurrences), size, 0))
     results.occurrences[case] = tuple(
-        (event, when, np.array(state[:size])) for event, when, state in outcome.occurrences
+        (event, when, np.array(state[:size]), slopes)
+        for (event, when, state), slopes in zip(
+            outcome.occurrences, none if found is None else found.occurrences, strict=True
+        )
     )
+    if found is not None and task.keeps_states:
+        results.slopes[case, :reached] = found.states
     if task.keeps_states:
         results.states[case, :reached, : outcome.states.shape[1]] = outcome.states
     met = _put_outputs(results, case, motion) if task.outputs else motion

@@ -15,10 +15,11 @@ from symbody.multibody import Variables
 from symbody.simulation.batch.case_arrays import Results, Status
 from symbody.simulation.integrate.integrated import Integrated
 from symbody.simulation.integrate.notices import Finding, deficiency_findings, notices_of_batch
-from symbody.simulation.integrate.outcome import Failure, FailureKind, Outcome, Statistics
+from symbody.simulation.integrate.outcome import Failure, FailureKind, Outcome, Sensitivities, Statistics
 from symbody.simulation.integrate.task import Task
 from symbody.simulation.model.named_constraint import shortened
 from symbody.simulation.model.unknown import explain_unknown
+from symbody.simulation.motion.differentiated_motion import DifferentiatedMotion
 from symbody.simulation.motion.motion import Motion
 from symbody.simulation.motion.motion_of import motion_of
 from symbody.simulation.motion.reading import Reading
@@ -220,7 +221,7 @@ class Runs:
         if reached == 0 or not self.task.keeps_states:
             return None
         states, t_reached = results.states[index, :reached], float(results.t_reached[index])
-        occurrences = [(event, t, state.tolist()) for event, t, state in results.occurrences[index]]
+        occurrences = [(event, t, state.tolist()) for event, t, state, _ in results.occurrences[index]]
         end = float(self.t[reached - 1]), states[-1].tolist()
         if results.status[index] == Status.ENDED_BY_EVENT:
             end = occurrences[-1][1:]
@@ -232,7 +233,59 @@ class Runs:
             end,
             Failure(FailureKind.EXPLAINED, t_reached, str(results.messages[index])) if failed else None,
             Statistics(steps, rejected, evaluations, jacobians, bool(is_stiff)),
+            sensitivities=self._sensitivities_of(index, reached),
         )
+
+    def _sensitivities_of(self, case: int, reached: int) -> Sensitivities | None:
+        """Return the derivatives of one case; None if none were asked for."""
+        if not self.task.by:
+            return None
+        along = self.results.slopes[case, :reached]
+        at_events = [slopes for *_, slopes in self.results.occurrences[case]]
+        ended = self.results.status[case] == Status.ENDED_BY_EVENT
+        occurrences = np.array(at_events).reshape(-1, *along.shape[1:])
+        return Sensitivities(along, at_events[-1] if ended else along[-1], occurrences)
+
+    @with_known_names
+    def sensitivity(self, expression: Expr, by: Expr) -> Array:
+        """Return the derivative of an expression by a parameter, or by an initial value, shape (k, N).
+
+        Each is that of `Motion.sensitivity`; NaN where a motion failed or ended.
+
+        Args:
+            expression: an expression of the model, as in ``runs[expression]``.
+            by: one of the `sensitivities` of `simulate_many`.
+
+        Raises:
+            ParameterError: the motions were not differentiated by it.
+            ArgumentError: the argument is not an expression.
+            SimulationError: the expression contains a variable that the model does not know.
+
+        >>> import symbody as sb
+        >>> x, (m, k) = sb.functions_of_time("x"), sb.symbols("m k")
+        >>> oscillator = sb.newton_euler(sb.System([sb.Body(sb.translate(x, 0, 0), m)], coordinates=[x]))
+        >>> u = sb.time_derivative(x)
+        >>> runs = simulate_many(oscillator, {m: 1}, {u: [0, 1]}, t=(0, 2), sensitivities=[u])
+        >>> runs.sensitivity(x, by=u)[:, -1].round(9)
+        array([2., 2.])
+        """
+        wanted = _READING.one_expression(expression, self.task.model.state)
+        found = np.full((len(self), len(self.t)), np.nan)
+        for case in np.flatnonzero(self.results.reached).tolist():
+            known = slice(0, int(self.results.reached[case]))
+            slopes = self.results.slopes[case, known] if self.task.by else None
+            motion = DifferentiatedMotion(
+                self.task.model,
+                self.cases.parameters_of(case),
+                self.task.by,
+                self.t[known],
+                self.states[case, known],
+                slopes,
+                "simulate_many",
+                "runs",
+            )
+            found[case, known] = motion.sensitivity(wanted, by)
+        return found
 
     @cached_property
     def completed(self) -> NDArray[np.bool_]:

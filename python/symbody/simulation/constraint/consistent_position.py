@@ -239,7 +239,8 @@ def _unsatisfied(kinematics: Kinematics, p: Array, t: float, q: Array, fixed: Ma
         for k, value, size in zip(system.holonomic, phi, sizes, strict=True)
         if not abs(value) <= EXACT * size
     ]
-    found = "; ".join(left[:_NAMED]) + (f"; and {len(left) - _NAMED} more" if len(left) > _NAMED else "")
+    more = f"; and {len(left) - _NAMED} more" if len(left) > _NAMED else ""
+    found = opened or "; ".join(left[:_NAMED]) + more
     if named and len(named) == len(system.coordinates):
         return (
             f"the given coordinates, {listed_values(named, fixed)}, don't satisfy the constraints at t = {t:g} s: "

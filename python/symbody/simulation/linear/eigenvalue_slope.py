@@ -48,7 +48,8 @@ def eigenvalue_slope(
         parameters: the values of its parameters.
         eigenvalue: s.
         by: the parameter p.
-        together: the derivatives by p of other parameters that change with it, such as the values of the steady motion.
+        together: the derivatives by p of other parameters that change with it; those of the steady motion's values
+            that are symbols follow from its conditions.
 
     Raises:
         ArgumentError: `by` is not an expression.
@@ -66,9 +67,7 @@ def eigenvalue_slope(
             raise ParameterError(
                 f"{_WHERE}: {found} is not a parameter of the linear model; expected {known or 'none: it has none'}"
             )
-    names = tuple(change)
-    values = np.array([float(np.asarray(parameters[name])) for name in linear.parameters])
-    rates, weights = _slopes(linear, names)(values), np.array([*change.values()])
+    names, weights, rates = _with_motion(linear, change, parameters)
     _check_steady(linear, names, weights, np.asarray(rates[2]))
     n = len(linear.states)
     dE, dA0 = (np.reshape(np.asarray(part) @ weights, (n, n)) for part in rates[:2])
@@ -101,6 +100,59 @@ def _numbers(together: object) -> dict[Expr, float]:
     }
 
 
+def _with_motion(
+    linear: Linear, change: Mapping[Expr, float], parameters: Mapping[Expr, ArrayLike]
+) -> tuple[tuple[Expr, ...], Array, list[Any]]:
+    """Return the parameters that change, how fast they do, and the derivatives of E, A0 and of conditions by them.
+
+    The values of the steady motion that are symbols follow from its conditions c, ``c_m dm/dp = -c_p``, as far as these
+    determine them.
+
+    Args:
+        linear: the linear model.
+        change: the derivatives that are given.
+        parameters: the values of all parameters.
+    """
+    moved = [name for name in linear.symbols_of_motion if name in linear.parameters and name not in change]
+    names = (*change, *(moved if linear.conditions else ()))
+    values = np.array([float(np.asarray(parameters[name])) for name in linear.parameters])
+    rates = [np.asarray(part) for part in _slopes(linear, names)(values)]
+    weights = np.array([*change.values(), *[0.0] * (len(names) - len(change))])
+    if len(names) > len(change) and not _is_steady(rates[2], weights):
+        weights[len(change) :] = _motion_slopes(names[len(change) :], rates[2], weights, len(change))
+    return names, weights, rates
+
+
+def _motion_slopes(moved: tuple[Expr, ...], slopes: Array, weights: Array, count: int) -> Array:
+    """Return how fast the values of the steady motion change, so that its conditions hold.
+
+    Args:
+        moved: the symbols of these values.
+        slopes: the derivatives of the conditions by parameters, then by these.
+        weights: the derivatives of the parameters.
+        count: the number of the parameters.
+
+    Raises:
+        ModelError: the conditions don't determine them.
+    """
+    scale = np.abs(slopes).max(axis=1, keepdims=True)
+    rows = slopes / np.where(scale > 0, scale, 1.0)
+    own, right = rows[:, count:], -rows[:, :count] @ weights[:count]
+    sizes = np.abs(own).max(axis=0)
+    U, s, Vt = np.linalg.svd(own / np.where(sizes > 0, sizes, 1.0))
+    rank = int(np.sum(s > _APART * s.max(initial=1e-300)))
+    loose = [
+        name for name, part in zip(moved, Vt[rank:].T, strict=True) if np.abs(part).max(initial=0.0) > _APART
+    ]
+    if loose:
+        raise ModelError(
+            f"{_WHERE}: the conditions of the steady motion don't determine how {joined_by_and(list(map(str, loose)))} "
+            f"change: give as many of them as are free, such as together={{{loose[0]}: 0}} for one that stays"
+        )
+    found = (Vt[:rank].T / s[:rank]) @ (U.T[:rank] @ right)
+    return np.asarray(found / np.where(sizes > 0, sizes, 1.0))
+
+
 @lru_cache(maxsize=64)
 def _slopes(linear: Linear, names: tuple[Expr, ...]) -> CompiledFunction:
     """Return the function of the parameters that returns the derivatives of E, A0, and of the conditions."""
@@ -111,6 +163,12 @@ def _slopes(linear: Linear, names: tuple[Expr, ...]) -> CompiledFunction:
     conditions = [each.value for each in linear.conditions]
     parts = [of(linear.E), of(linear.A0), jacobian(conditions, list(names)) if conditions else [0]]
     return lambdify([list(linear.parameters)], parts)
+
+
+def _is_steady(slopes: Array, weights: Array) -> bool:
+    """Return whether the conditions hold when the parameters change."""
+    terms = slopes * weights
+    return bool((np.abs(terms.sum(axis=1)) <= _STEADY * np.abs(terms).sum(axis=1)).all())
 
 
 def _check_steady(linear: Linear, names: tuple[Expr, ...], weights: Array, slopes: Array) -> None:
@@ -125,18 +183,15 @@ def _check_steady(linear: Linear, names: tuple[Expr, ...], weights: Array, slope
     Raises:
         ModelError: it doesn't, so that the derivative would be that of something else.
     """
-    if not linear.conditions:
+    if not linear.conditions or _is_steady(slopes, weights):
         return
     terms = slopes * weights
     is_off = np.abs(terms.sum(axis=1)) > _STEADY * np.abs(terms).sum(axis=1)
-    if not is_off.any():
-        return
     name = linear.conditions[int(np.argmax(is_off))].name
     several = "these parameters change together" if len(names) > 1 else f"{names[0]} changes"
     raise ModelError(
-        f"{_WHERE}: when {several}, the reference motion isn't steady any more: {name} is off; expected the "
-        "derivatives of its values as well: linearize about symbols, about={q: q0}, and give together={q0: "
-        f"found.sensitivity(q, by={names[0]})}} of the equilibrium or steady motion"
+        f"{_WHERE}: when {several}, the reference motion isn't steady any more: {name} is off; expected a "
+        "motion that follows: linearize about symbols, such as about={q: q0}, and give their values to modes"
     )
 
 

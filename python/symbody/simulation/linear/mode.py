@@ -145,12 +145,12 @@ class Mode:
         """Return the derivative of the eigenvalue by a parameter, ``ds/dp = w^H (dA0 - s dE) phi / (w^H E phi)``.
 
         w is the left vector [Lancaster 1964]. The real part is the change of growth, the imaginary part that of the
-        frequency in rad/s. If the parameter moves the steady motion, its derivatives belong to `together`.
+        frequency in rad/s. If the parameter moves the steady motion, linearize about symbols, such as
+        ``{q: q0}``: their derivatives follow from the conditions of this motion.
 
         Args:
             by: the parameter p.
-            together: the derivatives by p of other parameters that change with it, such as ``{q0: ...}`` of a model
-                that was linearised about ``{q: q0}``.
+            together: the derivatives by p of other parameters that change with it, such as a speed that was chosen.
 
         Raises:
             ParameterError: a name is not a parameter of the linear model.
@@ -198,7 +198,8 @@ class Mode:
         """Return the mode as a motion about the reference position, as `plot` and `animate` of the view take it.
 
         An oscillation is shown without its decay or growth. One that doesn't oscillate is shown for three time
-        constants; a marginal one swings slowly. Loops close to first order: at large amplitudes, joints open.
+        constants; a marginal one swings slowly. Independent coordinates swing as the shape says, and dependent ones so
+        that loops close at each instant.
 
         Args:
             amplitude: the factor of the shape; by default, bodies turn by up to 20 degrees, or move by 0.15 of the
@@ -221,9 +222,8 @@ class Mode:
         else:
             instants = np.linspace(0, 3 / abs(s.real), _SWINGS * _INSTANTS + 1)
             phasors = np.exp(s.real * instants - max(3 * np.sign(s.real), 0.0)) + 0j
-        return Swing(
-            self.linear, self.parameters, instants, about, (amplitude * np.outer(shape, phasors)).real
-        )
+        deviations = (amplitude * np.outer(shape, phasors)).real
+        return Swing(self.linear, self.parameters, instants, about, deviations).closed()
 
     @with_known_names
     def animate(

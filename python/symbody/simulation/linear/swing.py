@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,8 +13,9 @@ from symbody.codegen import lambdify
 from symbody.dynamics import Linear
 from symbody.errors import ModelError
 from symbody.multibody import Variables
+from symbody.simulation.constraint.kinematics import quaternions
 from symbody.simulation.given.values import parameter_values
-from symbody.symbolic import Expr, free_symbols, jacobian, substitute, t
+from symbody.symbolic import Expr, free_symbols, jacobian, number, substitute, t
 
 from .participation import bodies_of
 
@@ -24,13 +26,20 @@ Complex = NDArray[np.complex128]
 
 _ANGLE = 0.35
 """The largest angle of a body in an animation, in rad: 20 degrees."""
+_CLOSED = 1e-10
+"""The violation of constraints, relative to the largest coordinate, at which a loop is closed."""
+_SINGULAR = 1e-9
+"""The singular value, relative to the largest one, that counts as zero: constraints may depend on each other."""
+_MOST_STEPS = 30
 _WAY = 0.15
 """The largest way of a centre of mass in an animation, in sizes of the mechanism."""
 
 
 @dataclass(frozen=True, eq=False)
 class Swing:
-    """A mode as a motion: ``q(t) = q_0 + Re(a phi exp(s t))`` about the steady values at t = 0, to first order.
+    """A mode as a motion: ``q(t) = q_0 + Re(a phi exp(s t))`` about the steady values at t = 0.
+
+    Independent coordinates are exactly these; the others follow so that loops close.
 
     Attributes:
         linear: the linear model.
@@ -62,6 +71,11 @@ class Swing:
             ModelError: an expression contains accelerations, multipliers or rates of inputs.
             ParameterError: a parameter has no value.
         """
+        rows = self._function(expressions)(self.about[:, None] + self.deviations)
+        return np.array([np.broadcast_to(row, self.t.shape) for row in rows])
+
+    def _function(self, expressions: Sequence[Expr]) -> Callable[[Array], Any]:
+        """Return the function of all coordinates and speeds that evaluates expressions."""
         held = {q: value for q, value in self.linear.about.items() if q not in self.linear.variables}
         written = substitute([*self.system.by_speeds([*expressions])], held)
         leaves = free_symbols(written) - {t}
@@ -73,9 +87,63 @@ class Swing:
             )
         names = tuple(sorted((leaf for leaf in leaves if not leaf.depends_on_time), key=str))
         values = parameter_values(names, self.parameters, where="animate", beside=self.linear.variables)
-        variables = self.about[:, None] + self.deviations
-        rows = lambdify([t, *names, *self.linear.variables], [*written])(0.0, *values, *variables)
-        return np.array([np.broadcast_to(row, self.t.shape) for row in rows])
+        function = lambdify([t, *names, *self.linear.variables], [*written])
+        return lambda variables: function(0.0, *values, *variables)
+
+    def closed(self) -> Swing:
+        """Return the same with dependent coordinates such that all loops close at each instant.
+
+        Newton's method with the smallest changes of dependent coordinates; of all coordinates, if that fails, as it
+        does beyond a dead centre.
+
+        Raises:
+            ModelError: the amplitude is too large: loops can't be closed.
+        """
+        conditions = _closures(self.system)
+        if not conditions:
+            return self
+        coordinates = [*self.system.coordinates]
+        function = self._function([*conditions, *jacobian(conditions, coordinates).entries])
+        of_all = [*range(len(coordinates))]
+        dependent = [
+            k for k, q in enumerate(coordinates) if q not in self.linear.states[: self.linear.counts[0]]
+        ]
+        for moved in (dependent, of_all):
+            found = self._newton(function, len(conditions), moved)
+            if found is not None:
+                return found
+        raise ModelError(
+            "Mode.motion: the loops of the mechanism can't be closed at this amplitude; expected a smaller one: "
+            "motion(amplitude=...), animate(..., amplitude=...)"
+        )
+
+    def _newton(self, function: Callable[[Array], Any], count: int, moved: list[int]) -> Swing | None:
+        """Return the swing with some coordinates changed so that conditions vanish; None if they don't.
+
+        Args:
+            function: returns the conditions and their derivatives by all coordinates.
+            count: the number of conditions.
+            moved: the places of the coordinates.
+        """
+        deviations, N = self.deviations.copy(), len(self.t)
+        for _ in range(_MOST_STEPS):
+            rows = np.array(
+                [np.broadcast_to(row, N) for row in function(self.about[:, None] + deviations)], np.float64
+            )
+            phi, slopes = rows[:count].T, rows[count:].T.reshape(N, count, -1)
+            if not np.isfinite(rows).all():
+                return None
+            if np.abs(phi).max() <= _CLOSED * max(1.0, np.abs(self.about).max()):
+                return replace(self, deviations=deviations)
+            change = np.linalg.pinv(slopes[:, :, moved], rcond=_SINGULAR) @ phi[:, :, None]
+            deviations[moved] -= change[:, :, 0].T
+        return None
+
+
+def _closures(system: Variables) -> list[Expr]:
+    """Return what vanishes at each position: constraints on positions, and norms of Euler parameters less one."""
+    norms = [sum((e * e for e in four), start=number(-1)) for four in quaternions(system)]
+    return [*system.position_constraints, *system.eliminated_constraints, *norms]
 
 
 def visible_amplitude(

@@ -33,8 +33,8 @@ def undefined_force(system: Variables, given: Given, known: Mapping[Expr, float]
         if isinstance(load, Element) and load.undefined is not None and values[0] == 0:
             return f"{brief(load)} {load.undefined.words}"
         return (
-            f"the force of {brief(load)} is not finite there; look for a division by zero, or a root or logarithm of "
-            "a negative value, in its law, or parameters that make no sense in it"
+            f"{brief(load)} is not finite; look in it for a division by zero, a root or logarithm of a negative value, "
+            "or parameters that make no sense"
         )
     return ""
 

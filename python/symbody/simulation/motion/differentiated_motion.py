@@ -37,6 +37,8 @@ class DifferentiatedMotion:
         t: the instants, shape (N,).
         states: the states, shape (N, n).
         slopes: S, shape (N, n, k); None if the motion was not differentiated.
+        made_by: the function that made the motion, for messages.
+        name: what the motion is called in messages.
     """
 
     model: Model
@@ -45,10 +47,12 @@ class DifferentiatedMotion:
     t: Array
     states: Array
     slopes: Array | None
+    made_by: str = "simulate"
+    name: str = "motion"
 
     def sensitivity(self, expression: Expr, by: Expr) -> Array:
         """Return ``de/dp = e_x S + e_p`` at all instants, shape (N,)."""
-        column, slopes = self._column(by, "motion.sensitivity")
+        column, slopes = self._column(by, f"{self.name}.sensitivity")
         if expression in self.model.state:
             return slopes[:, self.model.state.index(expression), column].copy()
         e_x, e_p = self._slopes_of(expression, by, self.t, self.states)
@@ -100,11 +104,11 @@ class DifferentiatedMotion:
         named = brief(given) if isinstance(given, Expr) else described(given)
         if self.slopes is None:
             raise ParameterError(
-                f"{where}: this motion has no sensitivities; expected simulate(..., sensitivities=[{named}])"
+                f"{where}: this motion has no sensitivities; expected {self.made_by}(..., sensitivities=[{named}])"
             )
         if not isinstance(given, Expr) or given not in self.by:
             raise ParameterError(
-                f"{where}, by: {named}; expected one of the sensitivities of simulate, "
+                f"{where}, by: {named}; expected one of the sensitivities of {self.made_by}, "
                 f"{joined_by_and([str(p) for p in self.by], most=12, last='or')}"
             )
         return self.by.index(given), self.slopes

@@ -18,7 +18,7 @@ from symbody.symbolic.calculus.rewrite import expand_trig, simplify
 from symbody.symbolic.expression.functions import acos, asin, cos, sin
 from symbody.symbolic.expression.leaves import number, symbol
 from symbody.symbolic.expression.traverse import post_order
-from symbody.symbolic.given.arguments import brief
+from symbody.symbolic.given.arguments import brief, counted
 from symbody.symbolic.linear.elimination import eliminated, is_linear
 from symbody.symbolic.linear.symbolic_solve import solve
 
@@ -71,8 +71,8 @@ def _first_form(equations: list[Expr], unknowns: list[Expr], names: Solution) ->
             continue
     shown = brief(", ".join(str(names.get(x, x)) for x in unknowns))
     raise ExpressionError(
-        f"solve: {len(equations)} equations in {shown} have no solution in closed form; expected linear equations, "
-        "polynomials of degree two, or loops in the sines and cosines of an angle; solve them with numbers"
+        f"solve: no solution in closed form of {counted(len(equations), 'equation')} in {shown}; expected linear "
+        "equations, polynomials of degree two, or loops in the sines and cosines of an angle; solve them with numbers"
     )
 
 

@@ -220,11 +220,9 @@ def coeffs(session: Session, value: Value, variables: Value | None = None) -> Va
 def degree_of(session: Session, value: Value, variable: Value | None = None) -> Value:
     """degree(p, x)."""
     expression = scalar(session, value)
-    by = (
-        scalar(session, variable)
-        if variable is not None
-        else next(iter(sorted(expression.free_symbols, key=str)))
-    )
+    if variable is None and not expression.free_symbols:
+        return number(0)
+    by = min(expression.free_symbols, key=str) if variable is None else scalar(session, variable)
     return number(degree(expression, by))
 
 

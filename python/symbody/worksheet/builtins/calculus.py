@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from math import factorial
 
 from symbody.errors import WorksheetError
-from symbody.symbolic import Expr, t, time_derivative
+from symbody.symbolic import Expr, number, t, time_derivative
 from symbody.worksheet.arithmetic import scalar
 from symbody.worksheet.derivative_rules import by_rules
 from symbody.worksheet.entrywise import entrywise
 from symbody.worksheet.naming import symbol
+from symbody.worksheet.numeric import as_integer
 from symbody.worksheet.session import Command, Session
-from symbody.worksheet.value import Array, Listed, MapleSet, Sequence, Unevaluated, Value
+from symbody.worksheet.value import Array, Listed, MapleSet, Relation, Sequence, Unevaluated, Value
 
 __all__ = ["COMMANDS", "derivative_at", "diff"]
 
@@ -108,7 +110,51 @@ def hessian_of(session: Session, function: Value, variables: Value) -> Value:
     return jacobian_of(session, gradient_of(session, function, variables), variables)
 
 
-COMMANDS: dict[str, Command] = {"diff": diff, "Diff": diff, "D": derivative_operator}
+def taylor(session: Session, value: Value, place: Value, order: Value | None = None) -> Value:
+    """taylor(e, x = a, n): the polynomial of the terms below (x - a)^n."""
+    left, at = (place.left, place.right) if isinstance(place, Relation) else (place, number(0))
+    variable, point = scalar(session, left), scalar(session, at)
+    count = as_integer(order) if order is not None else 6
+    if count is None or not 0 < count <= 30:
+        raise WorksheetError("taylor: the order is not an integer from 1 to 30")
+
+    def expanded(each: Expr) -> Expr:
+        slope, total = each, number(0)
+        for k in range(count):
+            total = total + slope.subs({variable: point}) * (variable - point) ** k / factorial(k)
+            slope = derivative(session, slope, variable)
+        return total
+
+    return entrywise(session, value, expanded)
+
+
+def several_taylor(session: Session, value: Value, variables: Value, order: Value | None = None) -> Value:
+    """mtaylor(e, [x, y], n): the terms of a total degree below n in the deviations from a point."""
+    items = variables.items if isinstance(variables, Listed | MapleSet) else (variables,)
+    points = {
+        scalar(session, each.left if isinstance(each, Relation) else each): scalar(
+            session, each.right if isinstance(each, Relation) else number(0)
+        )
+        for each in items
+    }
+    scale = symbol("_scale")
+    along = {x: a + scale * (x - a) for x, a in points.items()}
+
+    def expanded(each: Expr) -> Value:
+        made = taylor(session, each.subs(along), scale, order)
+        return made.subs({scale: number(1)}) if isinstance(made, Expr) else made
+
+    return entrywise(session, value, expanded)
+
+
+COMMANDS: dict[str, Command] = {
+    "taylor": taylor,
+    "series": taylor,
+    "mtaylor": several_taylor,
+    "diff": diff,
+    "Diff": diff,
+    "D": derivative_operator,
+}
 
 PACKAGES: dict[str, dict[str, Command]] = {
     "linalg": {"jacobian": jacobian_of, "grad": gradient_of, "hessian": hessian_of},

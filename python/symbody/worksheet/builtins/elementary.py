@@ -106,6 +106,15 @@ def arctan(session: Session, y: Value, x: Value | None = None) -> Value:
     return with_decimals(atan2(a, b), a, b)
 
 
+def surd(session: Session, x: Value, n: Value) -> Value:
+    """surd(x, n): the real n-th root, which is negative for a negative number and an odd n."""
+    value, degree = scalar(session, x), as_integer(scalar(session, n))
+    known = as_float(value)
+    if known is not None and known < 0 and degree is not None and degree % 2:
+        return -scalar(session, root(session, -value, n))
+    return root(session, x, n)
+
+
 def root(session: Session, x: Value, n: Value) -> Value:
     """root(x, n): the n-th root."""
     return power(scalar(session, x), 1 / scalar(session, n))
@@ -318,7 +327,7 @@ COMMANDS: dict[str, Command] = {
     "log10": _of_one(lambda x: log(x) / log(number(10))),
     "sqrt": root_of_symbol,
     "root": root,
-    "surd": root,
+    "surd": surd,
     "abs": _of_one(Abs),
     "signum": _of_one(sign),
     "csgn": _of_one(sign),

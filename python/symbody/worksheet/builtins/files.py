@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 from pathlib import Path, PurePosixPath
 from typing import IO
 
@@ -102,7 +103,7 @@ def fopen(session: Session, name: Value, mode: Value, *options: Value) -> Value:
         path = _existing(session, name)
         if path is None:
             raise WorksheetError(f"fopen: there is no file {unparsed(session, name)!r}")
-        file = path.open(encoding="utf-8", errors="replace")
+        file = io.StringIO(path.read_text(encoding="utf-8", errors="replace"))
     else:
         file = output_path(session, name).open("a" if way == "APPEND" else "w", encoding="utf-8")
     descriptor = len(session.files)
@@ -161,7 +162,10 @@ def readline(session: Session, file: Value) -> Value:
     """readline(file): the next line, or 0 at the end."""
     opened = _opened(session, file)
     if opened is None:
-        opened = session.files[as_integer(fopen(session, file, String("READ")))]
+        opened = session.files.get(("read", unparsed(session, file)))
+    if opened is None:
+        descriptor = as_integer(fopen(session, file, String("READ")))
+        opened = session.files["read", unparsed(session, file)] = session.files.pop(descriptor)
     line = opened.readline()
     return String(line.rstrip("\n")) if line else number(0)
 
@@ -170,7 +174,7 @@ def fclose(session: Session, *files: Value) -> Value:
     """fclose(file)."""
     for file in files:
         place = as_integer(file)
-        opened = session.files.pop(place, None) if place is not None else None
+        opened = session.files.pop(("read", unparsed(session, file)) if place is None else place, None)
         if opened is not None:
             opened.close()
     return NULL

@@ -305,6 +305,7 @@ def chosen(
 
 FORMS: dict[str, Form] = {
     "if": chosen,
+    "ifelse": chosen,
     "seq": seq,
     "add": add,
     "mul": mul,

@@ -9,10 +9,12 @@ from symbody.errors import WorksheetError
 from symbody.symbolic import Abs, Expr, Matrix, jacobian, number, sqrt
 from symbody.worksheet.arithmetic import binary, identity, inverted, matrix_product, scalar, transposed
 from symbody.worksheet.entrywise import parts_of
+from symbody.worksheet.naming import symbol
 from symbody.worksheet.numeric import as_integer
 from symbody.worksheet.session import Command, Session, sequence
 from symbody.worksheet.value import (
     Array,
+    Builtin,
     Listed,
     MapleSet,
     Range,
@@ -87,9 +89,10 @@ def from_rows(session: Session, items: tuple[Value, ...]) -> Value:
 
 def _matrix_command(kind: str) -> Command:
     def command(session: Session, *arguments: Value) -> Value:
-        arguments = tuple(
-            each for each in arguments if not isinstance(each, Relation) or each.operator != "="
-        )
+        settings = [each for each in arguments if isinstance(each, Relation) and each.operator == "="]
+        attributes = _attributes(settings)
+        arguments = tuple(each for each in arguments if not isinstance(each, Relation))
+        arguments += tuple(_entries_of(session, each.right) for each in settings if _option(each) == "symbol")
         found = [session.resolve(each) for each in arguments]
         sizes = [size for each in found if (size := as_integer(each)) is not None]
         rest = [each for each, value in zip(arguments, found, strict=True) if as_integer(value) is None]
@@ -99,9 +102,26 @@ def _matrix_command(kind: str) -> Command:
             rows = sizes[0] if sizes else 0
             columns = sizes[1] if len(sizes) > 1 else rows
             return _filled(session, rows, columns, None, kind)
-        return _from_content(session, sizes, rest[0], kind)
+        made = _from_content(session, sizes, rest[0], kind)
+        return replace(made, attributes=attributes) if attributes and isinstance(made, Array) else made
 
     return command
+
+
+def _attributes(settings: list[Relation]) -> tuple[Value, ...]:
+    """Return the attributes of a matrix that was saved: the name of a frame."""
+    found = [each.right for each in settings if _option(each) == "attributes"]
+    names = found[0].items if found and isinstance(found[0], Listed) else ()
+    return tuple(each for each in names if isinstance(each, Expr | Reference))
+
+
+def _option(setting: Relation) -> str:
+    return getattr(setting.left, "name", "") if isinstance(setting.left, Expr | Reference) else ""
+
+
+def _entries_of(session: Session, name: Value) -> Value:
+    """Return what gives the entries m[i, j] of a matrix of names."""
+    return Builtin("entries", lambda session, *places: session.select(name, places))
 
 
 def _from_content(session: Session, sizes: list[int], content: Value, kind: str) -> Value:
@@ -205,8 +225,27 @@ def array_command(session: Session, *arguments: Value) -> Value:
     stops = [as_integer(each.stop) for each in ranges]
     if not stops or any(stop is None for stop in stops) or len(stops) > 2:
         return Table()
-    session.limits.check_items((stops[0] or 0) * (stops[-1] or 0))
-    return Table()  # entries of old arrays are names until they are assigned, as those of tables
+    if any(as_integer(each.start) != 1 for each in ranges):
+        return Table()
+    count, width = stops[0] or 0, (stops[1] or 0) if len(stops) > 1 else 1
+    session.limits.check_items(count * width)
+    names: list[Value] = [
+        symbol(f"?[{row}]" if len(stops) == 1 else f"?[{row},{column}]")
+        for row in range(1, count + 1)
+        for column in range(1, width + 1)
+    ]
+    return Array(count, width, names, "matrix" if len(stops) > 1 else "vector")
+
+
+def new_array(session: Session, *arguments: Value) -> Value:
+    """Array(1..n, 1..m [, values]): a matrix or vector of the new kind, filled with zeros."""
+    made = array_command(session, *arguments)
+    if not isinstance(made, Array):
+        return made
+    entries = [
+        number(0) if isinstance(each, Expr) and str(each).startswith("?[") else each for each in made.entries
+    ]
+    return replace(made, entries=entries, kind="Matrix" if made.kind == "matrix" else "Vector")
 
 
 # --- operations -------------------------------------------------------------------------------------------------------
@@ -412,7 +451,7 @@ COMMANDS: dict[str, Command] = {
     "Vector": _vector_command("Vector"),
     "vector": _vector_command("vector"),
     "array": array_command,
-    "Array": array_command,
+    "Array": new_array,
 }
 
 _NEW: dict[str, Command] = {

@@ -194,7 +194,7 @@ def _made(
     symbols = sorted(str(leaf) for leaf in leaves if leaf.kind == "symbol" and leaf != t)
     if symbols:
         raise WorksheetError(
-            f"dsolve: {', '.join(symbols)} have no value; give all parameters numbers, by subs or by assignment"
+            f"dsolve: no value is known of {', '.join(symbols)}; give all parameters numbers, by subs or by assignment"
         )
     functions = [time_function(name) for name in names]
     try:

@@ -1,12 +1,14 @@
-"""Union, difference and intersection: of sets, and of lists as MBSymba has it."""
+"""Union, difference and intersection, of sets, and of lists as MBSymba has it; operators as functions."""
 
 from __future__ import annotations
 
 from symbody.errors import WorksheetError
+from symbody.symbolic import number
+from symbody.worksheet.arithmetic import binary
 from symbody.worksheet.condition import equal
 from symbody.worksheet.current import set_of
 from symbody.worksheet.session import Command, Session
-from symbody.worksheet.value import Array, Boolean, Listed, MapleSet, Sequence, Value
+from symbody.worksheet.value import Array, Boolean, Listed, MapleSet, Relation, Sequence, Value
 
 __all__ = ["COMMANDS", "joined_by"]
 
@@ -49,4 +51,31 @@ def _command(operator: str) -> Command:
     return command
 
 
-COMMANDS: dict[str, Command] = {name: _command(name) for name in ("union", "minus", "intersect")}
+def _arithmetic(operator: str, neutral: int) -> Command:
+    def command(session: Session, *values: Value) -> Value:
+        if len(values) == 1 and operator == "-":
+            return binary(session, "*", number(-1), values[0])
+        total = values[0] if values else number(neutral)
+        for value in values[1:]:
+            total = binary(session, operator, total, value)
+        return total
+
+    return command
+
+
+def _relation(operator: str) -> Command:
+    def command(session: Session, left: Value, right: Value) -> Value:
+        return Relation(operator, left, right)
+
+    return command
+
+
+COMMANDS: dict[str, Command] = {
+    **{name: _command(name) for name in ("union", "minus", "intersect")},
+    **{
+        name: _arithmetic(name, neutral)
+        for name, neutral in (("+", 0), ("-", 0), ("*", 1), ("/", 1), ("^", 1), (".", 1))
+    },
+    **{name: _relation(name) for name in ("=", "<>", "<", "<=")},
+}
+"""Operators as functions: `+`(a, b)."""

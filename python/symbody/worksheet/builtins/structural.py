@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import replace
+from functools import cmp_to_key
 
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, number
@@ -318,7 +319,15 @@ def sort(session: Session, value: Value, by: Value | None = None) -> Value:
     """sort(L): a list in order; of a polynomial, itself."""
     if not isinstance(value, Listed):
         return value
-    return Listed(tuple(sorted(value.items, key=sort_key)))
+    if by is None or (
+        isinstance(by, Expr) and by.kind == "symbol" and by.name in ("lexorder", "numeric", "string")
+    ):
+        return Listed(tuple(sorted(value.items, key=sort_key)))
+
+    def compare(a: Value, b: Value) -> int:
+        return -1 if truth(session, session.call(by, (a, b))) else 1
+
+    return Listed(tuple(sorted(value.items, key=cmp_to_key(compare))))
 
 
 def member(session: Session, item: Value, value: Value, place: Value | None = None) -> Value:

@@ -9,6 +9,7 @@ from symbody.symbolic import Expr, number
 from symbody.worksheet.arithmetic import scalar
 from symbody.worksheet.naming import symbol
 from symbody.worksheet.numeric import as_float, as_integer
+from symbody.worksheet.print import Style, text_of
 from symbody.worksheet.session import Command, Session
 from symbody.worksheet.value import NULL, Array, Listed, Range, String, Value
 
@@ -16,12 +17,12 @@ __all__ = ["COMMANDS", "formatted", "unparsed"]
 
 
 def unparsed(session: Session, value: Value) -> str:
-    """Return a value as text; a name without backquotes."""
+    """Return a value as text, without primes and aliases; a name without backquotes."""
     if isinstance(value, String):
         return value.text
     if isinstance(value, Expr) and value.kind == "symbol":
         return str(value.name)
-    return session.text(value)
+    return text_of(value, Style(digits=session.options.digits, raw=frozenset(session.opaque)))
 
 
 _FORMAT = re.compile(

@@ -84,7 +84,7 @@ class _Comparison:
         return f"the file has {_short(file)}, the run {_short(run)}"
 
     def _items(self, file: tuple[Value, ...], run: tuple[Value, ...], *, cut: bool) -> str:
-        if _is_column(file) != _is_column(run):
+        if not cut and _is_column(file) != _is_column(run):
             file, run = _flat(file), _flat(run)
         if len(file) > len(run) or (len(file) < len(run) and not cut):
             return f"the file has {len(file)} items, the run {len(run)}"

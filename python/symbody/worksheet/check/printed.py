@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, fields, is_dataclass
 from typing import Any
 
@@ -113,8 +114,11 @@ def _parts(node: object) -> Iterator[object]:
 
 def _function_in(part: object) -> Iterator[str]:
     match part:
-        case syntax.Call(function=head, arguments=(syntax.Name(name="t"),)):
-            yield _name(head)
+        case syntax.Call(
+            function=syntax.Name() | syntax.Selection() as head, arguments=(syntax.Name(name="t"),)
+        ):
+            with suppress(NotComparable):
+                yield _name(head)
         case syntax.Infix(operator="^", left=syntax.Name(name=name), right=syntax.Name(name=marks)) if (
             _primes(marks)
         ):
@@ -288,7 +292,7 @@ _READERS: Mapping[type, Callable[[_Values, Any], Value]] = {
     syntax.Columns: lambda values, node: Listed(values.values(node.items)),
     syntax.Rows: lambda values, node: Listed(values.values(node.items)),
     syntax.SetDisplay: lambda values, node: MapleSet(values.values(node.items)),
-    syntax.Selection: lambda values, node: symbol(_name(node)),
+    syntax.Selection: lambda values, node: values.named(_name(node)),
     syntax.Prefix: _Values.prefix,
     syntax.Infix: _Values.infix,
     syntax.Call: _Values.call,

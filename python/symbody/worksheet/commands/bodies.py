@@ -157,7 +157,10 @@ def _reacting(reader: Reader, rest: tuple[Value, ...]) -> Value | None:
 def gravity(reader: Reader) -> Vector | None:
     """Return the acceleration of gravity, the global name _gravity; None without it."""
     table = reader.session.resolve(reader.session.names.get("_gravity", number(0)))
-    return reader.vector(table) if kind_of(table) == "VECTOR" else None
+    if kind_of(table) != "VECTOR":
+        return None
+    vector = reader.vector(table)
+    return None if all(each.is_zero for each in vector.components) else vector
 
 
 def _bodies(reader: Reader, value: Value) -> list[Body]:

@@ -89,11 +89,11 @@ def lagrange(session: Session, energy: Value, variable: Value, time: Value | Non
     """lagrange(L, q(t), t): d/dt dL/dq' - dL/dq; the equation of motion subtracts the generalized force."""
     del time
     reader = Reader(session, "lagrange")
-    return _lagrange(reader, reader.scalar(energy), _coordinate(reader, variable))
-
-
-def _lagrange(reader: Reader, L: Expr, q: Expr) -> Expr:
-    return left(mechanics(reader.session), [lagrange_of(L, q)])[0]
+    L, several = reader.scalar(energy), session.resolve(variable)
+    items = several.items if isinstance(several, Listed | MapleSet | Sequence) else (variable,)
+    found = [lagrange_of(L, _coordinate(reader, item)) for item in items]
+    equations = left(mechanics(session), found)
+    return Listed(equations) if isinstance(several, Listed | MapleSet | Sequence) else equations[0]
 
 
 def lagrange_equations(session: Session, system: Value, variables: Value, *options: Value) -> Value:

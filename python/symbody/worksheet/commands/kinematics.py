@@ -71,6 +71,9 @@ def uvec_Z(session: Session, frame: Value) -> Value:
 def project(session: Session, thing: Value, frame: Value) -> Value:
     """project(obj, T): a point, vector, force or torque, by its components in another frame."""
     reader = Reader(session, "project")
+    if isinstance(array := session.resolve(thing), Array):
+        seen = reader.chain(frame).inverse() * reader.chain(array)
+        return frame_face.face(mechanics(session), seen)
     table = reader.object(thing, "POINT", "VECTOR", "FORCE", "TORQUE")
     axes, shown = reader.frame(frame), _named(session, reader.frame_value(frame))
     if kind_of(table) == "POINT":

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from symbody.errors import ExpressionError, WorksheetError
 from symbody.symbolic import Expr, Matrix, jacobian, number, solve, substitute, time_derivative, time_function
+from symbody.symbolic.given.arguments import counted
 from symbody.worksheet.mechanics import mechanics
 from symbody.worksheet.objects import members
 from symbody.worksheet.session import Command, Session
@@ -37,7 +38,8 @@ def state_space(
         states: functions of time and derivatives.
         inputs: the functions of time that are given from outside.
     """
-    del time
+    if not isinstance(session.resolve(time), Expr):  # (equations, states, inputs, t)
+        states, inputs = time, states
     residuals = _residuals(session, equations, "state_space")
     x = _functions(session, states, "state_space")
     u = [] if inputs is None else _functions(session, inputs, "state_space")
@@ -48,7 +50,8 @@ def state_space(
         residuals = [each for each in residuals if each.free_symbols & {*unknown}]
     if len(residuals) != len(unknown):
         raise WorksheetError(
-            f"state_space: {len(residuals)} equations for the rates of {len(unknown)} states; expected as many, of "
+            f"state_space: {counted(len(residuals), 'equation')} for the rates of {counted(len(unknown), 'state')}; "
+            "expected as many, of "
             "first order in the states"
         )
     try:

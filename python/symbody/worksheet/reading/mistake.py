@@ -48,7 +48,8 @@ def mistake(cell: Cell, tokens: Sequence[Token], begin: int, failure: Failure) -
     if failure.index >= len(tokens) or not tokens[failure.index]:
         place = one_place(tokens[failure.index - 1])
         end = Place(place.end_line, place.end_column, place.end_line, place.end_column + 1)
-        return _told(cell, end, f"the statement is not complete, expected {expected}")
+        message = located(cell, end, f"the statement is not complete, expected {expected}")
+        return SyntaxMistake(end, message, is_open=True)
     token = tokens[failure.index]
     found = repr(str(token))
     return _told(cell, one_place(token), f"found {found}, expected {expected}{_hint(read, token)}")

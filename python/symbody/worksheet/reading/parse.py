@@ -8,9 +8,11 @@ from functools import cache
 from pathlib import Path
 
 from lark import Lark, Token, UnexpectedToken
+from lark import __version__ as version
 from lark.exceptions import VisitError
 from lark.lark import PostLex
 
+from symbody.files.cache_folder import folder
 from symbody.worksheet.reading.builder import Builder, Mistake, one_place
 from symbody.worksheet.source import Line
 from symbody.worksheet.syntax import Place, Statement
@@ -73,6 +75,7 @@ class _EveryToken(PostLex):
 @cache
 def _parser() -> Lark:
     grammar = Path(__file__).with_name("maple.lark").read_text(encoding="utf-8")
+    kept = folder()  # Lark checks that a file is of this grammar, and of its own version
     return Lark(
         grammar,
         parser="lalr",
@@ -80,6 +83,7 @@ def _parser() -> Lark:
         propagate_positions=True,
         maybe_placeholders=True,
         postlex=_EveryToken(),
+        cache=False if kept is None else str(kept / f"maple-{version}.lark"),
     )
 
 

@@ -69,7 +69,7 @@ def remark_in(tokens: Sequence[Token], begin: int, failure: Failure, used: Colle
         if not _is_prose(tokens, span, begin):
             continue
         span = _with_bare_words(tokens, span, begin, used)  # noqa: PLW2901 - the same remark, longer
-        if span.begin == begin or _helps(tokens, begin, span):
+        if span.begin == begin or _helps(tokens, begin, span, failure.index):
             return span
     return None
 
@@ -84,8 +84,7 @@ def _candidates(tokens: Sequence[Token], begin: int, index: int) -> Iterator[Spa
         if _is_tail(tokens, begin, end):
             yield Span(begin, end)
         yield from _behind_separators(tokens, begin, min(index, end - 1), end)
-    if begin < index < ends[-1] and tokens[index - 1].type in _CLOSING:
-        yield Span(index, ends[-1])
+    yield from _behind_operands(tokens, begin, last, ends[-1])
 
 
 def _is_tail(tokens: Sequence[Token], begin: int, end: int) -> bool:
@@ -111,6 +110,18 @@ def _behind_separators(tokens: Sequence[Token], begin: int, index: int, end: int
         trials += 1
         if trials == _TRIALS or tokens[separator].line != line:
             break
+
+
+def _behind_operands(tokens: Sequence[Token], begin: int, index: int, end: int) -> Iterator[Span]:
+    """Return where a remark can stand behind a complete operand: ``f(x) = 0   the first equation``."""
+    for place in range(index, max(begin, index - _TRIALS), -1):
+        if tokens[place - 1].line != tokens[place].line:
+            return
+        if (
+            tokens[place - 1].type in _CLOSING | {"INTEGER", "DECIMAL", "NAME"}
+            and tokens[place].type == "NAME"
+        ):
+            yield Span(place, end)
 
 
 def _depths(tokens: Sequence[Token]) -> list[int]:
@@ -173,8 +184,11 @@ def _with_bare_words(tokens: Sequence[Token], span: Span, begin: int, used: Coll
     return Span(first, span.end)
 
 
-def _helps(tokens: Sequence[Token], begin: int, span: Span) -> bool:
+def _helps(tokens: Sequence[Token], begin: int, span: Span, index: int) -> bool:
     """Whether the statement can be read on behind a remark."""
     rest = [*tokens[begin : span.begin], *tokens[span.end :]]
     found = next_statement(rest)
-    return isinstance(found, Parsed) or found.index > span.begin - begin
+    if isinstance(found, Parsed) or found.index > span.begin - begin:
+        return True
+    only_end_is_missing = found.index < len(rest) and not rest[found.index]
+    return only_end_is_missing and bool(tokens[index])

@@ -65,11 +65,7 @@ def names_in_code(cells: Iterable[Cell]) -> frozenset[str]:
 def is_open(lines: Sequence[Line]) -> bool:
     """Whether the last statement of lines goes on: it needs more than a terminator."""
     *_, last = [None, *statements(Cell(tuple(lines)))]
-    if not isinstance(last, SyntaxMistake):
-        return False
-    tokens = [token for line in lines for token in tokens_of(line)]
-    end = one_place(tokens[-1])
-    return (last.place.line, last.place.column) >= (end.end_line, end.end_column)
+    return isinstance(last, SyntaxMistake) and last.is_open
 
 
 def _next_begin(tokens: Sequence[Token], begin: int, index: int) -> int:

@@ -13,11 +13,14 @@ from dataclasses import dataclass, field
 from lark import Token
 
 from symbody.worksheet import syntax
-from symbody.worksheet.reading.parse import Failure, next_statement, terminator_after, tokens_of
-from symbody.worksheet.reading.statements import is_open
-from symbody.worksheet.source import Cell, Line
+from symbody.worksheet.reading.parse import TERMINATORS, Failure, next_statement, terminator_after, tokens_of
+from symbody.worksheet.reading.statements import is_open, statements
+from symbody.worksheet.source import Cell, Line, Remark, SyntaxMistake
 
 __all__ = ["is_picture", "text_export_cells"]
+
+#: How many lines without a prompt can stand in an open bracket.
+_HELD = 20
 
 _PROMPTS = re.compile(r"\s*(?:>\s*)+")
 _PROMPT_WITHIN = re.compile(r"(?<=[;:])\s*>\s")
@@ -27,12 +30,16 @@ _MESSAGE = re.compile(r"(Warning|Error),|MBSymba(_| release)")
 
 @dataclass(slots=True)
 class _Cells:
-    """The cells that are complete, and what is known of the next one."""
+    """The cells that are complete, and what is known of the next one.
+
+    ``held`` are lines without a prompt that are code if later lines close a bracket that is open, else prose.
+    """
 
     done: list[Cell] = field(default_factory=list)
     input: list[Line] = field(default_factory=list)
     printed: list[str] = field(default_factory=list)
     prose: list[str] = field(default_factory=list)
+    held: list[Line] = field(default_factory=list)
 
     def close(self) -> None:
         """Complete the cell, if it has code."""
@@ -54,6 +61,7 @@ def text_export_cells(text: str) -> tuple[Cell, ...]:
     cells = _Cells()
     for paragraph in _paragraphs(text):
         _read_paragraph(cells, paragraph)
+    _release(cells)
     cells.close()
     return tuple(cells.done)
 
@@ -82,6 +90,7 @@ def _read_paragraph(cells: _Cells, lines: Sequence[Line]) -> None:
     if first:
         _read_without_prompt(cells, lines[:first])
     if first < len(lines):
+        _release(cells)
         if not cells.goes_on():
             cells.close()
         _read_code(cells, lines[first:])
@@ -95,12 +104,35 @@ def _read_code(cells: _Cells, lines: Sequence[Line]) -> None:
             if cells.printed:
                 cells.close()
             cells.input += _inputs(line, prompt.end())
-        elif not cells.printed and (is_open(cells.input) or _begins_code(lines[index:])):
+        elif not cells.printed and _goes_on(cells.input, _unprompted(lines[index:])):
             cells.input.append(line)
         elif _is_output(line.text):
             cells.print(line.text.strip())
+        elif ":=" in line.text or line.text.rstrip().endswith((";", ":")):
+            cells.input.append(line)  # it can't be read, and the mistake is reported
         else:
-            cells.input.append(line)  # among code: a remark, if it can't be read
+            cells.prose.append(line.text.strip())
+
+
+def _unprompted(lines: Sequence[Line]) -> Sequence[Line]:
+    """Return the lines up to the next prompt."""
+    ends = (index for index, line in enumerate(lines) if _PROMPTS.match(line.text))
+    return lines[: next(ends, len(lines))]
+
+
+def _goes_on(code: Sequence[Line], lines: Sequence[Line]) -> bool:
+    """Whether the first of some lines belongs to the code before it."""
+    if not code or is_open(code) or _begins_code(lines):
+        return True
+    if _ends_statement(code[-1]):
+        return False
+    found = list(statements(Cell((*code, *lines))))  # one statement on several lines
+    return _ends_statement(lines[-1]) and not any(isinstance(one, SyntaxMistake) for one in found)
+
+
+def _ends_statement(line: Line) -> bool:
+    tokens = tokens_of(line)
+    return bool(tokens) and tokens[-1].type in TERMINATORS
 
 
 def _inputs(line: Line, begin: int) -> Iterator[Line]:
@@ -114,23 +146,42 @@ def _inputs(line: Line, begin: int) -> Iterator[Line]:
 
 def _read_without_prompt(cells: _Cells, lines: Sequence[Line]) -> None:
     """Read a paragraph, or its beginning, without a prompt: code, output or prose."""
-    if cells.goes_on() and not is_open([*cells.input, *lines]) and _begins_code([*cells.input, *lines]):
-        cells.input += lines
-    elif _is_code(lines):
+    if cells.goes_on() and len(cells.held) < _HELD:
+        code = [*cells.input, *cells.held, *lines]
+        if is_open(code):
+            cells.held += lines
+            return
+        if not any(isinstance(one, SyntaxMistake) for one in statements(Cell(tuple(code)))):
+            cells.input, cells.held = code, []
+            return
+    _release(cells)
+    _read_text(cells, lines)
+
+
+def _release(cells: _Cells) -> None:
+    """Read the lines that were held as text: nothing has closed the bracket."""
+    held, cells.held = cells.held, []
+    if held:
+        _read_text(cells, held)
+
+
+def _read_text(cells: _Cells, lines: Sequence[Line]) -> None:
+    """Read a paragraph that is no continuation."""
+    if _is_code(lines):
         cells.close()
         cells.input += lines
-    else:
-        seen: list[str] = []
-        for line in lines:
-            text = line.text.strip()
-            if text in seen:  # the export repeats an output that had several lines
-                continue
-            seen.append(text)
-            if _is_output(text):
-                cells.print(text)
-            else:
-                cells.close()
-                cells.prose.append(text)
+        return
+    seen: list[str] = []
+    for line in lines:
+        text = line.text.strip()
+        if text in seen:  # the export repeats an output that had several lines
+            continue
+        seen.append(text)
+        if _is_output(text):
+            cells.print(text)
+        else:
+            cells.close()
+            cells.prose.append(text)
 
 
 def _begins_code(lines: Sequence[Line]) -> bool:
@@ -140,22 +191,25 @@ def _begins_code(lines: Sequence[Line]) -> bool:
 
 
 def _is_code(lines: Sequence[Line]) -> bool:
-    """Whether lines are statements, each with its own terminator, that do something."""
+    """Whether lines are statements with terminators that do something; a remark may end a line with an assignment."""
     tokens = [token for line in lines for token in tokens_of(line)]
-    begin = 0
-    while begin < len(tokens):
-        found = next_statement(tokens, begin)
-        if isinstance(found, Failure) or not _is_action(found.statement):
-            return False
-        if _is_spaced_call(tokens[begin : found.end]):
-            return False
-        begin = found.end
-    return begin > 0
+    if not any(token.type in TERMINATORS for token in tokens) or _is_spaced_call(tokens):
+        return False
+    found = list(statements(Cell(tuple(lines))))
+    if not found or (
+        any(isinstance(one, Remark) for one in found) and not isinstance(found[0], syntax.Assignment)
+    ):
+        return False
+    if not any(isinstance(one, Remark) for one in found) and tokens[-1].type not in TERMINATORS:
+        return False
+    return bool(found) and all(isinstance(one, Remark) or _is_action(one) for one in found)
 
 
-def _is_action(statement: syntax.Statement) -> bool:
+def _is_action(statement: syntax.Statement | SyntaxMistake) -> bool:
     """Whether a statement is more than a value: words before a colon are prose."""
     match statement:
+        case SyntaxMistake():
+            return False
         case syntax.Evaluation(expression=syntax.SequenceDisplay(items=items)):
             return all(isinstance(item, syntax.Call) for item in items)
         case syntax.Evaluation(expression=syntax.Name(name=name)):

@@ -1,0 +1,5 @@
+"""``symbody convert``: a worksheet to a Python program that gives the same."""
+
+from symbody.worksheet.convert.program import convert_file
+
+__all__ = ["convert_file"]

@@ -1,0 +1,91 @@
+"""Operation counts, computation sequences and MATLAB code."""
+
+import math
+import re
+from pathlib import Path
+
+import pytest
+
+from symbody.symbolic import cos, sin, symbols
+from symbody.worksheet.interpret import Interpreter
+from symbody.worksheet.matlab_text import matlab_text
+from symbody.worksheet.shared_parts import named_parts
+from tests.worksheet.printed_by import printed
+
+
+@pytest.mark.parametrize(
+    ("expressions", "count"),
+    [
+        ("a*b+c^2", "2*multiplications+additions"),
+        ("sin(d)/2", "multiplications+functions"),
+        ("x^4", "2*multiplications"),
+        ("a/b", "divisions"),
+        ("[X[1]+X[2], X[1]*3]", "multiplications+additions+3*subscripts"),
+        ("[u = a*b, v = u+1]", "multiplications+additions+2*assignments"),
+        ("7", "0"),
+    ],
+)
+def test_counts_are_those_of_expressions_as_they_are_written(expressions: str, count: str) -> None:
+    assert printed(f"codegen[cost]({expressions});") == [count]
+
+
+def test_a_computation_sequence_computes_the_same() -> None:
+    a, b, c = symbols("a b c")
+    expressions = [sin(a + b) * (a + b) + cos(a + b) ** 2, (a + b) / sin(a + b), c * cos(a + b) ** 2]
+    definitions, results = named_parts(expressions)
+    assert len(definitions) >= 3
+    for name, definition in reversed(definitions):
+        results = [each.subs({name: definition}) for each in results]
+    assert results == expressions
+
+
+def test_names_of_a_sequence_are_new() -> None:
+    assert printed("codegen[optimize]([u=sin(t1+b)*(t1+b)]);") == ["t2 = b+t1, u = t2*sin(t2)"]
+
+
+def test_no_more_operations_than_before() -> None:
+    sheet = "e := [sin(a+b)*(a+b), (a+b)^2*cos(a+b)]: s := [codegen[optimize](e)]: codegen[cost](e); codegen[cost](s);"
+    before, after = printed(sheet)
+    assert sum(_numbers(after).values()) - _numbers(after)["assignments"] <= sum(_numbers(before).values())
+
+
+def _numbers(text: str) -> dict[str, int]:
+    return {name: int(count or 1) for count, name in re.findall(r"(?:(\d+)\*)?([a-z]+)", text)}
+
+
+def test_matlab_text_has_the_value_of_the_expression() -> None:
+    x, y = symbols("x y")
+    expression = (x**2 / 3 - y) * sin(x) / (x + 2 * y) ** 2 - 1.5 * (x - y) ** 3 / (2 * y)
+    text = matlab_text(expression).replace("^", "**")
+    value = eval(text, {"sin": math.sin, "sqrt": math.sqrt, "x": 0.7, "y": 1.3})
+    assert value == pytest.approx(expression.evaluate({x: 0.7, y: 1.3}), rel=1e-14)
+
+
+def test_matlab_statements(tmp_path: Path) -> None:
+    lines = printed(
+        'CodeGeneration[Matlab](x^2/2+arctan(y,x), resultname="r"); '
+        "CodeGeneration[Matlab]([u=sin(a+b)*(a+b), v__1=(a+b)^2], optimize); "
+        "CodeGeneration[Matlab](<<a|b-c>,<X[2]|2>>);",
+        tmp_path,
+    )
+    assert "\n".join(lines).splitlines() == [
+        "r = 1 / 2 * x ^ 2 + atan2(y, x);",
+        "t1 = a + b;",
+        "u = t1 * sin(t1);",
+        "v__1 = t1 ^ 2;",
+        "cg = [a b-c; X(2) 2;];",
+    ]
+
+
+def test_matlab_statements_in_a_string_and_a_file(tmp_path: Path) -> None:
+    assert printed("s := CodeGeneration[Matlab](a+b, output=string): length(s);", tmp_path) == ["12"]
+    printed('with(CodeGeneration): Matlab(a+b, output="f.m"):', tmp_path)
+    assert (tmp_path / "f.m").read_text() == "cg = a + b;\n"
+
+
+def test_options_that_are_not_known_are_told() -> None:
+    interpreter = Interpreter()
+    printed("CodeGeneration[Matlab](a+b, colour=3);", interpreter=interpreter)
+    assert interpreter.session.notices == [
+        "CodeGeneration[Matlab]: the option colour is not known and is left out"
+    ]

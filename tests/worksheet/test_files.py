@@ -1,0 +1,111 @@
+"""Files: save and read, fopen and fprintf, FileTools; nothing is written outside the output folder."""
+
+from pathlib import Path
+
+import pytest
+
+from symbody.worksheet.interpret import Interpreter
+from tests.worksheet.printed_by import failures, printed
+
+
+def test_saved_values_are_read_back(tmp_path: Path) -> None:
+    text = (
+        "a := [x^2, diff(q(t),t), 1/3]: T := table([k=2*x, 3=b]): M := Matrix([[a1,2],[3,4]]): f := x -> x^2: "
+        's := {u = "text"}: v := <1,2>: save a, T, M, f, s, v, "values.mpl";'
+    )
+    printed(text, tmp_path)
+    lines = printed(
+        'read "values.mpl": a; T[k], T[3]; M; f(3); s; v;',
+        tmp_path,
+    )
+    assert lines == [
+        "[x^2, diff(q(t),t), 1/3]",
+        "2*x, b",
+        "Matrix([[a1, 2], [3, 4]])",
+        "9",
+        '{u = "text"}',
+        "Vector[column]([[1], [2]])",
+    ]
+
+
+def test_saved_objects_are_objects_again(tmp_path: Path) -> None:
+    printed('P := make_POINT(translate(q(t),0,0),1,2,3): save(P, "P.mpl"):', tmp_path)
+    assert (tmp_path / "P.mpl").read_text().startswith("P := table([")
+    assert printed('read "P.mpl": comp_XYZ(velocity(P)); comp_X(P,ground);', tmp_path) == [
+        "diff(q(t),t), 0, 0",
+        "q(t)+1",
+    ]
+
+
+def test_values_are_saved_with_what_was_assigned_since(tmp_path: Path) -> None:
+    printed('a := 2*b: b := 3: save a, "a.m";', tmp_path)
+    assert (tmp_path / "a.m").read_text() == "a := 6;\n"
+
+
+def test_read_looks_beside_the_sheet_second(tmp_path: Path) -> None:
+    sheet, output = tmp_path / "sheet", tmp_path / "out"
+    sheet.mkdir()
+    output.mkdir()
+    (sheet / "data.mpl").write_text("k := 1:")
+    interpreter = Interpreter()
+    interpreter.session.source = sheet
+    assert printed('read "data.mpl": k;', output, interpreter) == ["1"]
+    (output / "data.mpl").write_text("k := 2:")
+    assert printed('read "C:/work/data.mpl": k;', output, interpreter) == ["2"]
+
+
+def test_a_file_that_is_not_there_is_told(tmp_path: Path) -> None:
+    (message,) = failures('read "nothing.mpl";', tmp_path)
+    assert (
+        message == "unable to read 'nothing.mpl': it is neither in the output folder nor beside the worksheet"
+    )
+
+
+def test_formatted_lines(tmp_path: Path) -> None:
+    printed(
+        'f := fopen("C:/data/out.txt",WRITE): fprintf(f,"%d %s\\n",3,"a"): writeline(f,"end"): fclose(f):',
+        tmp_path,
+    )
+    assert (tmp_path / "data" / "out.txt").read_text() == "3 a\nend\n"
+
+
+def test_folders(tmp_path: Path) -> None:
+    text = (
+        'FileTools[Exists]("d"); FileTools[MakeDirectory]("d"): FileTools[Exists]("d"); '
+        'FileTools[RemoveDirectory]("d",recurse=true): FileTools:-Exists("d");'
+    )
+    assert printed(text, tmp_path) == ["false", "true", "false"]
+
+
+@pytest.mark.parametrize(
+    "statement",
+    [
+        'save a, "../a.mpl"',
+        'f := fopen("../../x.txt",WRITE)',
+        'FileTools[MakeDirectory]("../d")',
+        'FileTools[RemoveDirectory]("..")',
+        'fprintf("x/../../y","a")',
+        'read "../secret.mpl"',
+        'FileTools[Remove]("../a")',
+    ],
+)
+def test_nothing_outside_the_output_folder_is_touched(statement: str, tmp_path: Path) -> None:
+    inner = tmp_path / "out"
+    inner.mkdir()
+    (tmp_path / "secret.mpl").write_text("a := 1;")
+    (message,) = failures(f"a := 5: {statement};", inner)
+    assert "is not inside the output folder; expected a plain name" in message
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["out", "secret.mpl"]
+
+
+def test_a_link_does_not_lead_out(tmp_path: Path) -> None:
+    inner = tmp_path / "out"
+    inner.mkdir()
+    (inner / "link").symlink_to(tmp_path)
+    (message,) = failures('a := 5: save a, "link/a.mpl";', inner)
+    assert "is not inside the output folder" in message
+
+
+@pytest.mark.parametrize("statement", ['system("ls")', 'ssystem("ls")'])
+def test_commands_of_the_system_are_refused(statement: str) -> None:
+    assert failures(f"{statement};") == ["a worksheet can't run commands of the system"]

@@ -1,0 +1,2 @@
+save y, "../outside.txt";
+y := 2;

@@ -1,0 +1,4 @@
+with(MBSymba_r6):
+P := origin(ground):
+F := make_FORCE(ground, 1, 0, 0, P);
+y := 2;

@@ -1,0 +1,3 @@
+with(MBSymba_r6):
+use_moving_frame(u, v, r);
+y := 2;

@@ -1,0 +1,2 @@
+s := solve(x = cos(x)*a, x);
+y := 2;

@@ -1,0 +1,3 @@
+with(MBSymba_r6):
+P := origin([1,2,3]);
+y := 2;

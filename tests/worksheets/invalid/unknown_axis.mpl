@@ -1,0 +1,3 @@
+with(MBSymba_r6):
+T := rotate('W', q(t));
+y := 2;
