@@ -11,10 +11,10 @@ use num_integer::Integer;
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::graph::{Content, Graph, Id, NumberId, View};
+use crate::graph::{Content, Flags, Graph, Id, NumberId, View};
 use crate::value::{Adics, Field, Number, prime_factors};
 
-use super::adic_point::{AdicPoint, POINTS, TRIALS};
+use super::adic_point::{AdicPoint, POINTS, POINTS_WITHOUT_SIGNS, TRIALS};
 use super::integer_point::Rationals;
 
 /// Larger sums and products have no content.
@@ -139,20 +139,15 @@ impl Graph {
     /// The power of a prime in the content of a sum of multiples.
     fn valuation(&self, terms: &[(i64, Id)], order: &[Id], prime: &BigInt) -> Number {
         let adics = Adics::new(prime);
-        let at = |point: u16| self.valuation_at(terms, order, &adics, point);
-        let most_frequent = |points: std::ops::Range<u16>| {
-            let mut counts: Vec<(Number, usize)> = Vec::new();
-            for valuation in points.filter_map(at) {
-                match counts.iter_mut().find(|(known, _)| known.same_value(&valuation)) {
-                    Some((_, count)) => *count += 1,
-                    None => counts.push((valuation, 1)),
-                }
-            }
-            // If there are several, the one that is zero: others are known only if their prime is among those that are tried.
-            counts.into_iter().max_by(|(a, m), (b, n)| m.cmp(n).then_with(|| b.abs().compare(&a.abs())))
+        let has_signs = terms.iter().any(|&(_, id)| self.flags(id).has(Flags::BRANCH));
+        let count = if has_signs { POINTS } else { POINTS_WITHOUT_SIGNS };
+        // It is the same at all points, but where it depends on signs and on the choice between opposite roots.
+        let least = |first: u16| {
+            let found =
+                (first..first + count).filter_map(|point| self.valuation_at(terms, order, &adics, point));
+            found.min_by(|a, b| a.abs().compare(&b.abs()))
         };
-        let found = most_frequent(0..POINTS).or_else(|| most_frequent(POINTS..2 * POINTS));
-        found.map_or_else(|| Number::integer(0), |(valuation, _)| valuation)
+        least(0).or_else(|| least(POINTS)).unwrap_or_else(|| Number::integer(0))
     }
 
     /// The power of the prime in a sum of multiples at a point, where that is not zero.
