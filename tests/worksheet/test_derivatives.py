@@ -31,7 +31,8 @@ CASES = {
     ),
     "a rule of one argument": (
         (
-            "`diff/theta` := proc(t) omega(t) end proc: diff(theta(t),t); diff(theta(t),t,t); diff(sin(theta(t)),t);"
+            "`diff/theta` := proc(t) omega(t) end proc: diff(theta(t),t); diff(theta(t),t,t); "
+            "diff(sin(theta(t)),t);"
         ),
         ["omega(t)", "diff(omega(t),t)", "cos(theta(t))*omega(t)"],
     ),

@@ -37,6 +37,13 @@ CASES = {
         "P := proc() local T; T := table(); T[1] := 4; T end proc: U := P(): U[1];",
         ["4"],
     ),
+    "names of bodies in what is rewritten": (
+        (
+            "B := make_BODY(ground,m): S := simplify({B}); F := make_FORCE(ground,u,0,0,CoM(B),B): "
+            "map(simplify,F)[acting];"
+        ),
+        ["S := {B}", "B"],
+    ),
     "a procedure": (
         "f := proc(x) x^2 end proc: g := f: g; g(3);",
         ["f", "9"],

@@ -67,7 +67,8 @@ CASES = {
     ),
     "anti-bodies": (
         (
-            "f := proc(B::BODY) local C; C := copy(B); C[mass] := -m; C end: B := make_BODY(ground,m): f(B)[mass];"
+            "f := proc(B::BODY) local C; C := copy(B); C[mass] := -m; C end: B := make_BODY(ground,m): "
+            "f(B)[mass];"
         ),
         ["-m"],
     ),

@@ -29,6 +29,10 @@ CASES = {
         "Translate(comp_XYZ(make_VECTOR(ground,1,2,3)))[1,4];",
         ["1"],
     ),
+    "several names": (
+        "a||(1..3); c||(x,y);",
+        ["a1, a2, a3", "cx, cy"],
+    ),
     "slices": (
         "L := [a,b,c,d]: L[2..3]; L[-2..-1]; L[2..-1]; L[-1];",
         ["[b, c]", "[c, d]", "[b, c, d]", "d"],

@@ -26,8 +26,6 @@ if TYPE_CHECKING:
 
 __all__ = ["copied", "entrywise", "parts_of", "with_parts"]
 
-Rewrite = Callable[[Value], Value]
-
 
 def entrywise(
     session: Session, value: Value, function: Callable[[Expr], Value], *, keeps_value: bool = False
@@ -37,6 +35,8 @@ def entrywise(
     def rewrite(part: Value) -> Value:
         if isinstance(part, Expr):
             return function(part)
+        if isinstance(part, Reference):
+            return part  # names of bodies in sets and fields stay names
         return entrywise(session, part, function, keeps_value=keeps_value)
 
     found = session.resolve(value) if isinstance(value, Reference) else value
@@ -49,13 +49,8 @@ def entrywise(
             found, entries=entries, frame=frame, attributes=found.attributes if keeps_value else ()
         )
     if isinstance(found, Table):
-        return Table({key: _field(entry, rewrite) for key, entry in found.entries.items()})
+        return Table({key: rewrite(entry) for key, entry in found.entries.items()})
     return with_parts(found, [rewrite(part) for part in parts_of(found)])
-
-
-def _field(entry: Value, rewrite: Rewrite) -> Value:
-    """References in fields, such as the body on which a force acts, stay."""
-    return entry if isinstance(entry, Reference) else rewrite(entry)
 
 
 def parts_of(value: Value) -> tuple[Value, ...]:

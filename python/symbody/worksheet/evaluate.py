@@ -74,7 +74,7 @@ class Evaluator:
             syntax.Prefix: self._prefix,
             syntax.Postfix: self._postfix,
             syntax.Infix: self._infix,
-            syntax.Concatenation: lambda node: self._named(self.concatenation(node)),
+            syntax.Concatenation: self._concatenated,
             syntax.Call: self._call,
             syntax.Selection: self._selection,
             syntax.Member: self._member,
@@ -175,6 +175,16 @@ class Evaluator:
         if isinstance(node, syntax.Concatenation):
             return self.concatenation(node.left) + self._piece(node.right)
         return self._piece(node)
+
+    def _concatenated(self, node: syntax.Concatenation) -> Value:
+        """Return what the name ``a || b`` stands for; ``a || (1..3)`` are several."""
+        if isinstance(node.right, syntax.Infix | syntax.SequenceDisplay):
+            right = self.evaluate(node.right)
+            items = builtins.repeated(self.session, right)
+            if isinstance(items, Sequence):
+                left = self.concatenation(node.left)
+                return sequence([self._named(left + _bare(self.session.text(item))) for item in items.items])
+        return self._named(self.concatenation(node))
 
     def _piece(self, node: syntax.Expression) -> str:
         value = self.evaluate(node)

@@ -310,7 +310,6 @@ FORMS: dict[str, Form] = {
     "add": add,
     "mul": mul,
     "sum": summed,
-    "Sum": summed,
     "product": product,
     "$": dollar_form,
     "evalm": evalm,

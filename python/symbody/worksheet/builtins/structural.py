@@ -209,7 +209,11 @@ def _mapped(session: Session, value: Value, function: Callable[[Value], Value]) 
             attributes=(),
         )
     if isinstance(found, Table):
-        return Table({key: function(entry) for key, entry in found.entries.items()})
+        new_entries = {
+            key: entry if isinstance(entry, Reference) else function(entry)
+            for key, entry in found.entries.items()
+        }
+        return Table(new_entries)
     if isinstance(found, Expr):
         tree = tree_of(found)
         if not tree.parts:
