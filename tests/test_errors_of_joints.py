@@ -125,6 +125,15 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         "gear G: both radii are 1; expected an internal gear that is larger than the wheel in it",
     ),
     (
+        errors.ArgumentError,
+        lambda: moving_four_bar()[reaction(newton_euler(four_bar.system()), "D")],
+        (
+            "motion[...]: Reaction(on rocker: force lambda1, lambda2, 0, mome...xes of translate(1, 0, 0)) is a "
+            "Reaction; expected an expression, such as motion[phi_A]; its force and its moment are vectors: "
+            "motion.evaluate(reaction.force.components)"
+        ),
+    ),
+    (
         errors.JointError,
         lambda: four_bar.system(constraints=[IDLE - 3 * t]),
         (

@@ -16,12 +16,14 @@ from symbody import (
     Point,
     System,
     atan,
+    continuation,
     cos,
     functions_of_time,
     linearize,
     modes,
     moving_frame,
     newton_euler,
+    root_locus,
     rotate,
     simulate,
     sin,
@@ -70,6 +72,25 @@ def test_a_car_in_fixed_axes_is_that_of_a_moving_frame(heading: float) -> None:
     mine, theirs = state_space(own, turning.parameters), state_space(its, other.parameters)
     for name in "ABCD":
         assert_allclose(getattr(mine, name), getattr(theirs, name), rtol=1e-9, atol=1e-9)
+
+
+def test_symbols_for_the_values_of_a_turn() -> None:
+    """Matrices in symbols, at the values of a turn; and the locus of turns over the yaw rate."""
+    dx, dy, turn = map(time_derivative, (x, y, psi))
+    components = (dx * cos(psi) + dy * sin(psi), dy * cos(psi) - dx * sin(psi), turn)
+    eqs = car(POSE, components, {"coordinates": [x, y, psi]})
+    found = steady(eqs, NUMBERS, given={dx: 20.0, turn: 0.1}, guess={delta: 0.03}, unknown=[delta, F])
+    vx, vy, rate, angle, drive = symbols("vx vy rate angle drive")
+    about = {dx: vx, dy: vy, turn: rate, delta: angle, F: drive}
+    linear = linearize(eqs, about, keep_ignorable=False)
+    values = {symbol: found[name] for name, symbol in about.items()}
+    expected = state_space(linearize(eqs, found, keep_ignorable=False), found.parameters).A
+    assert_allclose(state_space(linear, {**NUMBERS, **values}).A, expected, rtol=1e-9, atol=1e-9)
+    branch = continuation(found, turn, (0.05, 0.3))
+    locus = root_locus(linear, NUMBERS, over={rate: np.linspace(0.06, 0.28, 12)}, along=branch)
+    at = branch.at(0.28)[0]
+    last = modes(linearize(eqs, at, keep_ignorable=False), at.parameters).eigenvalues
+    assert_allclose(np.sort_complex(locus.eigenvalues[-1]), np.sort_complex(last), rtol=1e-7)
 
 
 def test_a_motorcycle_in_a_bend_is_tangent_to_its_motions() -> None:

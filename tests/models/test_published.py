@@ -410,6 +410,18 @@ def test_critical_speed_and_yaw_gain_of_the_single_track_car() -> None:
         assert_allclose(rate, u / ((a + b) * (1 - u**2 / critical**2)), rtol=1e-9)
 
 
+def test_numbers_of_the_quadrotor_with_its_load() -> None:
+    published = reference("slung_load")["parameters"]
+    numbers = {str(symbol): value for symbol, value in models.quadrotor_with_slung_load().parameters.items()}
+    J = dict(zip(("Ix", "Iy", "Iz"), published["J"], strict=True))
+    assert numbers == J | {
+        "M": published["mQ"],
+        "m": published["mL"],
+        "l": published["l"],
+        "g": published["g"],
+    }
+
+
 def test_the_load_of_the_hovering_quadrotor_swings_by_the_reduced_mass() -> None:
     """w^2 = g (M + m)/(M l), along x and y; nothing else has a stiffness."""
     model = models.quadrotor_with_slung_load()

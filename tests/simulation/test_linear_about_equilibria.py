@@ -108,7 +108,6 @@ def test_sleigh_that_turns_needs_speeds_along_its_axes() -> None:
         linearize(eqs, about={time_derivative(x): 2, time_derivative(psi): 1})
     assert str(raised.value) == (
         "linearize: the motion is not steady: the equation of motion of x' changes with psi; if psi turns the body, "
-        "its speeds along fixed axes change, here x', y'; expected the motion that steady(...) finds, which tells "
-        "how they turn, values in about with which the equation holds "
-        "at all times, or speeds along the body's axes, as those of moving_frame"
+        "its speeds along fixed axes change, here x', y'; expected a steady turn, which steady(...) finds, values in "
+        "about with which the equation holds at all times, or speeds along the body's axes, as those of moving_frame"
     )

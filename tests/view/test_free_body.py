@@ -80,6 +80,19 @@ def test_a_body_that_is_none_is_refused(motion, tmp_path):
     )
 
 
+def test_what_is_no_motion_or_no_body_is_refused(motion, tmp_path):
+    path = tmp_path / "beam.svg"
+    with pytest.raises(ViewError, match=r"free_body_diagram: motion = 3 is an int; expected a motion, such"):
+        free_body_diagram(3, "beam", path)
+    with pytest.raises(ViewError, match=r"free_body_diagram: no body is cut off; give at least one"):
+        free_body_diagram(motion, [], path)
+    for part in (3, revolute("beam", ground, Link("rod", 1)), ["beam", 3]):
+        with pytest.raises(
+            ViewError, match=r"free_body_diagram: .* is not a body of the system; expected one of lift"
+        ):
+            free_body_diagram(motion, part, path)
+
+
 def test_the_sketch_of_a_small_part_fills_the_picture(tmp_path):
     """Sizes are measured without rounding: a millimetre is drawn as large as a metre."""
     sizes = []

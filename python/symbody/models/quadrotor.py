@@ -14,7 +14,7 @@ def quadrotor_with_slung_load() -> ClassicSystem:
 
     Its angles are yaw psi, pitch theta and roll phi; alpha and beta are those of the cable, from the vertical. The
     inputs are the thrust f along the z axis of the quadrotor, and the torques M1, M2 and M3 about its axes. The numbers
-    are quoted from the source; no test compares them.
+    are those of the program that was published to the source.
 
     >>> from symbody import newton_euler
     >>> newton_euler(quadrotor_with_slung_load().system)

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from symbody.errors import ViewError
 from symbody.multibody import System, Variables
 from symbody.symbolic import Expr
+from symbody.symbolic.given.arguments import described
 
 
 class DrawableMotion(Protocol):
@@ -38,15 +39,23 @@ class DrawableMotion(Protocol):
         ...
 
 
-def mechanism_of(motion: DrawableMotion) -> System:
+def mechanism_of(motion: DrawableMotion, where: str = "animate") -> System:
     """Return the system that moves, with its bodies.
 
+    Args:
+        motion: the motion.
+        where: the function that the user called, for messages.
+
     Raises:
-        ViewError: its equations were given without bodies.
+        ViewError: it is no motion, or its equations were given without bodies.
     """
+    if not (hasattr(motion, "t") and hasattr(motion, "system")):
+        raise ViewError(
+            f"{where}: motion = {described(motion)}; expected a motion, such as simulate(equations, ...) returns"
+        )
     if not isinstance(motion.system, System):
         raise ViewError(
-            "animate: the equations of this motion were given without bodies, so that there is nothing to draw; plot "
+            f"{where}: the equations of this motion were given without bodies, so that there is nothing to draw; plot "
             "shows its coordinates and speeds over time"
         )
     return motion.system

@@ -114,7 +114,7 @@ def free_body_diagram(
     'bob.svg'
     """
     file = _svg_file(path)
-    system = mechanism_of(motion)
+    system = mechanism_of(motion, _WHERE)
     members = _members(system, part)
     drawn = _Instant(motion, 0 if t is None else _index(motion.t, t))
     content = scene(drawn, DrawingOptions(), "")
@@ -158,8 +158,11 @@ def _writer(text: str) -> Callable[[Path], object]:
 
 
 def _members(system: System, part: Any) -> list[Body]:
+    things = things_of(part)
+    if not things:
+        raise ViewError(f"{_WHERE}: no body is cut off; give at least one")
     found = []
-    for thing in things_of(part):
+    for thing in things:
         body = body_of(system, thing)
         if body is None:
             raise ViewError(

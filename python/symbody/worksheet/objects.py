@@ -253,12 +253,12 @@ class Reader:
         for item in items:
             if self._is(item, "BODY"):
                 continue
-            load = self.load(item)
+            kind = kind_of(self.session.resolve(item))
+            load = self.load(item) if kind in {"", "FORCE", "TORQUE"} else None
             if load is not None and any(action.body in bodies for action in load.actions):
                 loads.append(load)
             else:
                 name = item.name if isinstance(item, Reference) else "?"
-                kind = kind_of(self.session.resolve(item))
                 self.session.lines.append(f"<{name}> {kind} is not valid: it must be applied to a BODY")
         return bodies, loads
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from typing import Any
 
 from symbody.multibody import Body, Link, System
@@ -13,11 +13,13 @@ __all__ = ["body_of", "cut_joints", "things_of"]
 
 def things_of(part: Any) -> list[Any]:
     """Return what a user gave as a part, one or several bodies, links or names, as a list."""
-    return [part] if isinstance(part, Body | Link | str) else list(part)
+    return list(part) if isinstance(part, Iterable) and not isinstance(part, str) else [part]
 
 
 def body_of(system: System, thing: Any) -> Body | None:
     """Return the body that is given by itself, by its link or by its name; None if the system has none."""
+    if not isinstance(thing, Body | Link | str):
+        return None
     name = thing if isinstance(thing, str) else thing.name
     return next((body for body in system.bodies if body is thing or (name and body.name == name)), None)
 

@@ -96,8 +96,8 @@ def _unsteady(motion: ReferenceMotion, name: str, value: Expr, moving: Expr) -> 
     else:
         way = (
             f"if {moving} turns the body, its speeds along fixed axes change, here {brief(', '.join(along))}; expected "
-            "the motion that steady(...) finds, which tells how they turn, values in about with which the equation "
-            "holds at all times, or speeds along the body's axes, as those of moving_frame"
+            "a steady turn, which steady(...) finds, values in about with which the equation holds at all times, or "
+            "speeds along the body's axes, as those of moving_frame"
         )
     return f"linearize: the motion is not steady: {name} {off}; {way}"
 

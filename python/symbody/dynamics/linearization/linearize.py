@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from typing import Annotated, Any, TypeAlias
 
 from symbody.dynamics.equations.equations import Equations
@@ -23,8 +24,9 @@ from .balance import Balance, force_balance
 from .input_leaves import input_leaves
 from .linear import Linear
 from .linear_of import linear_of
-from .reference_motion import reference_motion
+from .reference_motion import ReferenceMotion, reference_motion
 from .smoothness import check_smooth
+from .turning_axes import turning_plane
 from .variation import Variation, variation
 
 __all__ = ["linearize"]
@@ -63,7 +65,8 @@ def linearize(
         eqs: the equations of motion.
         about: the values of coordinates, speeds, states and inputs in the steady motion, as numbers or expressions of
             parameters and t. What is not given is zero; speeds follow from the constraints as far as these determine
-            them. Coordinates that move without a course in t may have any value: no coefficient depends on them.
+            them. Coordinates that move without a course in t may have any value: no coefficient depends on them. In a
+            turn, the velocity (x', y') is that at the first instant, and turns with a heading.
         inputs: the inputs r, functions of time or parameters; by default, all functions of time that are given from
             outside. The rates of inputs that the equations, driven constraints or outputs hold are further inputs.
         outputs: expressions of coordinates, speeds, accelerations, multipliers, states and inputs, by name.
@@ -88,16 +91,50 @@ def linearize(
         _check_independent(eqs, independent)
         named = _named(eqs, outputs)
         known = input_leaves(eqs, [*named.values()])
-        motion = reference_motion(eqs, about, known)
-        check_smooth(eqs, motion)
         r = _inputs(eqs, known, inputs)
-        vary = variation(eqs, motion, r, independent)
-        balance = force_balance(eqs, motion, vary)
-        if not eqs.system.is_holonomic:  # the speeds of coordinates that matter are better independent
-            again = variation(eqs, motion, r, independent, _that_matter(balance, vary))
-            if again.pivots != vary.pivots:
-                vary, balance = again, force_balance(eqs, motion, again)
-        return linear_of(eqs, balance, vary, named, keep_ignorable=keep_ignorable)
+
+        def linear(turning: tuple[Expr, Expr, Expr] | None) -> Linear:
+            motion = reference_motion(eqs, about, known, turning)
+            return _about(eqs, motion, r, named, independent, keep_ignorable=keep_ignorable)
+
+        try:
+            return linear(getattr(about, "turning", None))
+        except ModelError as failure:
+            turning = turning_plane(eqs, about)
+            if turning is None:
+                raise
+            with suppress(ModelError):
+                return linear(turning)
+            raise failure from None
+
+
+def _about(
+    eqs: Equations,
+    motion: ReferenceMotion,
+    inputs: tuple[Expr, ...],
+    outputs: Mapping[str, Expr],
+    independent: Sequence[Expr],
+    *,
+    keep_ignorable: bool,
+) -> Linear:
+    """Return the linear equations about a motion.
+
+    Args:
+        eqs: the equations of motion.
+        motion: the motion.
+        inputs: the inputs.
+        outputs: the outputs by name.
+        independent: coordinates and speeds that shall be independent.
+        keep_ignorable: whether ignorable coordinates stay in the state.
+    """
+    check_smooth(eqs, motion)
+    vary = variation(eqs, motion, inputs, independent)
+    balance = force_balance(eqs, motion, vary)
+    if not eqs.system.is_holonomic:  # the speeds of coordinates that matter are better independent
+        again = variation(eqs, motion, inputs, independent, _that_matter(balance, vary))
+        if again.pivots != vary.pivots:
+            vary, balance = again, force_balance(eqs, motion, again)
+    return linear_of(eqs, balance, vary, outputs, keep_ignorable=keep_ignorable)
 
 
 def _that_matter(balance: Balance, vary: Variation) -> list[Expr]:

@@ -108,7 +108,10 @@ class ReferenceMotion:
 
 
 def reference_motion(
-    eqs: Equations, about: Mapping[Any, Any] | None, known: Sequence[Expr]
+    eqs: Equations,
+    about: Mapping[Any, Any] | None,
+    known: Sequence[Expr],
+    turning: tuple[Expr, Expr, Expr] | None = None,
 ) -> ReferenceMotion:
     """Return the motion with given values; coordinates, states and inputs that are not given are zero.
 
@@ -120,6 +123,7 @@ def reference_motion(
         eqs: the equations of motion.
         about: the values, which may be expressions of parameters, and of t; or a motion that `steady` found.
         known: the functions of time from outside, and their rates, that the equations hold.
+        turning: x, y and a heading with which the velocity (x', y') turns.
 
     Raises:
         ModelError: a key is not a variable of the equations, or a value holds one.
@@ -128,9 +132,9 @@ def reference_motion(
     own = free_symbols([*raw.values()]) - {t, *eqs.parameters}
     is_particular = bool(own) or any(value.is_decimal for value in raw.values())
     given = _without_noise(raw)
-    turning = getattr(about, "turning", None)
-    if is_particular and hasattr(about, "turning"):
-        given = _in_a_turn(eqs, given, turning)
+    if turning is not None or (is_particular and hasattr(about, "turning")):
+        rest = dict.fromkeys(map(time_derivative, turning[:2]), number(0)) if turning else {}
+        given = _in_a_turn(eqs, {**rest, **given}, turning)
     others = {z: given.get(z, number(0)) for z in eqs.states}
     others |= _of_inputs(given, known)
     with_course = {q: value for q, value in given.items() if q in eqs.coordinates and not _is_constant(value)}

@@ -14,10 +14,13 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
+from symbody.dynamics.equations.equations import Equations
+from symbody.dynamics.equations.symmetry import Symmetry
 from symbody.symbolic import (
     Expr,
     Matrix,
     cos,
+    derivation,
     functions_of_time,
     identity,
     number,
@@ -26,7 +29,7 @@ from symbody.symbolic import (
     time_derivative,
 )
 
-__all__ = ["TurningAxes", "fixed_axes", "turning_axes"]
+__all__ = ["TurningAxes", "fixed_axes", "turning_axes", "turning_plane"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,6 +111,24 @@ def turning_axes(
         heading,
         {along: c * dx + s * dy, across: c * dy - s * dx},
     )
+
+
+def turning_plane(eqs: Equations, about: object) -> tuple[Expr, Expr, Expr] | None:
+    """Return x, y and a heading whose given rate turns everything, if equations are the same in all directions.
+
+    Args:
+        eqs: the equations of motion.
+        about: the given values; rates that are not zero are looked at.
+    """
+    if not isinstance(about, Mapping) or hasattr(about, "turning"):
+        return None
+    moving = [u for u in eqs.speeds if about.get(u, 0) != 0 and u in map(time_derivative, eqs.coordinates)]
+    if len(moving) < 2:
+        return None
+    with derivation(fresh=True):
+        parts = Symmetry.of(eqs, lambda found: tuple(eqs.system.by_speeds([*found])), eqs.constraint_jacobian)
+        turning = parts.turning(parts.ignorable())
+    return turning if turning and time_derivative(turning[2]) in moving else None
 
 
 def _name(wanted: str, taken: Collection[Expr]) -> Expr:

@@ -25,6 +25,7 @@ from .joint_limit import passed_limits, strange_limits, unknown_limits
 from .kinematics_at import kinematics_at
 from .methods import DEFAULT, methods_that
 from .outcome import FailureKind
+from .pole_at_start import pole_at_start
 
 __all__ = [
     "Finding",
@@ -151,6 +152,15 @@ def _singular_kinematics(motion: Integrated) -> Iterable[Finding]:
     return [Finding("kinematics", f"{found}; {another_choice(kinematics)}")] if found else []
 
 
+def _poles(motion: Integrated) -> Iterable[Finding]:
+    """Return the accelerations that rounding decides at the initial state."""
+    model = motion.task.model
+    values = np.array([motion.parameters[name] for name in (*model.parameters, *model.damping)])
+    state = np.array(motion.outcome.states[0][: len(model.state)])
+    found = pole_at_start(model, values, float(motion.task.instants[0]), state)
+    return [Finding("pole", found)] if found else []
+
+
 def _passages(motion: Integrated) -> Iterable[Finding]:
     """Return the singular positions that were passed, if the method does not keep the motion on its branch."""
     passed = singular_passages(motion.task.model, motion.parameters, motion.outcome.trail)
@@ -229,6 +239,11 @@ ROWS: dict[str, _Row] = {
     "kinematics": _Row(
         _singular_kinematics,
         "the kinematics are ill-conditioned where the motion starts, so that rounding errors may decide it: {subject}",
+    ),
+    "pole": _Row(
+        _poles,
+        "the motion starts where {subject}, which decide it; begin at another position, or choose coordinates that are "
+        "regular there, such as other Euler angles, or quaternion=True of a joint",
     ),
     "violation": _Row(
         _violations,

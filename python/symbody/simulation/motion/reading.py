@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from numbers import Number
 from typing import NoReturn
 
+from symbody.dynamics import Reaction
 from symbody.errors import ArgumentError
 from symbody.geometry import Point, Vector
 from symbody.multibody.joint.joint import Joint
@@ -83,6 +84,8 @@ class Reading:
             return f"; {self.rows}"
         if isinstance(wanted, Point | Vector):
             return f"; {self._components(wanted)}"
+        if isinstance(wanted, Reaction):
+            return f"; its force and its moment are vectors: {self.name}.evaluate(reaction.force.components)"
         if isinstance(wanted, Joint | PlacedJoint):
             return (
                 f"; {self.name}[joint.coordinate] is that of a joint of the tree, and "

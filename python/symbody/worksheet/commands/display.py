@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from symbody.geometry import ground
 from symbody.symbolic import Expr, symbol
+from symbody.worksheet import frame_face
 from symbody.worksheet.mechanics import mechanics
 from symbody.worksheet.objects import kind_of
 from symbody.worksheet.session import Command, Session
@@ -80,10 +82,12 @@ def _field(session: Session, name: str, value: Value, *, by_name: bool) -> Value
 
 def _frame(session: Session, value: Value, *, by_name: bool) -> Value:
     array = session.resolve(value)
-    if isinstance(array, Array) and array.attributes:
-        if str(array.attributes[0]) == "ground" and mechanics(session).moving is not None:
-            return symbol("moving_frame")
-        return array.attributes[0]
+    name = array.attributes[0] if isinstance(array, Array) and array.attributes else None
+    is_ground = isinstance(array, Array) and array.frame == ground and not isinstance(value, Reference)
+    if is_ground and (name is None or name == symbol("ground")):
+        return frame_face.ground_face(mechanics(session)).attributes[0]
+    if name is not None:
+        return name
     if not by_name:
         return _plain(session, array)
     if isinstance(value, Reference):
