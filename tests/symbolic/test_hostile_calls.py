@@ -47,7 +47,7 @@ def test_all_functions_are_called() -> None:
     assert set(drawn) == set(MAKERS)
 
 
-CODE = (0, 2, 3)
+CODE = (0, 2, 3, None)
 """Machine code at address 0, with two constants and three results: it must not be called."""
 
 
@@ -79,11 +79,31 @@ def test_the_lengths_of_a_motion_are_checked_before_its_code_is_called(
         dynamics.integrate(method, *arrays, trail=0, keep_going=None)
     if state:
         with pytest.raises(ValueError, match=r".*"):
-            dynamics.integrate_many(method, *arrays, trail=0, threads=1, keep_going=None)
+            dynamics.integrate_many(method, *arrays, trail=0, crew=(1, 1), keep_going=None)
+
+
+@pytest.mark.parametrize("crew", [(1, 0), (1, 3), (1, 16), (-1, 1), 1, None])
+def test_vectors_have_the_width_of_a_processor(crew: Any) -> None:
+    dynamics: Any = _core.Dynamics(CODE)
+    arrays: list[Any] = [np.zeros(3), np.zeros(2), np.zeros(1), (1e-6, 1e-9, 1.0, 3), np.zeros(3)]
+    with pytest.raises((TypeError, ValueError, OverflowError)):
+        dynamics.integrate_many("dop853", *arrays, trail=0, crew=crew, keep_going=None)
 
 
 @pytest.mark.parametrize(
-    "wrong", [(-1, 0, 0), (2**64, 0, 0), (0, -1, 0), (0, 0, 2**70), (0.5, 0, 0), None, (0,), "abc"]
+    "wrong",
+    [
+        (-1, 0, 0, None),
+        (2**64, 0, 0, None),
+        (0, -1, 0, None),
+        (0, 0, 2**70, None),
+        (0.5, 0, 0, None),
+        (0, 0, 0, (-1, 0)),
+        (0, 0, 0),
+        None,
+        (0,),
+        "abc",
+    ],
 )
 def test_addresses_and_lengths_are_words(wrong: Any) -> None:
     with pytest.raises((TypeError, ValueError, OverflowError)):

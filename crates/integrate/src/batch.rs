@@ -1,5 +1,6 @@
 //! Many motions of one system, in several threads.
 
+use std::cell::RefCell;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError, mpsc};
 use std::thread;
@@ -7,6 +8,7 @@ use std::time::Duration;
 
 use crate::dynamics::Dynamics;
 use crate::integrate::{Record, Run, integrate};
+use crate::lanes::{Lane, run_crew};
 use crate::machine_code::MachineCode;
 use crate::method::Method;
 use crate::tolerances::Tolerances;
@@ -23,45 +25,64 @@ pub struct Case<'a> {
     pub constants: &'a [f64],
 }
 
+/// A run, and what `notes` has returned of its motion.
+pub type Noted<N> = (Run, Vec<N>);
+
 /// Integrate many motions at the same instants; their states are written one motion after another.
 ///
 /// `keep_going` is called several times per second with the number of motions that are done. When it returns false,
-/// motions that have not started get no run. `notes` is called on the thread of a motion before and after it. Its
-/// second result, such as deficiencies that compiled code has noted, is returned with the run.
+/// motions that have not started get no run. `notes` returns what compiled code has noted on its thread since the last
+/// call, such as deficient linear systems; it is returned with the run that it belongs to.
+///
+/// Each thread takes `lanes` motions at a time in lock-step, if there are so many lanes in the compiled functions and the
+/// method is explicit.
 #[allow(clippy::too_many_arguments, reason = "the arguments of an integration")]
-pub fn integrate_many<N: Clone + Send>(
+pub fn integrate_many<N: Clone + PartialEq + Send>(
     dynamics: &Dynamics<MachineCode>,
     method: Method,
     cases: &[Case<'_>],
     record: Record<'_>,
     tolerances: Tolerances,
-    threads: usize,
+    (threads, lanes): (usize, usize),
     keep_going: &mut dyn FnMut(usize) -> bool,
-    notes: &(dyn Fn() -> N + Sync),
-) -> Vec<Option<(Run, N)>> {
+    notes: &(dyn Fn() -> Vec<N> + Sync),
+) -> Vec<Option<Noted<N>>> {
     let stop = AtomicBool::new(false);
     let done = AtomicUsize::new(0);
-    let mut runs: Vec<Option<(Run, N)>> = vec![None; cases.len()];
+    let mut runs: Vec<Option<Noted<N>>> = vec![None; cases.len()];
     let Record { instants, states, trail } = record;
     let size = states.len() / cases.len().max(1);
     let work = Mutex::new(cases.iter().zip(states.chunks_mut(size.max(1))).zip(&mut runs));
+    // Takes motions as long as there are any; a motion is alone on its thread, or in a lane.
+    let take = |lane: Option<&Lane>, noted: &RefCell<Vec<N>>| {
+        while !stop.load(Ordering::Relaxed) {
+            let next = work.lock().unwrap_or_else(PoisonError::into_inner).next();
+            let Some(((case, states), run)) = next else { break };
+            let record = Record { instants, states, trail };
+            let own = match lane {
+                Some(lane) => dynamics.in_lane(case.constants, lane),
+                None => dynamics.with_constants(case.constants),
+            };
+            let mut unstopped = |_| !stop.load(Ordering::Relaxed);
+            notes();
+            noted.take();
+            let ended = integrate(&own, method, case.state, record, tolerances, &mut unstopped);
+            keep(noted, notes());
+            *run = Some((ended, noted.take()));
+            done.fetch_add(1, Ordering::Relaxed);
+        }
+    };
+    let tableau = method.tableau().filter(|_| lanes > 1 && dynamics.rates.conditions().is_some());
     thread::scope(|scope| {
         let (working, finished) = mpsc::channel::<()>();
         for _ in 0..threads.max(1) {
             let at_work = working.clone();
             scope.spawn(|| {
                 let _at_work = at_work;
-                while !stop.load(Ordering::Relaxed) {
-                    let next = work.lock().unwrap_or_else(PoisonError::into_inner).next();
-                    let Some(((case, states), run)) = next else { break };
-                    let record = Record { instants, states, trail };
-                    let own = dynamics.with_constants(case.constants);
-                    let mut unstopped = |_| !stop.load(Ordering::Relaxed);
-                    notes();
-                    let ended = integrate(&own, method, case.state, record, tolerances, &mut unstopped);
-                    *run = Some((ended, notes()));
-                    done.fetch_add(1, Ordering::Relaxed);
-                }
+                let Some(tableau) = tableau else { return take(None, &RefCell::default()) };
+                let noted: Vec<RefCell<Vec<N>>> = vec![RefCell::default(); lanes];
+                let job = |lane: &Lane| take(Some(lane), &noted[lane.number()]);
+                run_crew(lanes, dynamics, tableau, &job, &mut |lane| keep(&noted[lane], notes()));
             });
         }
         drop(working);
@@ -73,4 +94,14 @@ pub fn integrate_many<N: Clone + Send>(
         }
     });
     runs
+}
+
+/// Add what was noted for the first time.
+fn keep<N: PartialEq>(noted: &RefCell<Vec<N>>, new: Vec<N>) {
+    let mut noted = noted.borrow_mut();
+    for note in new {
+        if !noted.contains(&note) {
+            noted.push(note);
+        }
+    }
 }

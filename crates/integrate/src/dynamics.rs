@@ -1,5 +1,6 @@
 //! The equations that are integrated: the rates of a state, its constraints and its events.
 
+use crate::lanes::Lane;
 use crate::machine_code::{BoundCode, MachineCode};
 
 /// Which zeros of a function are events, and whether they end the motion.
@@ -31,44 +32,59 @@ pub struct Dynamics<F = BoundCode> {
 }
 
 impl Dynamics<MachineCode> {
+    /// The number of the rates among all functions.
+    pub(crate) const RATES: usize = 0;
+
+    /// All functions, each at its own number.
+    pub(crate) fn functions(&self) -> [Option<&MachineCode>; 7] {
+        [
+            Some(&self.rates),
+            self.jacobian.as_ref().map(|(code, _)| code),
+            self.position_correction.as_ref(),
+            self.velocity_correction.as_ref(),
+            self.sensitivity_correction.as_ref().map(|(code, _)| code),
+            self.energies.as_ref(),
+            self.events.as_ref().map(|(code, _)| code),
+        ]
+    }
+
     /// The equations for the constants of one set of parameters, given function by function.
     pub fn with_constants(&self, constants: &[f64]) -> Dynamics {
+        self.bound(constants, |code, own, _| BoundCode::new(*code, own))
+    }
+
+    /// The same equations, evaluated together with those of the other motions of a crew.
+    pub(crate) fn in_lane(&self, constants: &[f64], lane: &Lane) -> Dynamics {
+        self.bound(constants, |code, own, number| BoundCode::in_lane(*code, own, lane, number))
+    }
+
+    fn bound(&self, constants: &[f64], bind: impl Fn(&MachineCode, &[f64], usize) -> BoundCode) -> Dynamics {
         let mut rest = constants;
-        let mut function = |code: &MachineCode| {
-            let (own, others) = rest.split_at(code.constants());
-            rest = others;
-            BoundCode::new(*code, own)
+        let [rates, jacobian, position_correction, velocity_correction, slopes, energies, events] =
+            self.functions();
+        let mut numbers = 0..;
+        let mut function = |code: Option<&MachineCode>| {
+            let number = numbers.next();
+            code.zip(number).map(|(code, number)| {
+                let (own, others) = rest.split_at(code.constants());
+                rest = others;
+                bind(code, own, number)
+            })
         };
         Dynamics {
-            rates: function(&self.rates),
-            jacobian: self.jacobian.as_ref().map(|(code, places)| (function(code), places.clone())),
-            position_correction: self.position_correction.as_ref().map(&mut function),
-            velocity_correction: self.velocity_correction.as_ref().map(&mut function),
-            sensitivity_correction: self
-                .sensitivity_correction
-                .as_ref()
-                .map(|(code, first)| (function(code), *first)),
-            energies: self.energies.as_ref().map(&mut function),
-            events: self.events.as_ref().map(|(code, kinds)| (function(code), kinds.clone())),
+            rates: function(rates).expect("the rates are always there"),
+            jacobian: function(jacobian).zip(self.jacobian.as_ref().map(|(_, places)| places.clone())),
+            position_correction: function(position_correction),
+            velocity_correction: function(velocity_correction),
+            sensitivity_correction: function(slopes)
+                .zip(self.sensitivity_correction.as_ref().map(|(_, first)| *first)),
+            energies: function(energies),
+            events: function(events).zip(self.events.as_ref().map(|(_, kinds)| kinds.clone())),
         }
     }
 
     /// The number of constants that all functions read.
     pub fn constants(&self) -> usize {
-        let jacobian = self.jacobian.as_ref().map(|(code, _)| code);
-        let events = self.events.as_ref().map(|(code, _)| code);
-        [
-            Some(&self.rates),
-            jacobian,
-            self.position_correction.as_ref(),
-            self.velocity_correction.as_ref(),
-            self.sensitivity_correction.as_ref().map(|(code, _)| code),
-            self.energies.as_ref(),
-            events,
-        ]
-        .into_iter()
-        .flatten()
-        .map(MachineCode::constants)
-        .sum()
+        self.functions().into_iter().flatten().map(MachineCode::constants).sum()
     }
 }

@@ -16,6 +16,7 @@ mod energy_balance;
 mod event;
 mod failure;
 mod integrate;
+mod lanes;
 mod machine_code;
 mod method;
 mod projection;

@@ -7,6 +7,8 @@
 
 use std::cell::RefCell;
 
+use crate::lanes::Lane;
+
 /// Machine code `void f(const double *in, double *out)` with `in = (t, state, constants)`.
 #[derive(Clone, Copy, Debug)]
 pub struct MachineCode {
@@ -14,6 +16,15 @@ pub struct MachineCode {
     states: usize,
     constants: usize,
     outputs: usize,
+    vector: Option<VectorCode>,
+}
+
+/// The same function of several states, one in each lane of the vectors: number k of lane i is at `k * lanes + i`.
+#[derive(Clone, Copy, Debug)]
+struct VectorCode {
+    address: usize,
+    /// How many conditions follow the outputs: a lane holds the outputs only where all of them are positive.
+    conditions: usize,
 }
 
 impl MachineCode {
@@ -23,7 +34,17 @@ impl MachineCode {
     /// Such a function is at the address and stays there. It reads 1 + `states` + `constants` doubles, writes `outputs`
     /// doubles, and may run in several threads.
     pub unsafe fn new(address: usize, states: usize, constants: usize, outputs: usize) -> Self {
-        Self { address, states, constants, outputs }
+        Self { address, states, constants, outputs, vector: None }
+    }
+
+    /// The same code, with a function of several states at a time at another address.
+    ///
+    /// # Safety
+    /// Such a function is at the address and stays there. It reads and writes vectors where the other one reads and
+    /// writes doubles, and writes `conditions` vectors more. Their width is that of the lanes which call it.
+    #[must_use]
+    pub unsafe fn with_vectors(self, address: usize, conditions: usize) -> Self {
+        Self { vector: Some(VectorCode { address, conditions }), ..self }
     }
 
     /// The number of constants that it reads.
@@ -35,6 +56,45 @@ impl MachineCode {
     pub fn outputs(&self) -> usize {
         self.outputs
     }
+
+    /// The number of values that it reads.
+    pub(crate) fn inputs(&self) -> usize {
+        1 + self.states + self.constants
+    }
+
+    /// The number of conditions of the function of several states, if there is one.
+    pub(crate) fn conditions(&self) -> Option<usize> {
+        self.vector.map(|vector| vector.conditions)
+    }
+
+    /// Write the values for one state.
+    pub(crate) fn call(&self, inputs: &[f64], out: &mut [f64]) {
+        assert_eq!(inputs.len(), self.inputs(), "the inputs of compiled code");
+        assert_eq!(out.len(), self.outputs, "the outputs of compiled code");
+        // SAFETY: the caller of `new` guarantees the function, for the lengths that are checked above.
+        unsafe { function(self.address)(inputs.as_ptr(), out.as_mut_ptr()) }
+    }
+
+    /// Write the values and the conditions for a state in each lane.
+    ///
+    /// # Panics
+    /// If there is no such function, or the lengths are not those of the code.
+    pub(crate) fn call_vectors<const W: usize>(&self, inputs: &[[f64; W]], out: &mut [[f64; W]]) {
+        let vector = self.vector.expect("code of several states");
+        assert_eq!(inputs.len(), self.inputs(), "the inputs of compiled code");
+        assert_eq!(out.len(), self.outputs + vector.conditions, "the outputs of compiled code");
+        // SAFETY: the caller of `with_vectors` guarantees the function, for the lengths that are checked above.
+        unsafe { function(vector.address)(inputs.as_ptr().cast(), out.as_mut_ptr().cast()) }
+    }
+}
+
+/// The function at an address.
+///
+/// # Safety
+/// It is there.
+unsafe fn function(address: usize) -> unsafe extern "C" fn(*const f64, *mut f64) {
+    // SAFETY: see above.
+    unsafe { std::mem::transmute(address) }
 }
 
 /// Machine code bound to the constants of one set of parameters: a function of time and state.
@@ -42,6 +102,8 @@ impl MachineCode {
 pub struct BoundCode {
     code: MachineCode,
     inputs: RefCell<Vec<f64>>,
+    /// Where it is evaluated together with other motions, if it is.
+    lane: Option<Lane>,
 }
 
 impl BoundCode {
@@ -53,12 +115,23 @@ impl BoundCode {
         assert_eq!(constants.len(), code.constants, "constants of compiled code");
         let mut inputs = vec![0.0; 1 + code.states];
         inputs.extend_from_slice(constants);
-        Self { code, inputs: RefCell::new(inputs) }
+        Self { code, inputs: RefCell::new(inputs), lane: None }
+    }
+
+    /// Bind machine code to constants, and to a lane if it has a function of several states.
+    pub(crate) fn in_lane(code: MachineCode, constants: &[f64], lane: &Lane, place: usize) -> Self {
+        let lane = code.vector.map(|_| lane.of_function(place, constants));
+        Self { lane, ..Self::new(code, constants) }
     }
 
     /// The number of values that it writes.
     pub fn outputs(&self) -> usize {
         self.code.outputs
+    }
+
+    /// The lane in which it is evaluated.
+    pub(crate) fn lane(&self) -> Option<&Lane> {
+        self.lane.as_ref()
     }
 
     /// Write the values at an instant and a state.
@@ -68,13 +141,12 @@ impl BoundCode {
     pub fn call(&self, t: f64, state: &[f64], out: &mut [f64]) {
         assert_eq!(state.len(), self.code.states, "the state of compiled code");
         assert_eq!(out.len(), self.code.outputs, "the outputs of compiled code");
+        if let Some(lane) = &self.lane {
+            return lane.evaluate(t, state, out);
+        }
         let mut inputs = self.inputs.borrow_mut();
         inputs[0] = t;
         inputs[1..=state.len()].copy_from_slice(state);
-        // SAFETY: the caller of `MachineCode::new` guarantees the function, for the lengths that are checked above.
-        unsafe {
-            let function: unsafe extern "C" fn(*const f64, *mut f64) = std::mem::transmute(self.code.address);
-            function(inputs.as_ptr(), out.as_mut_ptr());
-        }
+        self.code.call(&inputs, out);
     }
 }

@@ -66,6 +66,14 @@ impl Method {
         matches!(self.family(), Family::Diffsol(_))
     }
 
+    /// The coefficients of an explicit method, which motions can take in lock-step.
+    pub(crate) fn tableau(self) -> Option<&'static Tableau> {
+        match self.family() {
+            Family::RungeKutta(tableau) => Some(tableau),
+            Family::Diffsol(_) => None,
+        }
+    }
+
     pub(crate) const fn family(self) -> Family {
         TABLE[self as usize].family
     }

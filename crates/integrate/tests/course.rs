@@ -4,7 +4,7 @@ mod problems;
 
 use problems::{
     METHODS, along_circle, back_onto_circle, circle, code, error, evenly, free, motion, oscillator,
-    oscillator_of, position, tolerance,
+    oscillator_of, oscillators_of, position, tolerance,
 };
 use symbody_integrate::{Case, Dynamics, EventKind, Failure, Method, Record, integrate, integrate_many};
 
@@ -89,8 +89,8 @@ fn a_motion_is_interrupted_between_steps_and_keeps_what_it_has() {
 }
 
 #[test]
-fn many_motions_are_those_that_come_one_by_one_whatever_the_threads() {
-    let code = free(code(oscillator, 2, 1, 2), None);
+fn many_motions_are_those_that_come_one_by_one_whatever_the_threads_and_lanes() {
+    let code = oscillators_of();
     let frequencies: Vec<[f64; 1]> = (1..=9).map(|k| [f64::from(k) / 3.0]).collect();
     let cases: Vec<Case<'_>> =
         frequencies.iter().map(|w| Case { state: &[1.0, 0.0], constants: w }).collect();
@@ -102,13 +102,21 @@ fn many_motions_are_those_that_come_one_by_one_whatever_the_threads() {
             motion(&own, Method::Dop853, &[1.0, 0.0], &instants, tolerance(1e-9, 2)).0.concat()
         })
         .collect();
-    for threads in [0, 1, 2, 20] {
+    for crew in [(0, 1), (1, 1), (2, 1), (20, 1), (1, 4), (2, 4)] {
         let mut states = vec![f64::NAN; 9 * 8 * 2];
         let record = Record { instants: &instants, states: &mut states, trail: 0 };
         let limits = tolerance(1e-9, 2);
-        let runs =
-            integrate_many(&code, Method::Dop853, &cases, record, limits, threads, &mut |_| true, &|| ());
-        assert!(runs.iter().flatten().all(|(run, ())| run.reached == 8) && runs.iter().all(Option::is_some));
+        let runs = integrate_many(
+            &code,
+            Method::Dop853,
+            &cases,
+            record,
+            limits,
+            crew,
+            &mut |_| true,
+            &Vec::<()>::new,
+        );
+        assert!(runs.iter().flatten().all(|(run, _)| run.reached == 8) && runs.iter().all(Option::is_some));
         assert_eq!(states, alone);
     }
 }

@@ -19,8 +19,9 @@ use crate::deficiency::{Noted, take};
 /// The time between two checks of signals and progress.
 const LOOK: Duration = Duration::from_millis(50);
 
-/// An address, the number of constants that the code there reads, and the number of values that it writes.
-type Code = (usize, usize, usize);
+/// An address, the number of constants that the code there reads, and the number of values that it writes; and for
+/// several states at a time, another address and the number of conditions that the code there writes.
+type Code = (usize, usize, usize, Option<(usize, usize)>);
 /// Events: the number of the function, the instant, and the state.
 type Occurrences = Vec<(usize, f64, Vec<f64>)>;
 /// Steps, rejected steps, evaluations of the rates and of the Jacobian, and whether the problem looks stiff.
@@ -61,9 +62,14 @@ impl Dynamics {
         sensitivity_correction: Option<(Code, usize)>,
     ) -> Self {
         let states = rates.2;
-        let code = |(address, constants, outputs): Code| {
+        let code = |(address, constants, outputs, vector): Code| {
             // SAFETY: the caller compiled the code at this address for these lengths, and keeps it while `self` lives.
-            unsafe { native::MachineCode::new(address, states, constants, outputs) }
+            let code = unsafe { native::MachineCode::new(address, states, constants, outputs) };
+            match vector {
+                // SAFETY: likewise.
+                Some((address, conditions)) => unsafe { code.with_vectors(address, conditions) },
+                None => code,
+            }
         };
         let kinds = |kinds: Vec<(i32, bool)>| {
             kinds.into_iter().map(|(direction, terminal)| native::EventKind { direction, terminal }).collect()
@@ -124,7 +130,10 @@ impl Dynamics {
         look.error.map_or_else(|| Ok(as_tuple(run)), Err)
     }
 
-    /// Integrate many motions in several threads; a row of states, constants and `out` for each.
+    /// Integrate many motions in several threads, each of which takes several in lock-step; a row of states, constants
+    /// and `out` for each.
+    ///
+    /// `crew` is the number of threads, and that of the lanes of the code for several states, or 1.
     ///
     /// `keep_going` is called with the number of motions that are done. Motions that were not begun have no run;
     /// beside each run stands what its linear systems lacked.
@@ -139,7 +148,7 @@ impl Dynamics {
         tolerances: (f64, f64, f64, usize),
         mut out: PyBuffer<f64>,
         trail: usize,
-        threads: usize,
+        crew: (usize, usize),
         keep_going: Option<Py<PyAny>>,
     ) -> PyResult<Vec<Option<RunOfMany>>> {
         let method = named(method)?;
@@ -150,6 +159,9 @@ impl Dynamics {
             ("the constants", constants.len(), cases * self.code.constants()),
             ("the results", out.item_count(), cases * instants.len() * self.states),
         ])?;
+        if ![1, 2, 4, 8].contains(&crew.1) {
+            return Err(PyValueError::new_err(format!("{} lanes, not 1, 2, 4 or 8", crew.1)));
+        }
         let width = self.code.constants();
         let cases: Vec<_> = (0..cases)
             .map(|k| native::Case {
@@ -163,16 +175,7 @@ impl Dynamics {
             let tolerances = limits(tolerances);
             #[allow(clippy::cast_precision_loss, reason = "a count of motions")]
             let mut watched = |done: usize| look.keeps_going(done as f64);
-            native::integrate_many(
-                &self.code,
-                method,
-                &cases,
-                record,
-                tolerances,
-                threads,
-                &mut watched,
-                &take,
-            )
+            native::integrate_many(&self.code, method, &cases, record, tolerances, crew, &mut watched, &take)
         });
         look.error.map_or_else(
             || Ok(runs.into_iter().map(|run| run.map(|(run, noted)| (as_tuple(run), noted))).collect()),

@@ -189,7 +189,7 @@ class Tape:
     def evaluate(self, inputs: Sequence[float]) -> list[float]: ...
     def evaluate_columns(self, inputs: Sequence[Any], points: int, out: Any) -> None: ...
 
-_Code: TypeAlias = tuple[int, int, int]
+_Code: TypeAlias = tuple[int, int, int, tuple[int, int] | None]
 _Run: TypeAlias = tuple[
     int,
     list[tuple[int, float, list[float]]],
@@ -235,7 +235,7 @@ class Dynamics:
         tolerances: tuple[float, float, float, int],
         out: Any,
         trail: int,
-        threads: int,
+        crew: tuple[int, int],
         keep_going: Any,
     ) -> list[tuple[_Run, list[_Noted]] | None]: ...
 

@@ -181,7 +181,7 @@ MW = """<?xml version="1.0" encoding="UTF-8"?>
 def test_mw() -> None:
     first, second = source_cells(MW)
     assert first.prose == ("A pendulum", "Its frame")
-    assert first.printed == ("T = 3", "Warning, so")
+    assert first.printed == ("[Maple Math]", "T = 3", "Warning, so")
     assert (kinds(first), kinds(second)) == (["Assignment"], ["Assignment", "Evaluation"])
     assert first.input[0].line == 5
 

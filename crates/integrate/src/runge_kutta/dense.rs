@@ -28,6 +28,7 @@ impl RungeKutta<'_> {
 
     /// Compute the terms of the dense output of the last step.
     pub(super) fn prepare_dense(&mut self) {
+        self.fetch_rates();
         self.is_careful = self.projection.is_needed();
         self.add_stages();
         let &Tableau { stages, c, .. } = self.tableau;

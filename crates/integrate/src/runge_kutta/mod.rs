@@ -12,12 +12,13 @@ mod tsit5;
 
 use crate::dynamics::Dynamics;
 use crate::failure::Failure;
+use crate::lanes::{Lane, StepResults};
 use crate::machine_code::BoundCode;
 use crate::projection::{Projection, Tangent};
 use crate::stepper::{Statistics, Stepper};
 use crate::tolerances::{INTEGRAL, Tolerances};
 pub use dop853::DOP853;
-use stages::Stages;
+pub use stages::Stages;
 pub use tableau::Tableau;
 pub use tsit5::TSIT5;
 
@@ -74,6 +75,8 @@ pub struct RungeKutta<'a> {
     origin: Vec<f64>,
     /// The rates at the stages.
     stages: Stages,
+    /// Whether those of the last step are among them: a lane has them until they are needed.
+    are_rates_here: bool,
     first: First,
     /// The last step: its start, its length, and its states at both ends.
     last: (f64, f64),
@@ -121,6 +124,7 @@ impl<'a> RungeKutta<'a> {
             sizes: state.iter().map(|x| x.abs()).collect(),
             origin: state.to_vec(),
             stages: Stages::new(tableau.c.len(), n),
+            are_rates_here: true,
             first: First::Unknown,
             last: (t, 0.0),
             before: state.to_vec(),
@@ -199,9 +203,13 @@ impl<'a> RungeKutta<'a> {
         self.statistics.evaluations += 1;
     }
 
-    /// Evaluate the stages of a step, and write the state at its end to `after`.
-    fn try_step(&mut self, h: f64) {
-        let &Tableau { stages, c, a, evaluates_end, .. } = self.tableau;
+    /// Evaluate the stages of a step, and write the state at its end to `after`, and the estimates of its error.
+    fn try_step(&mut self, h: f64) -> Result<(), Failure> {
+        let &Tableau { stages, c, a, evaluates_end, errors, .. } = self.tableau;
+        if let Some(lane) = self.lane() {
+            return self.try_step_in_lane(&lane, h);
+        }
+        self.are_rates_here = true;
         for place in 1..stages {
             self.stage(place, (self.t, h), (c[place], a[place]));
         }
@@ -211,13 +219,63 @@ impl<'a> RungeKutta<'a> {
             self.scratch.copy_from_slice(&self.after);
             self.evaluate(stages, self.t + h);
         }
+        for (error, weights) in self.errors.iter_mut().zip(errors) {
+            self.stages.sum(error, weights);
+        }
+        Ok(())
+    }
+
+    /// The lane in which the next step is taken, if it is.
+    fn lane(&self) -> Option<Lane> {
+        self.rates.lane().filter(|_| !self.is_careful).cloned()
+    }
+
+    /// The same step, together with those of other motions. The rates at its start are evaluated with it.
+    fn try_step_in_lane(&mut self, lane: &Lane, h: f64) -> Result<(), Failure> {
+        lane.take_step((self.t, h), &self.state, self.stages.row_mut(0));
+        if matches!(self.first, First::Unknown) {
+            self.statistics.evaluations += 1;
+            self.first = First::InPlace;
+            self.begin()?;
+        }
+        let &Tableau { stages, evaluates_end, .. } = self.tableau;
+        self.statistics.evaluations += stages - usize::from(!evaluates_end);
+        lane.read_step(StepResults {
+            after: &mut self.after,
+            last_stage: &mut self.last_stage,
+            errors: &mut self.errors,
+            stages: &mut self.stages,
+        });
+        self.are_rates_here = false;
+        if self.state.len() > self.tolerances.controlled {
+            self.fetch_rates();
+        }
+        Ok(())
+    }
+
+    /// Read the rates at all stages of the last step from its lane, if it was taken in one.
+    fn fetch_rates(&mut self) {
+        if let Some(lane) = self.rates.lane().filter(|_| !self.are_rates_here) {
+            for stage in 1..self.tableau.stages - 1 {
+                lane.read_rates(stage, self.stages.row_mut(stage));
+            }
+            self.are_rates_here = true;
+        }
+    }
+
+    /// Check the rates at the start of a step, while those of the step before it are known.
+    fn begin(&mut self) -> Result<(), Failure> {
+        if !is_finite(self.stages.row(0)) {
+            return Err(Failure::NotFinite { t: self.t });
+        }
+        if self.statistics.steps > 0 {
+            self.note_stiffness();
+        }
+        Ok(())
     }
 
     /// The error of the step in units of the tolerance; NaN if some stage has no finite rate.
-    fn error(&mut self, h: f64) -> f64 {
-        for (error, weights) in self.errors.iter_mut().zip(self.tableau.errors) {
-            self.stages.sum(error, weights);
-        }
+    fn error(&self, h: f64) -> f64 {
         self.weighted_error(h, &self.errors)
     }
 
@@ -345,15 +403,13 @@ impl Stepper for RungeKutta<'_> {
     }
 
     fn step(&mut self, end: f64) -> Result<(), Failure> {
-        self.evaluate_first();
-        if !is_finite(self.stages.row(0)) {
-            return Err(Failure::NotFinite { t: self.t });
-        }
-        if self.statistics.steps > 0 {
-            self.note_stiffness();
+        self.is_careful = false;
+        // In a lane, unknown rates are evaluated with the step.
+        if !matches!(self.first, First::Unknown) || self.lane().is_none() {
+            self.evaluate_first();
+            self.begin()?;
         }
         let (mut is_finite, mut was_rejected) = (true, false);
-        self.is_careful = false;
         loop {
             let mut h = self.step.min(self.tolerances.max_step.max(self.crossing));
             if h <= 4.0 * f64::EPSILON * self.t.abs() || h < f64::MIN_POSITIVE {
@@ -368,7 +424,7 @@ impl Stepper for RungeKutta<'_> {
             if is_last {
                 h = end - self.t;
             }
-            self.try_step(h);
+            self.try_step(h)?;
             let error = self.error_that_counts(h, was_rejected);
             if error <= 1.0 {
                 let factor = self.factor(error).clamp(SHRINK, GROW);

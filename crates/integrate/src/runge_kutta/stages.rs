@@ -6,7 +6,7 @@
 const LANES: usize = 8;
 
 /// The rates at the stages, a row for each.
-pub(super) struct Stages {
+pub struct Stages {
     entries: usize,
     /// From row to row: the entries, filled up to whole lanes with zeros.
     stride: usize,
@@ -21,11 +21,11 @@ impl Stages {
         Self { entries, stride, rates: vec![0.0; count * stride], nothing: vec![0.0; entries] }
     }
 
-    pub(super) fn row(&self, stage: usize) -> &[f64] {
+    pub fn row(&self, stage: usize) -> &[f64] {
         &self.rates[stage * self.stride..][..self.entries]
     }
 
-    pub(super) fn row_mut(&mut self, stage: usize) -> &mut [f64] {
+    pub fn row_mut(&mut self, stage: usize) -> &mut [f64] {
         &mut self.rates[stage * self.stride..][..self.entries]
     }
 

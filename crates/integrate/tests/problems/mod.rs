@@ -76,6 +76,25 @@ pub unsafe extern "C" fn oscillator(inputs: *const f64, out: *mut f64) {
     out.copy_from_slice(&[*v, -w * w * x]);
 }
 
+/// Four oscillators in lanes, and a condition: of those with x < 0, only the code for one state knows the rates.
+pub unsafe extern "C" fn oscillators(inputs: *const f64, out: *mut f64) {
+    // SAFETY: lengths as documented.
+    let (inputs, out) = unsafe { (slice::from_raw_parts(inputs, 16), slice::from_raw_parts_mut(out, 12)) };
+    for lane in 0..4 {
+        let [x, v, w] = [1, 2, 3].map(|k| inputs[4 * k + lane]);
+        let values = if x < 0.0 { [f64::NAN, f64::NAN, -1.0] } else { [v, -w * w * x, 1.0] };
+        for (k, value) in values.into_iter().enumerate() {
+            out[4 * k + lane] = value;
+        }
+    }
+}
+
+/// The equations of the oscillator for one state and for four.
+pub fn oscillators_of() -> Dynamics<MachineCode> {
+    // SAFETY: it reads and writes four numbers where the other function has one, and one condition.
+    free(unsafe { code(oscillator, 2, 1, 2).with_vectors(oscillators as Compiled as usize, 1) }, None)
+}
+
 /// Its Jacobian at (0, 1) and (1, 0).
 pub unsafe extern "C" fn oscillator_jacobian(inputs: *const f64, out: *mut f64) {
     // SAFETY: lengths as documented.

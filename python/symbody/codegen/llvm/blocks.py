@@ -14,7 +14,7 @@ from typing import NamedTuple
 from symbody.codegen.llvm import linear_system
 from symbody.codegen.llvm.angles import angles_first, are_inlined, segments
 from symbody.codegen.llvm.linear_system import Memory
-from symbody.codegen.llvm.operation import SYSTEM, TEMPLATES
+from symbody.codegen.llvm.operation import FUSED, SYSTEM, TEMPLATES
 from symbody.codegen.llvm.piece import Helper, Piece
 from symbody.codegen.llvm.wave import wave_size, waves
 from symbody.codegen.llvm.writer import Template, Writer, constants, splat
@@ -136,6 +136,27 @@ def _ordered(code: Code, rows: list[int]) -> list[int]:
     return [rows[n] for n in angles_first(_reads(code, rows), are_waves, 0)]
 
 
+def _fused(code: Code, rows: Sequence[int]) -> dict[int, int]:
+    """Return the sums of a block that are fused with a product, and which operand it is.
+
+    The product is in the same block, and nothing else reads it.
+    """
+    first, here = code.first_instruction, set(rows)
+
+    def is_own(place: int) -> bool:
+        k = place - first
+        return k in here and code.instructions[k].operation is Operation.MUL and code.uses[place] == 1
+
+    found = {}
+    for k in rows:
+        row = code.instructions[k]
+        if row.operation in (Operation.ADD, Operation.SUB):
+            own = [number for number, place in enumerate(row.reads) if is_own(place)]
+            if own:
+                found[first + k] = own[0]
+    return found
+
+
 def _cut(code: Code, order: Sequence[int]) -> Cut:
     """Cut the instructions into blocks; factorisations and solutions are kept elsewhere than in slots."""
     own = {Operation.FACTOR, Operation.SOLVE}
@@ -157,11 +178,14 @@ class _BlockWriter(Writer):
         super().__init__(shared.lanes)
         self.shared, self.code = shared, shared.code
         self.values: dict[int, str] = {}
+        self.fused: dict[int, int] = {}
         self.runs = 0
 
     def rows(self, rows: Sequence[int], stores: Sequence[Store]) -> None:
         """Write instructions, by number; store results at once, since those that wait take registers."""
         first = self.code.first_instruction
+        self.fused = _fused(self.code, rows)
+        products = {self.code.instructions[k - first].reads[n] for k, n in self.fused.items()}
         waiting: dict[int, list[Store]] = {}
         for store in stores:
             waiting.setdefault(store.place, []).append(store)
@@ -171,6 +195,8 @@ class _BlockWriter(Writer):
             if is_wave:
                 self._waves([first + k for k in segment])
             for k in segment:
+                if first + k in products:
+                    continue
                 if not is_wave:
                     self._instruction(first + k, self.code.instructions[k])
                 self._keep(first + k)
@@ -189,6 +215,11 @@ class _BlockWriter(Writer):
                 self.values[place] = linear_system.component(self, memory, row)
             case operation if operation in SYSTEM:
                 self.values[place] = self._of_system(SYSTEM[operation], self._all(row.reads))
+            case operation if place in self.fused:
+                number = self.fused[place]
+                product = self.code.instructions[row.reads[number] - self.code.first_instruction]
+                operands = self._all([*product.reads, row.reads[1 - number]])
+                self.values[place] = self.write(FUSED[operation, number], *operands)[-1]
             case operation:
                 self.values[place] = self.write(TEMPLATES[operation], *self._all(row.reads))[-1]
 

@@ -11,7 +11,7 @@ from symbody.codegen.llvm.writer import Template, splat
 from symbody.codegen.straight_line.code import Code
 from symbody.codegen.straight_line.instruction import Operation
 
-__all__ = ["batch_modules", "scalar_modules", "shortcut_modules"]
+__all__ = ["batch_modules", "lane_modules", "scalar_modules", "shortcut_modules"]
 
 # Where inputs are and results go, by their number. Inputs never change: they may be loaded again rather than kept.
 _COLUMN: Template = ("getelementptr ptr, ptr %in, i64 {0}", "load ptr, ptr {1}")
@@ -102,6 +102,31 @@ define void @{name}(ptr noalias %in, ptr noalias %out) {attributes} {{
 }}
 """
     return blocks.pieces(stores), entry
+
+
+def lane_modules(code: Code, name: str, lanes: int) -> Assembly:
+    """Return modules with the function ``void name(const double *in, double *out)`` of a state in each lane.
+
+    Input k of lane i is ``in[k*lanes + i]``, and output j is ``out[j*lanes + i]``.
+
+    Args:
+        code: what it computes for each state; it solves no linear systems.
+        name: the function's name.
+        lanes: states in a vector.
+    """
+    load = "load {V}, ptr {1}, align 8, !invariant.load !1"
+    loads = [
+        (f"getelementptr double, ptr %in, i64 {lanes * number}", load) for number in range(len(code.inputs))
+    ]
+    blocks = Blocks(code, name, range(len(code.instructions)), lanes, lanes, loads)
+    stores = [Store(place, _OUTPUT, lanes * j) for j, place in enumerate(code.results)]
+    entry = f"""\
+define void @{name}(ptr noalias %in, ptr noalias %out) alignstack(64) {{
+{blocks.calls("0", "0", "null")}
+  ret void
+}}
+"""
+    return assemble(blocks.pieces(stores), entry)
 
 
 def _of_one_state(code: Code, name: str, lanes: int) -> Blocks:

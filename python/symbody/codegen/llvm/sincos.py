@@ -44,7 +44,7 @@ def sincos_text(lanes: int) -> str:
     """Return the functions of a module that take sine and cosine of so many angles.
 
     ``@sincos_<lanes>`` does so for angles up to :data:`LARGEST`, ``@is_large_<lanes>`` returns whether one of them is
-    larger or NaN, and ``@system_sincos_<lanes>`` serves all.
+    larger or NaN, and ``@system_sincos_<lanes>`` serves all: an angle has the same sine, whatever is beside it.
     """
     V, pair = _types(lanes)
     return f"""\
@@ -154,21 +154,24 @@ def _horner(lanes: int, name: str, coefficients: Sequence[float]) -> str:
 
 
 def _is_large(lanes: int) -> str:
+    if lanes == 1:
+        return "\n".join([_beyond(lanes), "  ret i1 %beyond"])
+    reduced = f"  %large = call i1 @llvm.vector.reduce.or.v{lanes}i1(<{lanes} x i1> %beyond)"
+    return "\n".join([_beyond(lanes), reduced, "  ret i1 %large"])
+
+
+def _beyond(lanes: int) -> str:
+    """Return the lines that make ``%beyond``: where ``%x`` is large or NaN."""
     V, suffix = vector_type(lanes), "f64" if lanes == 1 else f"v{lanes}f64"
     (largest,) = constants([LARGEST], lanes)
-    lines = [
-        f"  %size = call {V} @llvm.fabs.{suffix}({V} %x)",
-        f"  %beyond = fcmp ugt {V} %size, {largest}",
-    ]
-    if lanes == 1:
-        return "\n".join([*lines, "  ret i1 %beyond"])
-    reduced = f"  %large = call i1 @llvm.vector.reduce.or.v{lanes}i1(<{lanes} x i1> %beyond)"
-    return "\n".join([*lines, reduced, "  ret i1 %large"])
+    return f"""\
+  %size = call {V} @llvm.fabs.{suffix}({V} %x)
+  %beyond = fcmp ugt {V} %size, {largest}"""
 
 
 def _system_text(lanes: int) -> str:
-    """Return the function that takes sine and cosine of each lane from the system."""
-    (V, pair), lines = _types(lanes), list[str]()
+    """Return the function that takes sine and cosine of large angles from the system."""
+    (V, pair), mask, lines = _types(lanes), vector_type(lanes, "i1"), [_beyond(lanes)]
     sine, cosine = "poison", "poison"
     for k in range(lanes):
         x = "%x" if lanes == 1 else f"%x{k}"
@@ -181,5 +184,12 @@ def _system_text(lanes: int) -> str:
         lines += [f"  %s{k} = insertelement {V} {sine}, double %sin{k}, i32 {k}"]
         lines += [f"  %c{k} = insertelement {V} {cosine}, double %cos{k}, i32 {k}"]
         sine, cosine = f"%s{k}", f"%c{k}"
-    body = "\n".join([*lines, _returned(lanes, sine, cosine)])
+    lines += [
+        f"  %ours = call {pair} @sincos_{lanes}({V} %x)",
+        f"  %our_sine = extractvalue {pair} %ours, 0",
+        f"  %our_cosine = extractvalue {pair} %ours, 1",
+        f"  %chosen_sine = select {mask} %beyond, {V} {sine}, {V} %our_sine",
+        f"  %chosen_cosine = select {mask} %beyond, {V} {cosine}, {V} %our_cosine",
+    ]
+    body = "\n".join([*lines, _returned(lanes, "%chosen_sine", "%chosen_cosine")])
     return f"define internal {pair} @system_sincos_{lanes}({V} %x) noinline cold {{\n{body}\n}}\n"

@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 
 from symbody.codegen.llvm import jit
 from symbody.codegen.llvm.assembly import Assembly
-from symbody.codegen.llvm.llvm_module import scalar_modules, shortcut_modules
+from symbody.codegen.llvm.llvm_module import lane_modules, scalar_modules, shortcut_modules
 from symbody.codegen.machine.machine_code import POINTER
 from symbody.codegen.straight_line.code import Code, Input, code_of
-from symbody.codegen.straight_line.instruction import renumber
+from symbody.codegen.straight_line.instruction import Operation, renumber
 from symbody.codegen.straight_line.preparation import Preparation
 from symbody.errors import ParameterError
 from symbody.symbolic import Argument, Expr
@@ -74,6 +74,19 @@ class PreparedCode:
     def address(self) -> int:
         """The address of the function."""
         return self._function.address
+
+    @property
+    def in_lanes(self) -> tuple[int, int] | None:
+        """The address of the function of several states, and the number of its conditions.
+
+        ``void f(const double *in, double *out)``: number k of lane i is at ``k*lanes + i``. The conditions follow the
+        outputs, which hold in the lanes where all of them are positive. None if the code solves linear systems, whose
+        deficiencies belong to one state.
+        """
+        quick = self._parts.shortcut or self._parts.outputs
+        if any(row.operation is Operation.FACTOR for row in quick.instructions):
+            return None
+        return self._lanes.address, len(quick.results) - len(self.expressions)
 
     @property
     def constants(self) -> int:
@@ -138,6 +151,11 @@ class PreparedCode:
             return shortcut_modules(shortcut, len(self.expressions), outputs, "evaluate", lanes)
 
         return _compiled(assembly, "evaluate")
+
+    @cached_property
+    def _lanes(self) -> jit.Compiled:
+        quick = self._parts.shortcut or self._parts.outputs
+        return _compiled(lambda lanes: lane_modules(quick, "lanes", lanes), "lanes")
 
     def __reduce__(self) -> tuple[Any, ...]:
         return PreparedCode, (self.parameters, self.inputs, self.expressions, self.shortcut)

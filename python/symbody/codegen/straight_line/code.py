@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from itertools import compress
+from itertools import chain, compress
 
 from symbody.codegen.straight_line.instruction import Instruction, instructions_of, renumber
 from symbody.symbolic import STAGES, Argument, Expr
@@ -45,6 +46,11 @@ class Code:
     def first_instruction(self) -> int:
         """The place of the first instruction's result."""
         return len(self.constants) + len(self.inputs)
+
+    @cached_property
+    def uses(self) -> Counter[int]:
+        """How often each place is read, or is a result."""
+        return Counter(chain(self.results, *(row.reads for row in self.instructions)))
 
 
 def arguments_of(arguments: Sequence[Argument]) -> tuple[Input, ...]:

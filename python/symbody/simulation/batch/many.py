@@ -71,7 +71,8 @@ def simulate_many(
     A value is a number, which holds for all motions, or a row of numbers with one for each; all rows have the same
     length. A list of dictionaries, one for each motion, is the same as a dictionary of rows. A motion that fails does
     not stop the others: it is listed in the failures of the runs, with its parameters. After Ctrl-C, the finished
-    motions are returned.
+    motions are returned. Many motions by explicit methods are integrated in lock-step, several in a vector of the
+    processor; their results are those of single motions, to the last bit.
 
     Args:
         eqs: the equations of motion.

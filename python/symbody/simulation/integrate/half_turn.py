@@ -26,13 +26,16 @@ class HalfTurn(NamedTuple):
 def half_turns(motion: Integrated) -> Iterator[HalfTurn]:
     """Yield the loads whose angle jumps from pi to -pi or back between two instants of a motion."""
     model = motion.task.model
+    jumping = [
+        load for load in getattr(model.system, "loads", ()) if getattr(load, "jumping", None) is not None
+    ]
+    if not jumping:
+        return
     names = (*model.coordinates, t, *motion.parameters)
     states = np.array(motion.outcome.states)[:, : len(model.coordinates)]
     instants = motion.task.instants[: len(states)]
-    for load in getattr(model.system, "loads", ()):
-        angle = getattr(load, "jumping", None)
-        if angle is None:
-            continue
+    for load in jumping:
+        angle = load.jumping
         (inserted,) = model.with_inputs((angle,))
         if free_symbols([inserted]) <= {*names}:
             values = lambdify([*names], [inserted])(*states.T, instants, *motion.parameters.values())[0]

@@ -55,9 +55,12 @@ class _Watched(NamedTuple):
 
 def passed_limits(motion: Integrated) -> Iterator[Passed]:
     """Yield the joints that are beyond their limits at some instant of a motion."""
+    known = _known(motion)
+    if not known:
+        return
     states, instants = _states(motion)
     strange = {joint for joint, _ in strange_limits(motion)}
-    for watched in _known(motion):
+    for watched in known:
         if watched.joint not in strange:
             most = np.max(_excesses(motion, watched), axis=0)
             beyond = most > LIMIT * (1 + np.abs(states).max(axis=1))
@@ -109,8 +112,9 @@ def _names(motion: Integrated) -> tuple[Expr, ...]:
 
 def _known(motion: Integrated) -> list[_Watched]:
     """Return the joints whose limits have values."""
-    names = {*_names(motion)}
-    return [each for each in _watched(motion) if free_symbols(list(each.excess)) <= names]
+    all_watched = [*_watched(motion)]
+    names = {*_names(motion)} if all_watched else set()
+    return [each for each in all_watched if free_symbols(list(each.excess)) <= names]
 
 
 def _watched(motion: Integrated) -> Iterator[_Watched]:

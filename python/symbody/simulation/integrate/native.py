@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.codegen import PreparedCode
+from symbody.codegen.llvm.jit import lanes
 from symbody.simulation.given.event import Event
 from symbody.simulation.given.options import Options
 from symbody.simulation.given.parameter import parameters_in
@@ -22,6 +23,13 @@ from .problem import Problem
 from .task import Columns, Integrate, KeepGoing, Task
 
 __all__ = ["prepare", "problem_of", "run", "run_many"]
+
+
+WORTH_LANES = 256
+"""The number of motions from which lock-step pays: with fewer, its code takes longer to compile than it saves."""
+
+LEAST_LANES = 4
+"""The number of lanes from which lock-step pays: with two, the exchange of numbers takes what the vectors save."""
 
 
 def prepare(task: Task, *, needs_jacobian: bool = False) -> Integrate:
@@ -206,7 +214,9 @@ def run_many(
     different, places = np.unique(parameters, axis=0, return_inverse=True)
     prepared = [_prepared(problem, row) for row in different]
     constants = np.array([values for values, _ in prepared])[places]
-    given = problem.native.integrate_many(
+    is_worth_it = len(states) >= WORTH_LANES and problem.jacobian is None and lanes() >= LEAST_LANES
+    width = lanes() if is_worth_it else 1
+    given = (problem.native if width == 1 else problem.in_lanes).integrate_many(
         options.method,
         np.ascontiguousarray(states, float),
         np.ascontiguousarray(constants),
@@ -214,7 +224,7 @@ def run_many(
         _limits(problem, options),
         results,
         problem.trail,
-        threads,
+        (threads, width),
         keep_going,
     )
     return [

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +16,8 @@ from symbody.symbolic import Expr
 from symbody.symbolic._core import Dynamics
 
 __all__ = ["Problem"]
+
+_Code: TypeAlias = tuple[int, int, int, tuple[int, int] | None]
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,20 +68,32 @@ class Problem:
     @cached_property
     def native(self) -> Dynamics:
         """The functions, by their addresses."""
+        return self._by_address(_alone)
+
+    @cached_property
+    def in_lanes(self) -> Dynamics:
+        """The functions, with those of several states where there are any."""
+        return self._by_address(_in_lanes)
+
+    def _by_address(self, code_of: Callable[[PreparedCode], _Code]) -> Dynamics:
         positions, velocities = self.corrections or (None, None)
         slopes = self.of_sensitivities
         return Dynamics(
-            _code(self.rates),
-            None if self.jacobian is None else (_code(self.jacobian[0]), self.jacobian[1]),
-            None if positions is None else _code(positions),
-            None if velocities is None else _code(velocities),
-            None if self.energies is None else _code(self.energies),
+            code_of(self.rates),
+            None if self.jacobian is None else (_alone(self.jacobian[0]), self.jacobian[1]),
+            None if positions is None else code_of(positions),
+            None if velocities is None else code_of(velocities),
+            None if self.energies is None else code_of(self.energies),
             None
             if self.events is None
-            else (_code(self.events[0]), [(event.direction, event.terminal) for event in self.events[1]]),
-            *([] if slopes is None else [(_code(slopes[0]), slopes[1])]),
+            else (code_of(self.events[0]), [(event.direction, event.terminal) for event in self.events[1]]),
+            *([] if slopes is None else [(code_of(slopes[0]), slopes[1])]),
         )
 
 
-def _code(code: PreparedCode) -> tuple[int, int, int]:
-    return code.address, code.constants, len(code.expressions)
+def _alone(code: PreparedCode) -> _Code:
+    return code.address, code.constants, len(code.expressions), None
+
+
+def _in_lanes(code: PreparedCode) -> _Code:
+    return code.address, code.constants, len(code.expressions), code.in_lanes

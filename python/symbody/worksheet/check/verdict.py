@@ -50,7 +50,9 @@ def verdicts(cells: Sequence[Cell], outcomes: Sequence[Outcome]) -> list[Verdict
         if partner is not None:
             groups.setdefault(("statement", partner.number), []).append(_verdict(block, partner, outputs))
             continue
-        reason = "a picture" if is_picture(block.text) else _unmatched(block, outcomes)
+        reason = (
+            "a picture, or in Maple's own encoding" if is_picture(block.text) else _unmatched(block, outcomes)
+        )
         verdict = Verdict(_line(cells, block), "not comparable", reason)
         groups.setdefault(("cell", block.cell), []).append(verdict)
     return [_together(group) for group in groups.values()]

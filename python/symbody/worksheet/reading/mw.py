@@ -15,6 +15,10 @@ _CODE_STYLES = frozenset({"Maple Input", "1D", "2D Input", "Code", "Maple Input 
 _PRINTED_STYLES = ("Line Printed Output", "Maple Output", "Warning", "Error", "Diagnostic", "Text Output")
 
 
+#: Outputs that the file stores in Maple's own encoding, as a text export calls them.
+_DRAWN = {"Equation": "[Maple Math]", "Plot": "[Maple Plot]", "Image": "[Maple Bitmap]"}
+
+
 @dataclass(slots=True)
 class _Reader:
     """What the tags seen so far say about the text that follows."""
@@ -33,6 +37,8 @@ class _Reader:
             self.close()
         if tag == "Equation" and self._within("Input") and attributes.get("input-equation", "").strip():
             self._add(attributes["input-equation"])
+        if tag in _DRAWN and self._within("Output"):
+            self.printed.append(_DRAWN[tag])
         self.tags.append((tag, attributes.get("style", "")))
 
     def end(self, tag: str) -> None:

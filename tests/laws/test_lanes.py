@@ -1,0 +1,120 @@
+"""Law: a motion in a lane of the vectors is, bit for bit, the motion that is integrated alone."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable
+from random import Random
+from typing import Any
+
+import numpy as np
+import pytest
+
+from symbody import (
+    Body,
+    Event,
+    Expr,
+    Force,
+    ModelNotice,
+    Point,
+    System,
+    Vector,
+    center_of_mass,
+    functions_of_time,
+    ground,
+    lagrange_equations,
+    models,
+    newton_euler,
+    rotate,
+    simulate_many,
+    sqrt,
+    symbols,
+    t,
+)
+from symbody.codegen.llvm.jit import lanes
+from symbody.models import ClassicSystem
+from symbody.simulation.batch.runs import Runs
+from symbody.simulation.integrate import native
+from tests.laws.test_energy_drift import tree
+
+pytestmark = pytest.mark.skipif(lanes() < 4, reason="a vector of this processor holds two numbers")
+
+CASES = 21
+"""More than two crews of eight lanes, and not a multiple of their number."""
+
+MODELS: dict[str, Callable[[], ClassicSystem]] = {
+    "free": lambda: models.n_pendulum(2),
+    "tree": models.heavy_top,
+    "loop": models.four_bar,
+    "loop in relative coordinates": models.slider_crank,
+    "rolling": models.rolling_disc,
+    "friction": models.rattleback,
+}
+
+
+def in_both_ways(monkeypatch: pytest.MonkeyPatch, *given: Any, **options: Any) -> tuple[Runs, Runs]:
+    """Return the same motions, one after another and in lanes."""
+    runs = []
+    for least in (10**9, 1):
+        monkeypatch.setattr(native, "WORTH_LANES", least)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", ModelNotice)
+            runs.append(simulate_many(*given, progress=False, **options))
+    alone, together = runs
+    return alone, together
+
+
+def assert_same(alone: Runs, together: Runs) -> None:
+    """Check that all results are the same to the last bit."""
+    a, b = alone.results, together.results
+    for name in ("states", "status", "reached", "t_reached", "counts", "messages", "findings"):
+        np.testing.assert_array_equal(getattr(a, name), getattr(b, name), name)
+    for one, other in zip(a.occurrences, b.occurrences, strict=True):
+        assert [event[:2] for event in one] == [event[:2] for event in other]
+        np.testing.assert_array_equal([event[2] for event in one], [event[2] for event in other])
+
+
+def varied(model: ClassicSystem, seed: int) -> dict[Expr, Any]:
+    """Return the parameters of a model, two of which differ from case to case."""
+    some = np.random.default_rng(seed)
+    changed = list(model.parameters)[:2]
+    return {
+        name: value * some.uniform(0.97, 1.03, CASES) if name in changed else value
+        for name, value in model.parameters.items()
+    }
+
+
+@pytest.mark.parametrize("method", ["dop853", "tsit5"])
+@pytest.mark.parametrize("name", MODELS)
+def test_models(name: str, method: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    model = MODELS[name]()
+    equations, instants = newton_euler(model.system), np.linspace(0, 0.4, 5)
+    options = {"method": method, "rtol": 1e-6, "atol": 1e-8, "guess": model.guess, "threads": 1}
+    assert_same(*in_both_ways(monkeypatch, equations, varied(model, 3), model.initial, instants, **options))
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_random_trees_with_events(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Some motions end at an event, each at an instant of its own, and their lanes take the next ones."""
+    system = tree(Random(seed))
+    q = system.coordinates
+    starts = np.random.default_rng(seed).uniform(-0.5, 0.5, (len(q), CASES))
+    events = [Event(q[0] - 0.3, direction=1, terminal=True), Event(q[1])]
+    given = newton_euler(system), {}, dict(zip(q, starts, strict=True)), np.linspace(0, 2, 9)
+    alone, together = in_both_ways(monkeypatch, *given, events=events, rtol=1e-7, threads=2)
+    assert_same(alone, together)
+    assert alone.results.status.min() < alone.results.status.max()
+
+
+def test_one_that_fails_fails_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its neighbours are those of a batch without it; so are those of one that turns by many thousands of turns."""
+    theta, (m, l, c) = functions_of_time("theta"), symbols("m l c")
+    bob = Body(Point(rotate("Z", theta), 0, -l, 0), m)
+    wind = Force(ground, sqrt(c - t), 0, 0, at=center_of_mass(bob), on=bob)
+    system = System([bob], [wind], coordinates=[theta], gravity=Vector(ground, 0, -9.81, 0))
+    ends, starts = np.full(CASES, 10.0), np.full(CASES, 0.3)
+    ends[4], starts[9] = 1.0, -3e5
+    given = {m: 1.0, l: np.linspace(0.5, 1, CASES), c: ends}, {theta: starts}
+    alone, together = in_both_ways(monkeypatch, lagrange_equations(system), *given, (0, 3), rtol=1e-8)
+    assert_same(alone, together)
+    assert [one.index for one in together.failures] == [4]
