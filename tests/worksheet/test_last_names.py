@@ -39,7 +39,7 @@ CASES = {
     ),
     "names of bodies in what is rewritten": (
         (
-            "B := make_BODY(ground,m): S := simplify({B}); F := make_FORCE(ground,u,0,0,CoM(B),B): "
+            "B := make_BODY(ground,m): S := simplify({B}); F := make_TORQUE(ground,u,0,0,B): "
             "map(simplify,F)[acting];"
         ),
         ["S := {B}", "B"],

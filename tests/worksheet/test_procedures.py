@@ -63,7 +63,7 @@ CASES = {
     ),
     "an error that is caught": (
         'try error "bad %1", 3 catch "bad": 5 end try;',
-        [],
+        ["5"],
     ),
     "anti-bodies": (
         (

@@ -384,14 +384,14 @@ class Interpreter:
 
     def _try(self, node: syntax.Try) -> Value:
         try:
-            return self._body(node.body)
+            return self._nested(node.body, shown=node.shown)
         except SymbodyError as error:
             for texts, body in node.handlers:
                 if not texts or any(not text or text in str(error) for text in texts):
-                    return self._body(body)
+                    return self._nested(body, shown=node.shown)
             raise
         finally:
-            self._body(node.finally_)
+            self._nested(node.finally_, shown=node.shown)
 
     def _read(self, node: syntax.Read) -> Value:
         self._quiet += not node.shown

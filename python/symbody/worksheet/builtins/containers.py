@@ -12,7 +12,7 @@ from symbody.worksheet.builtins.matrices import array_of
 from symbody.worksheet.builtins.structural import operands
 from symbody.worksheet.builtins.texts import unparsed
 from symbody.worksheet.current import set_of
-from symbody.worksheet.entrywise import copied
+from symbody.worksheet.entrywise import copied, parts_of
 from symbody.worksheet.naming import symbol
 from symbody.worksheet.numeric import as_integer
 from symbody.worksheet.select import key_of
@@ -31,7 +31,7 @@ from symbody.worksheet.value import (
     Value,
 )
 
-__all__ = ["COMMANDS", "assigned"]
+__all__ = ["COMMANDS", "PACKAGES", "assigned"]
 
 
 def table(session: Session, *arguments: Value) -> Value:
@@ -248,6 +248,31 @@ def assigned(session: Session, name: Value) -> Value:
         return Boolean(name.name in session.names)
     return Boolean(not isinstance(name, Expr) or name.kind not in ("time_function", "application"))
 
+
+# --- ListTools ---------------------------------------------------------------------------------------------------
+
+
+def flatten(session: Session, value: Value) -> Value:
+    """ListTools[Flatten](L): a list of all items of lists inside lists."""
+    flat: list[Value] = []
+    for item in _items(session, value):
+        flat.extend(parts_of(flatten(session, item)) if isinstance(item, Listed) else (item,))
+    return Listed(tuple(flat))
+
+
+def reverse(session: Session, value: Value) -> Value:
+    """ListTools[Reverse](L)."""
+    return Listed(tuple(reversed(_items(session, value))))
+
+
+def make_unique(session: Session, value: Value) -> Value:
+    """ListTools[MakeUnique](L): each item once, in their order."""
+    return Listed(tuple(dict.fromkeys(_items(session, value))))
+
+
+PACKAGES: dict[str, dict[str, Command]] = {
+    "ListTools": {"Flatten": flatten, "Reverse": reverse, "MakeUnique": make_unique}
+}
 
 COMMANDS: dict[str, Command] = {
     "table": table,
