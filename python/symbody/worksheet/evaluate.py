@@ -398,6 +398,8 @@ class Evaluator:
         if name.startswith("evalf["):
             base, (digits,) = self.session.indexed[name]
             return self.call(symbol(base), (*arguments, digits))
+        if name.startswith("D[") and len(arguments) == 1:
+            return Unevaluated(symbol(name), arguments)
         found = builtins.command(self.session, name)
         if found is not None:
             return self._command(name, found, arguments)
