@@ -9,7 +9,7 @@ from typing import Any
 from symbody.errors import SymbodyError, WorksheetError
 from symbody.symbolic import Expr, UndefinedFunction, number
 from symbody.worksheet import arithmetic, builtins, syntax
-from symbody.worksheet.builtins.matrices import from_columns, from_rows
+from symbody.worksheet.builtins.arrays import from_columns, from_rows
 from symbody.worksheet.builtins.sets import joined_by
 from symbody.worksheet.condition import compared, truth
 from symbody.worksheet.current import flattened, set_of
