@@ -160,6 +160,17 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         f"equilibrium, guess: phi_D is not a coordinate of this system: {NONE}",
     ),
     (
+        errors.ConstraintError,
+        lambda: consistent_state(
+            newton_euler(four_bar.system()), {}, {FOUR[0].coordinate: 0.5, FOUR[1].coordinate: 3.0}
+        ),
+        (
+            "consistent_state: no coordinates were found with phi_A = 0.5, phi_B = 3 that satisfy the constraints at "
+            "t = 0 s; nearest, at phi_C = -0.146836: the sides of revolute D on ground and rocker stay 0.892 apart; "
+            "give fewer or other values, or other dimensions, or a guess={coordinate: value} near a solution"
+        ),
+    ),
+    (
         errors.SimulationError,
         lambda: moving_four_bar()[IDLE],
         (

@@ -70,8 +70,8 @@ def assert_same(alone: Runs, together: Runs) -> None:
     for name in ("states", "status", "reached", "t_reached", "counts", "messages", "findings"):
         np.testing.assert_array_equal(getattr(a, name), getattr(b, name), name)
     for one, other in zip(a.occurrences, b.occurrences, strict=True):
-        assert [(event, t) for event, t, _ in one] == [(event, t) for event, t, _ in other]
-        np.testing.assert_array_equal([state for *_, state in one], [state for *_, state in other])
+        assert [event[:2] for event in one] == [event[:2] for event in other]
+        np.testing.assert_array_equal([event[2] for event in one], [event[2] for event in other])
 
 
 def varied(model: ClassicSystem, seed: int) -> dict[Expr, Any]:

@@ -26,7 +26,7 @@ from symbody import (
     time_derivative,
     translate,
 )
-from symbody.errors import ArgumentError
+from symbody.errors import ArgumentError, ParameterError
 
 m, l, g, k, P, R = symbols("m l g k P R")
 theta, psi, x, y = functions_of_time("theta psi x y")
@@ -108,4 +108,15 @@ def test_mistakes() -> None:
         crossing_branch(stem, 2)
     assert str(third.value) == (
         "crossing_branch, point: 2 is an int; expected the place of one of 1 branch point"
+    )
+    with pytest.raises(ParameterError) as beyond:
+        crossing_branch(stem, over=(0.5, 1))
+    assert str(beyond.value).startswith("crossing_branch, over: p is ")
+    assert str(beyond.value).endswith(
+        "at the branch point, which is not between 0.5 and 1; expected a range around it, the least value first"
+    )
+    with pytest.raises(ArgumentError) as number:
+        crossing_branch(stem, over=3)  # type: ignore[arg-type]
+    assert str(number.value) == (
+        "crossing_branch, over: 3 is an int; expected the least and the largest value, such as over=(-1, 1)"
     )

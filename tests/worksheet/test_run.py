@@ -85,6 +85,17 @@ def test_quit_ends_the_sheet(tmp_path: Path, capsys: pytest.CaptureFixture[str])
     assert "b := 2" not in capsys.readouterr().out
 
 
+def test_other_folders_are_allowed_by_an_option(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    other = tmp_path / "other"
+    other.mkdir()
+    text = f'a := 2*b: save a, "{other.as_posix()}/a.m": a := 3: read "{other.as_posix()}/a.m": a;\n'
+    assert run(tmp_path, text, "--any-folder") == 0
+    assert capsys.readouterr().out.splitlines()[0] == "2*b"
+    assert [file.name for file in other.iterdir()] == ["a.m"]
+    assert run(tmp_path, text.replace("a.m", "b.m")) == 0
+    assert [file.name for file in other.iterdir()] == ["a.m"]
+
+
 @pytest.mark.skipif(not hasattr(signal, "SIGINT") or os.name != "posix", reason="signals of POSIX")
 def test_ctrl_c_keeps_what_is_done(tmp_path: Path) -> None:
     sheet = tmp_path / "long.mpl"

@@ -151,3 +151,42 @@ def test_state_space_of_second_order_equations(tmp_path: Path) -> None:
 def test_names_that_get_their_value_later(tmp_path: Path) -> None:
     lines = Sheet("late_values.mpl", tmp_path).lines
     assert "V, diff(y(t),t), 0" in lines
+
+
+def test_double_pendulum_of_maples_own_file(tmp_path: Path) -> None:
+    sheet = Sheet("double_pendulum.mw", tmp_path)
+    q1, q2 = sb.functions_of_time("q1 q2")
+    hinge = sb.translate(l * sin(q1), -l * cos(q1), 0)
+    frames = sb.rotate("Z", q1), hinge * sb.rotate("Z", q2)
+    bobs = [sb.Body(frame * sb.translate(0, -l, 0), m) for frame in frames]
+    equations = sb.newton_euler(sb.System(bobs, coordinates=[q1, q2], gravity=sb.Vector(sb.ground, 0, -g, 0)))
+    assert sheet["eqns"] == list(equations.residuals)
+    assert sheet["M"] == equations.mass_matrix
+
+
+def test_a_moving_frame_counts_for_frames_that_were_made_before(tmp_path: Path) -> None:
+    path = tmp_path / "before.mpl"
+    path.write_text(
+        "with(MBSymba_r6): T := translate(a, 0, z(t)): P := origin(T): _gravity := make_VECTOR(ground, 0, 0, -g):\n"
+        "B := make_BODY(T, m): use_moving_frame(V, v(t), 0, 0, 0, r(t)):\n"
+        "W := velocity(P): A := acceleration(P): U := gravitational_energy(B): K := kinetic_energy(B):\n"
+    )
+    sheet = Sheet(path, tmp_path)
+    z = sb.functions_of_time("z")
+    assert [*sheet["W"].entries] == [V, v + a * r, d(z)]
+    assert [*sheet["A"].entries] == [-r * (v + a * r), d(v) + a * d(r) + V * r, d(z, 2)]
+    assert sheet["U"] == m * g * z
+    assert sheet["K"] == m * (V**2 + (v + a * r) ** 2 + d(z) ** 2) / 2
+
+
+def test_small_deviations_from_a_value(tmp_path: Path) -> None:
+    path = tmp_path / "about.mpl"
+    path.write_text(
+        "with(MBSymba_r4): linear_modeling({theta(t) = alpha, x(t)}):\n"
+        "T := rotate('Z', theta(t)) * translate(l, 0, 0): p := origin(T): px := Xcomp(project(p, ground)):\n"
+        "L := linearize(sin(theta(t))*x(t) + cos(theta(t))): q := linearize(arctan(x(t)/V), {x(t)}):\n"
+    )
+    sheet, alpha = Sheet(path, tmp_path), sb.symbols("alpha")
+    assert sheet["px"] == l * (cos(alpha) - (theta - alpha) * sin(alpha))
+    assert sheet["L"] == sin(alpha) * x + cos(alpha) - (theta - alpha) * sin(alpha)
+    assert sheet["q"] == x / V

@@ -90,7 +90,7 @@ def run_file(options: argparse.Namespace) -> int:
         print(f"symbody run: {options.file} is not readable: {error}", file=sys.stderr)
         return NOT_READABLE
     folder = options.out or options.file.with_name(f"{options.file.stem}_out")
-    session = Session(folder=folder, source=options.file.parent)
+    session = Session(folder=folder, source=options.file.parent, any_folder=options.any_folder)
     report, done, status = Report(), [], 0
     progress = _Progress(sum(len(cell.input) for cell in cells))
     try:

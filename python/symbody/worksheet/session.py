@@ -84,7 +84,7 @@ class Options:
 
 
 _KEPT = (
-    *("folder", "source", "lines", "notices", "limits"),
+    *("folder", "source", "any_folder", "lines", "notices", "limits"),
     *("call", "evaluate", "run", "parsed", "rebuild", "select", "overload", "face"),
 )
 """What ``restart`` doesn't forget."""
@@ -101,6 +101,7 @@ class Session:
         remembered: the entries of remember tables, as ``x(t) := V*t`` makes them, by function and arguments.
         folder: where files are written; nothing is written elsewhere.
         source: the folder of the worksheet, where ``read`` looks second.
+        any_folder: whether the user allows the sheet to read and write elsewhere too.
         lines: what the statement has printed so far, in order: printed values, ``printf``, warnings.
         notices: what the user should know that Maple doesn't print.
         mechanics: the modes of MBSymba (`worksheet/mechanics.py`); None until one of its commands runs.
@@ -133,6 +134,7 @@ class Session:
     remembered: dict[str, dict[tuple[Value, ...], Value]] = field(default_factory=dict)
     folder: Path = field(default_factory=Path)
     source: Path = field(default_factory=Path)
+    any_folder: bool = False
     lines: list[str] = field(default_factory=list)
     notices: list[str] = field(default_factory=list)
     mechanics: Any = None

@@ -57,6 +57,7 @@ DIFFERENT = [
     ("P = POINT(coords = [0])", "P = VECTOR(coords = [0])", "the file has POINT(..), the run VECTOR(..)"),
     ("x := .33*a", "x := 1/3*a", "the file has 0.33*a, the run a/3"),
     ("x < y", "x <= y", "< became <="),
+    ("x := 3", "x := matrix([[1, 2]])", "the file has an expression, the run a list"),
     ("[a, b, ...", "[a, c, d]", "[2] the file has b, the run c"),
 ]
 

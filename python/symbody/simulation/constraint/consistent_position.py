@@ -251,9 +251,10 @@ def _unsatisfied(kinematics: Kinematics, p: Array, t: float, q: Array, fixed: Ma
         dict(zip(system.coordinates, q, strict=True)),
     )
     what = f"with {listed_values(named, fixed)}" if named else "from the guess"
+    dimensions = ", or other dimensions" if opened else ""
     return (
         f"no coordinates were found {what} that satisfy the constraints at t = {t:g} s; nearest, at "
-        f"{nearest}: {found}; give fewer or other values, or a guess={{coordinate: value}} near a solution"
+        f"{nearest}: {found}; give fewer or other values{dimensions}, or a guess={{coordinate: value}} near a solution"
     )
 
 

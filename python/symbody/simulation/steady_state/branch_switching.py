@@ -12,14 +12,14 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from symbody.errors import ArgumentError, SimulationError
+from symbody.errors import ArgumentError, ParameterError, SimulationError
 from symbody.symbolic.given.arguments import counted, described, with_known_names
 from symbody.symbolic.numeric.deficiency import reporting
 
 from .branch import Branch
 from .continuation import Path, continuation, path_through
 from .steady_motion import SteadyMotion
-from .steady_variables import Limits
+from .steady_variables import Limits, least_and_largest
 
 __all__ = ["crossing_branch"]
 
@@ -52,6 +52,7 @@ def crossing_branch(
 
     Raises:
         ArgumentError: this is no branch, or it has no such branch point.
+        ParameterError: the branch point is not within the range.
         SimulationError: no other branch is found there.
 
     >>> from symbody import continuation, crossing_branch, equations_of, functions_of_time, sin, steady, symbols
@@ -63,7 +64,7 @@ def crossing_branch(
     np.True_
     """
     found = _point(branch, point)
-    low, high = branch.range if over is None else over
+    low, high = _range(branch, found, over)
     with reporting(_WHERE):
         path = path_through(_fixed(found, branch), branch.parameter, (low, high), limits)
         beside = next(_beside(path, branch, found), None)
@@ -91,6 +92,21 @@ def _point(branch: object, point: object) -> SteadyMotion:
             f"{_WHERE}, point: {described(point)}; expected the place of one of {counted(len(points), 'branch point')}"
         )
     return points[point]
+
+
+def _range(branch: Branch, found: SteadyMotion, over: object) -> tuple[float, float]:
+    """Return the range of the parameter, which the branch point belongs to."""
+    if over is None:
+        return branch.range
+    least, largest = branch.range
+    low, high = least_and_largest(over, f"{_WHERE}, over", f"over=({least:g}, {largest:g})")
+    value = found[branch.parameter]
+    if not low <= value <= high:
+        raise ParameterError(
+            f"{_WHERE}, over: {branch.parameter} is {value:.6g} at the branch point, which is not between {low:g} and "
+            f"{high:g}; expected a range around it, the least value first"
+        )
+    return low, high
 
 
 def _fixed(found: SteadyMotion, branch: Branch) -> SteadyMotion:

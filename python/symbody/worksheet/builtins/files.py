@@ -33,6 +33,8 @@ def _relative(session: Session, value: Value) -> PurePosixPath:
 
 def output_path(session: Session, value: Value) -> Path:
     """Return where a file is written: inside the output folder, whatever folder the sheet names."""
+    if session.any_folder:
+        return session.folder / unparsed(session, value)
     folder = session.folder.resolve()
     path = folder / _relative(session, value)
     if not path.resolve().is_relative_to(folder):
@@ -43,6 +45,8 @@ def output_path(session: Session, value: Value) -> Path:
 
 def _existing(session: Session, value: Value) -> Path | None:
     """Return a file to read: in the output folder, then beside the sheet; there its name alone may count."""
+    if session.any_folder and (session.folder / unparsed(session, value)).is_file():
+        return session.folder / unparsed(session, value)
     relative = _relative(session, value)
     for folder in (session.folder.resolve(), session.source.resolve()):
         for path in (folder / relative, folder / relative.name):

@@ -34,6 +34,9 @@ def difference(theirs: str, ours: str) -> str:
     if _counts(file.expression):
         raise NotComparable(f"a count of operations, which depends on the form; ours is {ours.strip()}")
     left, right = value_of(file.expression, names), value_of(run.expression, names)
+    if file.name and not file.cut and isinstance(left, Expr) != isinstance(right, Expr):
+        # Without a name, the output may belong to another statement.
+        return f"the file has {_kind(left)}, the run {_kind(right)}"
     return _Comparison(file.has_decimals or run.has_decimals).values(left, right, cut=file.cut)
 
 
