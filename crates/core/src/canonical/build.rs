@@ -52,10 +52,8 @@ impl Graph {
         if self.kind(id) != Kind::Function(Function::Piecewise) {
             return id;
         }
-        match self.number_shown(self.flags(id), self.value(id)) {
-            Some(number) if self.is_number_everywhere(Pending::Node(id), self.get_number(number)) => {
-                self.number_node(number)
-            }
+        match self.value(id).to_simple_rational() {
+            Some(number) if self.is_number_everywhere(Pending::Node(id), &number) => self.number(&number),
             _ => id,
         }
     }

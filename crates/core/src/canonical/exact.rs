@@ -439,11 +439,11 @@ impl Graph {
         for pair in args[..args.len() - 1].chunks_exact(2) {
             match self.as_number(pair[1]) {
                 Some(number) if number.is_zero() || number.is_negative() => {}
-                Some(_) => {
+                None if !self.is_positive(pair[1]) => kept.extend(pair),
+                _ => {
                     otherwise = pair[0];
                     break;
                 }
-                None => kept.extend(pair),
             }
         }
         while kept.len() >= 2 && kept[kept.len() - 2] == otherwise {

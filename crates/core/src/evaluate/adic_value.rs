@@ -3,75 +3,25 @@
 //! At the first points the argument of a sine or an exponential is zero but for its atoms (see [`argument`](super::argument)),
 //! whose angles and exponentials are known, so that the addition theorems hold. Signs are those of a lane.
 
-use num_bigint::BigInt;
-use num_traits::One;
 use rustc_hash::FxHashMap;
 
-use crate::graph::{Atom, Flags, Function, Graph, Id, View};
-use crate::value::{Adic, Adics, FieldId, Key, Number, Quadratic};
+use crate::graph::{Atom, Function, Graph, Id, View};
+use crate::value::{Adic, Adics, Key, Number};
 
+use super::adic_point::AdicPoint;
 use super::logarithm_part::Part;
-use super::node::in_hash_lanes;
 use super::rotation::{self, multiple, rotate};
-
-/// How many points there are at which arguments are zero. At as many others sines and exponentials are drawn: these serve
-/// where a value is zero at all of the first.
-pub(super) const POINTS: u16 = 2;
 
 type Point = rotation::Point<Adic>;
 type Values = FxHashMap<Id, Adic>;
-
-/// A point of the q-adic integers of a prime.
-pub(super) struct AdicPoint<'a> {
-    pub(super) adics: &'a Adics,
-    pub(super) number: u16,
-}
-
-impl AdicPoint<'_> {
-    fn has_plain_arguments(&self) -> bool {
-        self.number < POINTS
-    }
-
-    fn one(&self) -> Adic {
-        self.adics.number(&BigInt::one(), 0)
-    }
-
-    fn key(&self, key: Key) -> Key {
-        key.word(self.number.into())
-    }
-
-    /// The key of what has these values in the hash lanes, or their opposites.
-    fn key_of(&self, in_field: impl Fn(FieldId) -> Quadratic) -> Key {
-        let [first, second] = in_hash_lanes(in_field).unsigned().0.words();
-        self.key(Key::new("digits").word(first).word(second))
-    }
-
-    fn half(&self, a: &Adic) -> Adic {
-        self.adics.mul(&self.adics.rational(&Number::rational(1, 2)), a)
-    }
-
-    /// A rational power of a value, which is that of something with these values in the hash lanes.
-    ///
-    /// The root of the unit is drawn for the values of what is left without whole powers of the prime, so that
-    /// q^2 u has the root that is q times that of u.
-    fn power(&self, value: &Adic, exponent: &Number, in_field: impl Fn(FieldId) -> Quadratic) -> Adic {
-        self.adics.rational_power(value, exponent, |whole| {
-            let key = self.key_of(|field| {
-                let f = field.field();
-                f.mul(&f.power(&f.number(&self.adics.prime()), &Number::integer(-whole)), &in_field(field))
-            });
-            key.text(&exponent.to_string())
-        })
-    }
-}
 
 impl Graph {
     /// The nodes from whose values that of a node is found; none if it is drawn.
     pub(super) fn push_adic_parts(&self, id: Id, out: &mut Vec<Id>) {
         match self.view(id) {
             View::Scale(..) | View::Sum(_) | View::Product(_) => self.push_children(id, out),
-            View::Function(function, args) if !self.flags(id).has(Flags::COMPLEX) => match function {
-                _ if is_choice(function) => self.push_children(id, out),
+            View::Function(function, args) if !self.is_complex(id) => match function {
+                _ if function.is_choice() => self.push_children(id, out),
                 Function::Power => out.push(args.get(0)),
                 _ => {
                     if let Some(of_exponential) = of_exponential(function) {
@@ -122,7 +72,7 @@ impl Graph {
             View::Product(factors) => factors.iter().fold(at.one(), |product, (base, exponent)| {
                 adics.mul(&product, &self.adic_power(base, self.get_number(exponent), values, at))
             }),
-            View::Function(function, args) if !self.flags(node).has(Flags::COMPLEX) => {
+            View::Function(function, args) if !self.is_complex(node) => {
                 let args: Vec<Id> = args.iter().collect();
                 self.adic_function(function, &args, values, at).unwrap_or_else(|| self.drawn_adic(node, at))
             }
@@ -134,7 +84,7 @@ impl Graph {
     fn drawn_adic(&self, node: Id, at: &AdicPoint<'_>) -> Adic {
         let (_, is_opposite) = self.value(node).unsigned();
         let drawn = at.adics.draw(&at.key_of(|field| self.value_in(node, field)));
-        if is_opposite { at.adics.mul(&drawn, &at.adics.number(&(-1).into(), 0)) } else { drawn }
+        if is_opposite { at.adics.mul(&drawn, &at.adics.integer(&(-1).into())) } else { drawn }
     }
 
     /// The value of a function; `None` if it is drawn.
@@ -146,7 +96,7 @@ impl Graph {
         at: &AdicPoint<'_>,
     ) -> Option<Adic> {
         let adics = at.adics;
-        if is_choice(function) {
+        if function.is_choice() {
             return Some(self.adic_choice(function, args, values, at));
         }
         if !at.has_plain_arguments() {
@@ -164,7 +114,7 @@ impl Graph {
             Function::Sinh | Function::Cosh | Function::Tanh => {
                 let exponential = self.adic_exponential(args[0], values, at);
                 let inverse = adics.power(&exponential, -1);
-                let minus = adics.mul(&adics.number(&(-1).into(), 0), &inverse);
+                let minus = adics.mul(&adics.integer(&(-1).into()), &inverse);
                 let (sinh, cosh) = (adics.add(&exponential, &minus), adics.add(&exponential, &inverse));
                 match function {
                     Function::Sinh => at.half(&sinh),
@@ -245,7 +195,7 @@ impl Graph {
     fn adic_length(&self, square: &Square, values: &Values, at: &AdicPoint<'_>) -> Adic {
         let adics = at.adics;
         let [first, second] = square.of.map(|id| id.map_or_else(|| at.one(), |id| values[&id].clone()));
-        let second = adics.mul(&adics.number(&square.sign.into(), 0), &adics.mul(&second, &second));
+        let second = adics.mul(&adics.integer(&square.sign.into()), &adics.mul(&second, &second));
         let sum = adics.add(&adics.mul(&first, &first), &second);
         at.power(&sum, &Number::rational(1, 2), |field| {
             let f = field.field();
@@ -291,9 +241,9 @@ impl Graph {
 
     /// A sign, a modulus, an extremum or a piecewise function, as it is chosen in a lane.
     fn adic_choice(&self, function: Function, args: &[Id], values: &Values, at: &AdicPoint<'_>) -> Adic {
-        let lane = FieldId::other(at.number % POINTS);
+        let lane = at.lane();
         let is_positive = |id: Id| self.sign_in(id, lane) == lane.field().one();
-        let of_one = |sign: i64| at.adics.number(&sign.into(), 0);
+        let of_one = |sign: i64| at.adics.integer(&sign.into());
         match function {
             Function::Abs if is_positive(args[0]) => values[&args[0]].clone(),
             Function::Abs => at.adics.mul(&values[&args[0]], &of_one(-1)),
@@ -324,8 +274,4 @@ fn of_exponential(function: Function) -> Option<bool> {
         Function::Exp | Function::Sinh | Function::Cosh | Function::Tanh => Some(true),
         _ => None,
     }
-}
-
-fn is_choice(function: Function) -> bool {
-    matches!(function, Function::Abs | Function::Sign | Function::Min | Function::Max | Function::Piecewise)
 }

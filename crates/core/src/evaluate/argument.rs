@@ -140,7 +140,7 @@ impl Graph {
         f: &Field,
         value: &impl Fn(Id) -> Quadratic,
     ) -> Point {
-        let is_complex = atom.arguments().iter().any(|&id| self.flags(id).has(Flags::COMPLEX));
+        let is_complex = atom.arguments().iter().any(|&id| self.is_complex(id));
         let root = |square: Quadratic| {
             let half = Number::rational(1, 2);
             if is_complex { power_of_complex(&square, &half, f) } else { f.rational_power(&square, &half) }
@@ -225,7 +225,7 @@ impl Graph {
                 View::Function(Function::Log, args) if of_exponential => {
                     self.push_atoms_of_logarithm(args.get(0), &mut found);
                 }
-                View::Function(Function::Atan2, _) if self.flags(id).has(Flags::COMPLEX) => {}
+                View::Function(Function::Atan2, _) if self.is_complex(id) => {}
                 View::Function(function, args) if !of_exponential => match function {
                     Function::Asin => found.push(Atom::Asin(args.get(0))),
                     Function::Acos => found.extend([Atom::Pi, Atom::Asin(args.get(0))]),

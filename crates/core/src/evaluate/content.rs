@@ -11,17 +11,14 @@ use num_integer::Integer;
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::graph::{Content, Graph, Id, NumberId, View};
-use crate::value::{Adics, Field, Number, PARTS, prime_factors};
+use crate::graph::{Content, Flags, Graph, Id, NumberId, View};
+use crate::value::{Adics, Field, Number, prime_factors};
 
-use super::adic_value::{AdicPoint, POINTS};
+use super::adic_point::{AdicPoint, POINTS, POINTS_WITHOUT_SIGNS, TRIALS};
 use super::integer_point::Rationals;
 
 /// Larger sums and products have no content.
 const SEARCH: usize = 4096;
-
-/// The denominators of exponents in a content divide this one; other exponents are rounded down.
-const DENOMINATOR: i64 = 12;
 
 impl Graph {
     /// The content of a node, without the primes that are squares in a field; `None` if it is one.
@@ -135,46 +132,61 @@ impl Graph {
     /// What the values of nodes at two points of integers have in common, in numerators and in denominators.
     fn shared_numbers(&self, terms: &[(i64, Id)], nodes: &[Id]) -> Vec<Number> {
         let roots: Vec<Id> = terms.iter().map(|&(_, id)| id).collect();
-        let Some([first, second]) = self.at_two_points(&roots) else { return Vec::new() };
-        let of_terms = |values: &Rationals| {
-            terms.iter().try_fold(Number::integer(0), |sum, &(factor, id)| {
-                Some(sum.add(&values.guess(id)?.mul(&Number::integer(factor))))
-            })
-        };
-        let pairs = nodes.iter().map(|&id| first.guess(id).zip(second.guess(id)));
-        let shared = pairs.chain([of_terms(&first).zip(of_terms(&second))]).flatten().map(|(a, b)| {
-            let common = |a: BigInt, b: BigInt| Number::whole(a.gcd(&b));
-            [common(a.numerator(), b.numerator()), common(a.denominator(), b.denominator())]
-        });
-        shared.flatten().collect()
+        let Some(pairs) = self.at_pairs_of_points(&roots) else { return Vec::new() };
+        pairs.iter().flat_map(|pair| shared_at(pair, terms, nodes)).collect()
     }
 
     /// The power of a prime in the content of a sum of multiples.
     fn valuation(&self, terms: &[(i64, Id)], order: &[Id], prime: &BigInt) -> Number {
         let adics = Adics::new(prime);
-        let at = |point: u16| {
-            let values = self.adic_values(order, &AdicPoint { adics: &adics, number: point });
-            let sum = terms.iter().fold(Adics::zero(), |sum, (factor, id)| {
-                adics.add(&sum, &adics.mul(&adics.number(&(*factor).into(), 0), &values[id]))
-            });
-            sum.leading().map(|leading| leading.valuation)
+        let has_signs = terms.iter().any(|&(_, id)| self.flags(id).has(Flags::BRANCH));
+        let count = if has_signs { POINTS } else { POINTS_WITHOUT_SIGNS };
+        // It is the same at all points, but where it depends on signs and on the choice between opposite roots.
+        let least = |first: u16| {
+            let found =
+                (first..first + count).filter_map(|point| self.valuation_at(terms, order, &adics, point));
+            found.min_by(|a, b| a.abs().compare(&b.abs()))
         };
-        let most_frequent = |points: std::ops::Range<u16>| {
-            let mut counts: BTreeMap<i64, usize> = BTreeMap::new();
-            for valuation in points.filter_map(at) {
-                *counts.entry(valuation).or_default() += 1;
-            }
-            counts.into_iter().max_by_key(|&(_, count)| count).map(|(valuation, _)| valuation)
-        };
-        let found = most_frequent(0..POINTS).or_else(|| most_frequent(POINTS..2 * POINTS));
-        let valuation = found.unwrap_or(0);
-        // Others may have been rounded: that of a 13th root is a whole number of parts.
-        if valuation % (PARTS / DENOMINATOR) == 0 {
-            Number::rational(valuation, PARTS)
-        } else {
-            Number::integer(valuation.div_euclid(PARTS))
-        }
+        least(0).or_else(|| least(POINTS)).unwrap_or_else(|| Number::integer(0))
     }
+
+    /// The power of the prime in a sum of multiples at a point, where that is not zero.
+    fn valuation_at(&self, terms: &[(i64, Id)], order: &[Id], adics: &Adics, point: u16) -> Option<Number> {
+        let mut first = None;
+        for trial in 0..TRIALS {
+            let at = AdicPoint::new(adics, point, trial);
+            let values = self.adic_values(order, &at);
+            let sum = terms.iter().fold(Adics::zero(), |sum, (factor, id)| {
+                adics.add(&sum, &adics.mul(&adics.integer(&(*factor).into()), &values[id]))
+            });
+            let valuation = sum.leading().map(|leading| leading.valuation.clone());
+            if !at.misses_roots() {
+                return valuation;
+            }
+            if trial == 0 {
+                first = valuation;
+            }
+            if !at.is_to_be_drawn_again() {
+                break;
+            }
+        }
+        first
+    }
+}
+
+/// What the values of nodes at two points have in common.
+fn shared_at([first, second]: &[Rationals; 2], terms: &[(i64, Id)], nodes: &[Id]) -> Vec<Number> {
+    let of_terms = |values: &Rationals| {
+        terms.iter().try_fold(Number::integer(0), |sum, &(factor, id)| {
+            Some(sum.add(&values.guess(id)?.mul(&Number::integer(factor))))
+        })
+    };
+    let pairs = nodes.iter().map(|&id| first.guess(id).zip(second.guess(id)));
+    let shared = pairs.chain([of_terms(first).zip(of_terms(second))]).flatten().map(|(a, b)| {
+        let common = |a: BigInt, b: BigInt| Number::whole(a.gcd(&b));
+        [common(a.numerator(), b.numerator()), common(a.denominator(), b.denominator())]
+    });
+    shared.flatten().collect()
 }
 
 fn not_one(powers: impl Iterator<Item = (BigInt, Number)>) -> Option<Content> {

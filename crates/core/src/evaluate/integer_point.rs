@@ -11,9 +11,14 @@ use crate::graph::{Assumption, Atom, Function, Generator, Graph, Id, View};
 use crate::value::{Element, Field, FieldId, Key, Number, Quadratic, fingerprint, prime_factors};
 
 use super::logarithm_part::Part;
+use super::monomial::likely_rational;
 
 /// Larger expressions have no value here.
 const MOST_NODES: usize = 4096;
+
+/// At points from this one on, sines, exponentials and their like are integers as variables are: at the others sines
+/// are zero, and so is what they are factors of.
+const DRAWN: u64 = 3;
 
 /// The largest power of two that is recognised.
 const MOST_DOUBLINGS: i64 = 20_000;
@@ -47,6 +52,22 @@ impl<'a> IntegerPoint<'a> {
 
     fn is_first(&self) -> bool {
         self.number == 0
+    }
+
+    /// Whether functions are drawn here, as variables are.
+    fn draws_functions(&self) -> bool {
+        self.number >= DRAWN
+    }
+
+    /// The lane whose signs are those here, if functions are drawn.
+    fn lane(&self) -> FieldId {
+        FieldId::other(u16::from(self.number != DRAWN))
+    }
+
+    /// The integer that is drawn for what has a fingerprint.
+    fn integer_of(&self, value: Element) -> i64 {
+        let [first, second] = value.words();
+        2 + i64::from(Key::new("integer").word(first).word(second).draw_word(self.number) % 37)
     }
 
     fn with(self, atom: &'a Atom, value: i64) -> Self {
@@ -94,9 +115,9 @@ type Values = FxHashMap<Id, Quadratic>;
 pub(super) struct Rationals([Values; 2]);
 
 impl Rationals {
-    /// The value of a node if it is a simple rational number.
+    /// The value of a node if it is a rational number that is not too large.
     pub(super) fn get(&self, id: Id) -> Option<Number> {
-        self.element(id)?.to_simple_rational()
+        rational(self.element(id)?)
     }
 
     /// The value of a node if it is rational, and any number if it is not.
@@ -111,15 +132,16 @@ impl Rationals {
 }
 
 impl Graph {
-    /// The value of a node at an integer point, if it is a simple rational number there.
+    /// The value of a node at an integer point, if it is a rational number there.
     pub(super) fn at_integers(&self, root: Id, point: IntegerPoint<'_>) -> Option<Number> {
         self.rationals(&self.short_order(&[root])?, point).get(root)
     }
 
-    /// The values of nodes and of what is below them at two points of integers.
-    pub(super) fn at_two_points(&self, roots: &[Id]) -> Option<[Rationals; 2]> {
+    /// The values of nodes and of what is below them at two points of integers, and at two more where functions are drawn.
+    pub(super) fn at_pairs_of_points(&self, roots: &[Id]) -> Option<[[Rationals; 2]; 2]> {
         let order = self.short_order(roots)?;
-        Some([1, 2].map(|number| self.rationals(&order, IntegerPoint::numbered(number))))
+        let at = |number| self.rationals(&order, IntegerPoint::numbered(number));
+        Some([[at(1), at(2)], [at(DRAWN), at(DRAWN + 1)]])
     }
 
     fn rationals(&self, order: &[Id], point: IntegerPoint<'_>) -> Rationals {
@@ -140,7 +162,7 @@ impl Graph {
         first.filter(|_| first == second)
     }
 
-    /// The growth of a node's value at an integer point with an atom, if that is simple and rational.
+    /// The growth of a node's value at an integer point with an atom, if that is rational.
     ///
     /// It is u(2) - u(1) for pi, which is positive, and (u(1) - u(-1))/2 for others, which may be odd functions.
     pub(super) fn growth_at_integers(
@@ -158,7 +180,7 @@ impl Graph {
                 _ => f.half(&f.sub(&at(1)?, &at(-1)?)),
             })
         });
-        fingerprint([&first?, &second?]).to_simple_rational()
+        rational(fingerprint([&first?, &second?]))
     }
 
     /// The nodes below a node and itself, children first, if they are not many.
@@ -193,9 +215,12 @@ impl Graph {
             View::Pi => Some(point.pi(f)),
             View::Symbol(_, Assumption::Positive) => Some(point.grow(Generator::Symbol(id), &f.one(), f)),
             View::Time | View::Symbol(..) | View::TimeFunction(..) | View::Application { .. } => {
-                let [first, second] = self.value(id).words();
-                let drawn = Key::new("integer").word(first).word(second).draw_word(point.number) % 37;
-                Some(integer(2 + i64::from(drawn)))
+                Some(integer(point.integer_of(self.value(id))))
+            }
+            View::Function(function, _) if point.draws_functions() && !function.is_choice() => {
+                let (unsigned, negated) = self.value(id).unsigned();
+                let drawn = point.integer_of(unsigned);
+                Some(integer(if negated { -drawn } else { drawn }))
             }
             View::Scale(number, child) => {
                 Some(f.mul(&f.number(self.get_number(number)), values.get(&child)?))
@@ -256,11 +281,17 @@ impl Graph {
             }
             Function::Atan => integer(point.inverse(self, &Atom::Atan(args[0]))),
             Function::Atan2 => integer(point.inverse(self, &Atom::Atan2(args[0], args[1]))),
-            Function::Abs => f.mul(of(args[0])?, &self.sign_of(args[0], of(args[0])?, f)),
-            Function::Sign => self.sign_of(args[0], of(args[0])?, f),
+            Function::Abs => f.mul(of(args[0])?, &self.sign_at(args[0], of(args[0])?, point, f)),
+            Function::Sign => self.sign_at(args[0], of(args[0])?, point, f),
             Function::Min | Function::Max => {
                 args.iter().try_for_each(|&arg| of(arg).map(drop))?;
-                values[&self.extremum_in(function, args, |arg| values[&arg].clone(), f)].clone()
+                let chosen = if point.draws_functions() {
+                    let lane = point.lane();
+                    self.extremum_in(function, args, |arg| self.value_in(arg, lane), lane.field())
+                } else {
+                    self.extremum_in(function, args, |arg| values[&arg].clone(), f)
+                };
+                values[&chosen].clone()
             }
             Function::Power => {
                 let generator = Generator::Power { base: args[0], exponent: args[1] };
@@ -272,10 +303,18 @@ impl Graph {
                 let all: Option<Vec<&Quadratic>> = args.iter().map(|&arg| of(arg)).collect();
                 let all: Vec<Quadratic> = all?.into_iter().cloned().collect();
                 let signs: Vec<Quadratic> =
-                    args.iter().zip(&all).map(|(&arg, value)| self.sign_of(arg, value, f)).collect();
+                    args.iter().zip(&all).map(|(&arg, value)| self.sign_at(arg, value, point, f)).collect();
                 f.piecewise(&all, &signs)
             }
         })
+    }
+
+    /// The sign of a node that has this value: that in a lane where functions are drawn, because they are without relations.
+    fn sign_at(&self, id: Id, value: &Quadratic, point: IntegerPoint<'_>, f: &Field) -> Quadratic {
+        if !point.draws_functions() {
+            return self.sign_of(id, value, f);
+        }
+        if self.is_negative_in(id, point.lane()) { f.neg(&f.one()) } else { f.one() }
     }
 
     /// The cosine and the sine of the known angles in an argument.
@@ -367,6 +406,11 @@ impl Graph {
             Some(f.add(&sum, &f.mul(&f.number(coefficient), &value)))
         })
     }
+}
+
+/// The rational number that has a value, if that is not too large.
+fn rational(element: Element) -> Option<Number> {
+    element.to_simple_rational().or_else(|| likely_rational(element))
 }
 
 /// A rational power; `None` at a pole.

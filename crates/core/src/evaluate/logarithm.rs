@@ -1,6 +1,6 @@
 //! Logarithms: log of a product of powers of positive symbols, numbers and exponentials is the sum of their logarithms.
 
-use crate::graph::{Assumption, Atom, Flags, Function, Generator, Graph, Id, Monomial, View, draw_logarithm};
+use crate::graph::{Assumption, Atom, Function, Generator, Graph, Id, Monomial, View, draw_logarithm};
 use crate::value::{Field, FieldId, Key, Number, Quadratic, prime_factors};
 
 use super::logarithm_part::Part;
@@ -130,13 +130,13 @@ impl Graph {
                 self.split_logarithm(base, &coefficient, deeper, out)
             }),
             View::Function(Function::Exp, args)
-                if !self.flags(id).has(Flags::COMPLEX) && !self.may_be_negative(args.get(0)) =>
+                if !self.is_complex(id) && !self.may_be_negative(args.get(0)) =>
             {
                 out.push(Part::Exponent(coefficient.clone(), args.get(0)));
                 true
             }
             View::Function(Function::Power, args)
-                if !self.flags(id).has(Flags::COMPLEX) && self.is_monomial(args.get(0), deeper) =>
+                if !self.is_complex(id) && self.is_monomial(args.get(0), deeper) =>
             {
                 out.push(Part::Power(coefficient.clone(), args.get(1), args.get(0)));
                 true

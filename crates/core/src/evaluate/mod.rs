@@ -5,15 +5,17 @@
 //! arguments of sines and exponentials into what has a known angle or exponential and the rest; [`integer_point`] reads
 //! the factors of such parts off; [`negative_base`] has powers of what may be negative; [`logarithm`] knows logarithms of
 //! products, also of those that [`monomial`] finds; [`content`] is the numeric factor of a node, from its [q-adic
-//! values](adic_value); [`rotation`] adds angles; [`same`] compares nodes,
-//! in as many lanes as [`sign_degree`] and [`independent_signs`] say, unless their forms show that they are equal ([`form`]). [`slope`] finds
+//! values](adic_value) at [points](adic_point); [`rotation`] adds angles; [`complex`] tells what is real; [`same`] compares nodes, in as many lanes as
+//! [`sign_degree`] and [`independent_signs`] say, unless their forms show that they are equal ([`form`]). [`slope`] finds
 //! the variables on which a value depends.
 //!
 //! Invariant: nodes without signs and roots are compared in the two hash lanes, and others in all lanes. Values are
 //! found by loops without recursion, except in arguments of functions inside arguments.
 
+mod adic_point;
 mod adic_value;
 mod argument;
+mod complex;
 mod content;
 mod form;
 mod independent_signs;

@@ -6,8 +6,9 @@
 //! this generator is a large power of two and the others of the basis are 1. Then the product is compared with the node in all lanes.
 
 use num_integer::Integer;
+use rustc_hash::FxHashMap;
 
-use crate::graph::{Assumption, Flags, Function, Generator, Graph, Id, Monomial, View};
+use crate::graph::{Assumption, Function, Generator, Graph, Id, Monomial, View};
 use crate::value::{Element, Field, FieldId, Number, Quadratic, fingerprint};
 
 use super::integer_point::Doublings;
@@ -39,11 +40,13 @@ impl Graph {
     }
 
     fn find_monomial(&self, id: Id) -> Option<Monomial> {
-        if self.flags(id).has(Flags::COMPLEX) || self.as_number(id).is_some() {
+        if self.is_complex(id) || self.as_number(id).is_some() {
             return None;
         }
         let generators = self.generators(id)?;
-        let unit = self.doublings_of_a_generator(id)?;
+        let denominator = self.denominator_of_exponents(id)?;
+        // By how many doublings a generator is larger at its point of integers.
+        let unit = denominator.lcm(&DOUBLINGS);
         let mut powers = Vec::new();
         for (generator, doublings) in self.basis(&generators, unit)? {
             let exponent = self.doublings_at_integers(id, &doublings)?;
@@ -58,7 +61,7 @@ impl Graph {
             })
         };
         let content = self.rational_content(id, FieldId::HASH[0].field());
-        let degrees = ROOTS.into_iter().chain([unit / DOUBLINGS]);
+        let degrees = ROOTS.into_iter().chain([denominator]);
         let (root, number) = root_of_number(&content, degrees, |field| {
             field.field().div(&self.value_in(id, field), &product(field))
         })?;
@@ -70,20 +73,28 @@ impl Graph {
         (in_hash_lanes && self.is_everywhere(id, whole)).then_some(Monomial { number, root, powers })
     }
 
-    /// By how many doublings a generator is larger at its point of integers: a multiple of all denominators of exponents.
-    fn doublings_of_a_generator(&self, id: Id) -> Option<i64> {
-        let mut unit = DOUBLINGS;
+    /// A multiple of the denominators of all exponents below a node, where those of roots inside roots are multiplied.
+    fn denominator_of_exponents(&self, id: Id) -> Option<i64> {
+        let mut units: FxHashMap<Id, i64> = FxHashMap::default();
+        let mut children = Vec::new();
         for node in self.short_order(&[id])? {
+            let unit_of = |id: Id| units.get(&id).copied().unwrap_or(1);
+            let mut unit = 1;
             if let View::Product(factors) = self.view(node) {
-                for (_, exponent) in factors.iter() {
-                    unit = unit.lcm(&self.get_number(exponent).to_small()?.1);
+                for (base, exponent) in factors.iter() {
+                    unit = unit.lcm(&(unit_of(base) * self.get_number(exponent).to_small()?.1));
                 }
+            } else {
+                children.clear();
+                self.push_children(node, &mut children);
+                unit = children.iter().fold(1, |unit, &child| unit.lcm(&unit_of(child)));
             }
-            if unit > MOST_DOUBLINGS {
+            if unit.lcm(&DOUBLINGS) > MOST_DOUBLINGS {
                 return None;
             }
+            units.insert(node, unit);
         }
-        Some(unit)
+        units.get(&id).copied()
     }
 
     /// The positive factors that the value of a node may hold; `None` if they are many.
@@ -94,12 +105,12 @@ impl Graph {
                 View::Pi | View::Symbol(_, Assumption::Positive) => Generator::Symbol(node),
                 View::Function(Function::Acos, _) => Generator::Symbol(Id::PI), // acos x = pi/2 - asin x
                 View::Function(Function::Exp | Function::Sinh | Function::Cosh | Function::Tanh, args)
-                    if !self.flags(node).has(Flags::COMPLEX) && !self.may_be_negative(args.get(0)) =>
+                    if !self.is_complex(node) && !self.may_be_negative(args.get(0)) =>
                 {
                     Generator::Exponential(args.get(0))
                 }
                 View::Function(Function::Power, args)
-                    if !self.flags(node).has(Flags::COMPLEX) && self.is_monomial(args.get(0), DEPTH) =>
+                    if !self.is_complex(node) && self.is_monomial(args.get(0), DEPTH) =>
                 {
                     Generator::Power { base: args.get(0), exponent: args.get(1) }
                 }
@@ -183,9 +194,9 @@ fn root_of_number(
     })
 }
 
-/// The rational with numerator and denominator below 2^40 that has a value, which has about 2^126 others to choose from.
-fn likely_rational(element: Element) -> Option<Number> {
-    const BITS: u64 = 40;
+/// The rational with numerator and denominator below 2^45 that has a value, which has about 2^126 others to choose from.
+pub(super) fn likely_rational(element: Element) -> Option<Number> {
+    const BITS: u64 = 45;
     let number = element.to_rational(BITS)?;
     (number.numerator().bits() <= BITS && number.denominator().bits() <= BITS).then_some(number)
 }

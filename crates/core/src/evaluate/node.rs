@@ -239,7 +239,7 @@ impl Graph {
         if let Some(number) = self.as_number(base) {
             return power_of_number(number, exponent, f);
         }
-        if self.flags(base).has(Flags::COMPLEX) {
+        if self.is_complex(base) {
             return power_of_complex(value, exponent, f);
         }
         match self.numeric_content(base, f) {
@@ -318,7 +318,7 @@ impl Graph {
                 f.sub(&quarter, &f.odd(Key::new(Function::Asin.name()), &value(first)))
             }
             Function::Atan2 => self.direction_in(first, args[1], field),
-            Function::Abs | Function::Sign if self.flags(first).has(Flags::COMPLEX) => {
+            Function::Abs | Function::Sign if self.is_complex(first) => {
                 let modulus = f.opaque(Key::new("modulus"), &[&f.unsigned(&value(first)).0]);
                 if function == Function::Abs { modulus } else { f.div(&value(first), &modulus) }
             }

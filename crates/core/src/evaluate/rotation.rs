@@ -35,7 +35,7 @@ impl Ring for Adics {
     type Element = Adic;
 
     fn integer(&self, integer: i64) -> Adic {
-        self.number(&integer.into(), 0)
+        Adics::integer(self, &integer.into())
     }
 
     fn add(&self, a: &Adic, b: &Adic) -> Adic {

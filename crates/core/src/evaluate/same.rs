@@ -134,6 +134,15 @@ impl Graph {
                 (View::Function(f, args), _) => {
                     self.has_equal_parts(Pending::Function(f, &args.iter().collect::<Vec<_>>()), id)
                 }
+                (
+                    View::Application { name, args, orders },
+                    View::Application { name: other, args: others, orders: other_orders },
+                ) => {
+                    name == other
+                        && orders == other_orders
+                        && args.len() == others.len()
+                        && args.iter().zip(others.iter()).all(|(x, y)| equal(x, y))
+                }
                 _ => false,
             },
             (Pending::Sum(terms), View::Sum(others)) => {

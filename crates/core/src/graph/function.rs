@@ -123,6 +123,11 @@ impl Function {
         TABLE[self as usize].parity
     }
 
+    /// Whether the value is that of an argument or of a sign, as it is chosen by signs.
+    pub(crate) fn is_choice(self) -> bool {
+        matches!(self, Self::Abs | Self::Sign | Self::Min | Self::Max | Self::Piecewise)
+    }
+
     pub(crate) fn check_arity(self, found: usize) -> Result<(), Error> {
         let (fits, expected) = match self.entry().arity {
             Exactly(1) => (found == 1, "1 argument"),

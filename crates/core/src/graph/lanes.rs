@@ -38,6 +38,8 @@ pub(crate) struct Lanes {
     monomials: FxHashMap<Id, Option<Monomial>>,
     /// How arguments of sines (false) and exponentials (true) are split, see `evaluate::argument`.
     splits: FxHashMap<(Id, bool), Split>,
+    /// Whether the values of nodes that hold complex symbols depend on these.
+    complex: FxHashMap<Id, bool>,
 }
 
 /// The values of a node in all lanes but the hash lanes.
@@ -221,6 +223,14 @@ impl Lanes {
         self.monomials.insert(id, monomial);
     }
 
+    pub(crate) fn complex(&self, id: Id) -> Option<bool> {
+        self.complex.get(&id).copied()
+    }
+
+    pub(crate) fn insert_complex(&mut self, id: Id, is_complex: bool) {
+        self.complex.insert(id, is_complex);
+    }
+
     pub(crate) fn split(&self, id: Id, of_exponential: bool) -> Option<Split> {
         self.splits.get(&(id, of_exponential)).cloned()
     }
@@ -265,7 +275,8 @@ pub(super) fn draw_symbol(field: FieldId, name: &str, assumption: Assumption) ->
             field.field().exponential(exponents.field().exponent(&logarithm))
         }
         (Assumption::Positive, None) => field.draw_positive(&key),
-        (Assumption::Real | Assumption::None | Assumption::Small, _) => field.draw(&key),
+        (Assumption::None, _) => field.draw_complex(&key),
+        (Assumption::Real | Assumption::Small, _) => field.draw(&key),
     }
 }
 

@@ -3,6 +3,7 @@
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::One;
+use std::cmp::Ordering;
 use std::sync::Arc;
 
 use super::key::Key;
@@ -12,13 +13,13 @@ use super::unramified::{Integral, Unramified};
 /// The steps of Newton's iteration: each doubles the digits, of which there are two to a power of sqrt q.
 const NEWTON: usize = 5;
 
-/// Valuations are counted in parts of one, because those of roots are fractions.
-pub(crate) const PARTS: i64 = 2520;
+/// More terms than these lowest ones are not kept: the leading one is what is asked for.
+const MOST_TERMS: usize = 64;
 
-/// A term q^(valuation/PARTS) * unit of a q-adic number.
+/// A term q^valuation * unit of a q-adic number. Valuations are fractions where q has roots.
 #[derive(Clone)]
 pub(crate) struct Term {
-    pub(crate) valuation: i64,
+    pub(crate) valuation: Number,
     unit: Integral,
 }
 
@@ -29,7 +30,7 @@ pub(crate) struct Adic(Vec<Term>);
 impl Adic {
     /// The term of the lowest power of q.
     pub(crate) fn leading(&self) -> Option<&Term> {
-        self.0.iter().min_by_key(|term| term.valuation)
+        self.0.iter().min_by(|a, b| a.valuation.compare(&b.valuation))
     }
 }
 
@@ -51,19 +52,26 @@ impl Adics {
         Adic(Vec::new())
     }
 
-    /// The number q^(valuation/PARTS) * integer; what is zero to the precision is zero.
-    pub(crate) fn number(&self, integer: &BigInt, valuation: i64) -> Adic {
+    /// An integer; what is zero to the precision is zero.
+    pub(crate) fn integer(&self, integer: &BigInt) -> Adic {
+        self.multiple(integer, Number::integer(0))
+    }
+
+    /// The number q^valuation * integer.
+    fn multiple(&self, integer: &BigInt, valuation: Number) -> Adic {
         Adic(self.term(self.ring.integer(integer), valuation).into_iter().collect())
     }
 
-    fn term(&self, mut unit: Integral, mut valuation: i64) -> Option<Term> {
+    fn term(&self, mut unit: Integral, valuation: Number) -> Option<Term> {
         if Unramified::is_zero(&unit) {
             return None;
         }
+        let mut powers = 0;
         while let Some(quotient) = self.ring.divided(&unit) {
             unit = quotient;
-            valuation += PARTS;
+            powers += 1;
         }
+        let valuation = if powers == 0 { valuation } else { valuation.add(&Number::integer(powers)) };
         Some(Term { valuation, unit })
     }
 
@@ -76,9 +84,9 @@ impl Adics {
             let mut valuation = 0;
             while integer.is_multiple_of(&self.ring.prime) {
                 integer /= &self.ring.prime;
-                valuation += PARTS;
+                valuation += 1;
             }
-            self.number(&integer, valuation)
+            self.multiple(&integer, Number::integer(valuation))
         };
         self.mul(&split(number.numerator()), &self.inverse(&split(number.denominator())))
     }
@@ -86,7 +94,8 @@ impl Adics {
     pub(crate) fn add(&self, a: &Adic, b: &Adic) -> Adic {
         let mut sum = a.0.clone();
         for term in &b.0 {
-            match sum.iter().position(|known| (known.valuation - term.valuation) % PARTS == 0) {
+            let is_alike = |known: &Term| known.valuation.sub(&term.valuation).is_integer();
+            match sum.iter().position(is_alike) {
                 Some(k) => {
                     let known = sum.swap_remove(k);
                     sum.extend(self.sum_of_terms(&known, term));
@@ -94,23 +103,31 @@ impl Adics {
                 None => sum.push(term.clone()),
             }
         }
+        if sum.len() > MOST_TERMS {
+            sum.sort_by(|a, b| a.valuation.compare(&b.valuation));
+            sum.truncate(MOST_TERMS);
+        }
         Adic(sum)
     }
 
     fn sum_of_terms(&self, a: &Term, b: &Term) -> Option<Term> {
-        let (low, high) = if a.valuation <= b.valuation { (a, b) } else { (b, a) };
-        let digits = u32::try_from((high.valuation - low.valuation) / PARTS).unwrap_or(u32::MAX);
-        let sum = self.term(self.ring.add(&low.unit, &high.unit, digits), low.valuation)?;
+        let is_ordered = a.valuation.compare(&b.valuation) != Ordering::Greater;
+        let (low, high) = if is_ordered { (a, b) } else { (b, a) };
+        let digits =
+            high.valuation.sub(&low.valuation).to_i64().and_then(|digits| u32::try_from(digits).ok());
+        let sum = self.ring.add(&low.unit, &high.unit, digits.unwrap_or(u32::MAX));
+        let sum = self.term(sum, low.valuation.clone())?;
         // What is left of a sum in which half of the digits cancel may be what earlier sums have left undecided.
-        let cancelled = (sum.valuation - low.valuation) / PARTS;
-        (cancelled < i64::from(self.ring.digits / 2)).then_some(sum)
+        let cancelled = sum.valuation.sub(&low.valuation);
+        let half = Number::integer((self.ring.digits / 2).into());
+        cancelled.compare(&half).is_lt().then_some(sum)
     }
 
     pub(crate) fn mul(&self, a: &Adic, b: &Adic) -> Adic {
         let mut product = Self::zero();
         for x in &a.0 {
             for y in &b.0 {
-                let term = self.term(self.ring.mul(&x.unit, &y.unit), x.valuation + y.valuation);
+                let term = self.term(self.ring.mul(&x.unit, &y.unit), x.valuation.add(&y.valuation));
                 product = self.add(&product, &Adic(term.into_iter().collect()));
             }
         }
@@ -119,11 +136,12 @@ impl Adics {
 
     /// The reciprocal, by Newton's iteration from that of the leading term; zero stays zero.
     fn inverse(&self, a: &Adic) -> Adic {
-        let leading = a.leading().and_then(|term| self.term(self.ring.inverse(&term.unit), -term.valuation));
+        let reciprocal = |term: &Term| self.term(self.ring.inverse(&term.unit), term.valuation.neg());
+        let leading = a.leading().and_then(reciprocal);
         let mut inverse = Adic(leading.into_iter().collect());
         if a.0.len() > 1 {
-            let two = self.number(&2.into(), 0);
-            let minus_one = self.number(&(-1).into(), 0);
+            let two = self.integer(&2.into());
+            let minus_one = self.integer(&(-1).into());
             for _ in 0..NEWTON {
                 let error = self.add(&two, &self.mul(&minus_one, &self.mul(a, &inverse)));
                 inverse = self.mul(&inverse, &error);
@@ -134,7 +152,7 @@ impl Adics {
 
     pub(crate) fn power(&self, base: &Adic, exponent: i64) -> Adic {
         let mut square = if exponent < 0 { self.inverse(base) } else { base.clone() };
-        let (mut power, mut rest) = (self.number(&BigInt::one(), 0), exponent.unsigned_abs());
+        let (mut power, mut rest) = (self.integer(&BigInt::one()), exponent.unsigned_abs());
         while rest > 0 {
             if rest & 1 == 1 {
                 power = self.mul(&power, &square);
@@ -147,21 +165,36 @@ impl Adics {
 
     /// A rational power. The root of a unit is drawn, but for that of 1, for the key of the value without the power of
     /// the prime that the argument of `key` is.
-    pub(crate) fn rational_power(&self, base: &Adic, exponent: &Number, key: impl Fn(i64) -> Key) -> Adic {
+    pub(crate) fn rational_power(
+        &self,
+        base: &Adic,
+        exponent: &Number,
+        key: impl Fn(&Number) -> Key,
+    ) -> Adic {
         if let Some(n) = exponent.to_i64() {
             return self.power(base, n);
         }
-        let (num, den) = exponent.to_small().unwrap_or((0, 1));
         let Some(leading) = base.leading() else { return Self::zero() };
-        let power = self.number(&BigInt::one(), leading.valuation.saturating_mul(num) / den);
+        let power = self.multiple(&BigInt::one(), leading.valuation.mul(exponent));
         if base.0.len() == 1 && Unramified::is_one(&leading.unit) {
             return power;
         }
-        self.mul(&power, &self.draw(&key(leading.valuation.div_euclid(PARTS))))
+        self.mul(&power, &self.draw(&key(&leading.valuation.floor())))
+    }
+
+    /// A square root, if there is one: 1 of 1, and otherwise the one that a bit chooses.
+    pub(crate) fn square_root(&self, square: &Adic, bit: bool) -> Option<Adic> {
+        let [Term { valuation, unit }] = &square.0[..] else { return None };
+        let valuation = valuation.mul(&Number::rational(1, 2));
+        if Unramified::is_one(unit) {
+            return Some(self.multiple(&BigInt::one(), valuation));
+        }
+        let root = Adic(vec![Term { valuation, unit: self.ring.square_root(unit)? }]);
+        Some(if bit { self.mul(&root, &self.integer(&(-1).into())) } else { root })
     }
 
     /// A unit drawn for a key.
     pub(crate) fn draw(&self, key: &Key) -> Adic {
-        Adic(self.term(self.ring.draw(key), 0).into_iter().collect())
+        Adic(self.term(self.ring.draw(key), Number::integer(0)).into_iter().collect())
     }
 }

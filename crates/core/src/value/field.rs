@@ -2,7 +2,7 @@
 
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::{One, ToPrimitive, Zero};
+use num_traits::ToPrimitive;
 use std::sync::OnceLock;
 
 use super::circle::{self, Point};
@@ -10,14 +10,13 @@ use super::key::Key;
 use super::number::Number;
 use super::prime::{Prime, fraction_modulo};
 use super::quadratic::{Closure, Quadratic};
-use super::radical::prime_factors;
 
 /// The exact angles are multiples of 2 pi over this number, as far as it divides p + 1.
 pub(super) const TORSION: u64 = 110_880;
 
 /// A field with its groups of angles and exponentials.
 pub(crate) struct Field {
-    closure: Closure,
+    pub(super) closure: Closure,
     /// Smaller primes are squares here.
     least_non_square: u64,
     angle_order: Option<u64>,
@@ -26,9 +25,9 @@ pub(crate) struct Field {
 }
 
 /// Generators of the groups of a field.
-struct Groups {
+pub(super) struct Groups {
     /// The order of the exact angles, and the smallest of them.
-    torsion: (u64, Point),
+    pub(super) torsion: (u64, Point),
     /// The atomic angle of prime order: a point of the circle.
     angle: Point,
     /// The atomic exponential of prime order.
@@ -55,11 +54,11 @@ impl Field {
         self.least_non_square
     }
 
-    fn prime(&self) -> &Prime {
+    pub(super) fn prime(&self) -> &Prime {
         &self.closure.prime
     }
 
-    fn groups(&self) -> &Groups {
+    pub(super) fn groups(&self) -> &Groups {
         self.groups.get_or_init(|| {
             let prime = self.prime();
             let torsion = num_integer::gcd(TORSION, prime.p + 1);
@@ -77,7 +76,7 @@ impl Field {
         })
     }
 
-    fn word(&self, key: &Key) -> u64 {
+    pub(super) fn word(&self, key: &Key) -> u64 {
         key.draw(self.prime().p) % self.prime().p
     }
 
@@ -205,7 +204,7 @@ impl Field {
     /// The principal power with a rational exponent r: |u|^r for a positive u, |u|^r e^(i pi r) for a negative one.
     ///
     /// Positive elements of GF(p) form a group of odd order, in which r counts modulo the order. In larger fields
-    /// there are square roots only; other roots are drawn.
+    /// there are square roots, and other roots of what has an exact angle; other roots are drawn.
     pub(crate) fn rational_power(&self, base: &Quadratic, exponent: &Number) -> Quadratic {
         if exponent.is_integer() {
             return self.power(base, exponent);
@@ -217,7 +216,7 @@ impl Field {
         }
     }
 
-    fn power_of_real(&self, word: u64, exponent: &Number) -> Quadratic {
+    pub(super) fn power_of_real(&self, word: u64, exponent: &Number) -> Quadratic {
         let prime = self.prime();
         let is_positive = prime.is_square(word);
         let magnitude = if is_positive { word } else { prime.neg(word) };
@@ -297,7 +296,11 @@ impl Field {
         match root {
             _ if odd == 1 => self.power(root, &Number::integer(num)),
             &Quadratic::Real(word) => self.power_of_real(word, &Number::rational(num, odd)),
-            Quadratic::Wide(_) => self.power_of_unrooted(root, &Number::rational(num, odd)),
+            Quadratic::Wide(_) => {
+                let exponent = Number::rational(num, odd);
+                self.power_at_exact_angle(root, &exponent)
+                    .unwrap_or_else(|| self.power_of_unrooted(root, &exponent))
+            }
         }
     }
 
@@ -320,55 +323,9 @@ impl Field {
         self.power(&self.mul(&root, &root), &Number::whole(exponent.numerator() * sign))
     }
 
-    /// The unit cos + i sin of a fraction of a turn.
-    pub(crate) fn unit(&self, turns: &Number) -> Quadratic {
-        self.unit_of_angle(&self.part_of_turn(turns))
-    }
-
     /// The unit cos + i sin of an angle.
     pub(crate) fn unit_of_angle(&self, (cos, sin): &(Quadratic, Quadratic)) -> Quadratic {
         self.add(cos, &self.mul(sin, &self.closure.imaginary()))
-    }
-
-    /// The angle that is a fraction of a turn.
-    ///
-    /// It is the sum of a fraction whose denominator divides the torsion, which is exact, and one b/d with other primes
-    /// in d, which is b times an angle drawn for d, where b lies between -d/2 and d/2.
-    pub(crate) fn part_of_turn(&self, turns: &Number) -> (Quadratic, Quadratic) {
-        let (exact, other) = self.split_turns(turns);
-        let prime = self.prime();
-        let (order, step) = self.groups().torsion;
-        let steps = exact.mul(&Number::whole(order.into()));
-        let mut point = circle::times(prime, step, fraction_modulo(&steps, order).unwrap_or(0));
-        if !other.is_zero() {
-            let key = Key::new("part of a turn").text(&other.denominator().to_string());
-            let drawn = circle::point(prime, self.word(&key));
-            let count = fraction_modulo(&Number::whole(other.numerator()), prime.p + 1).unwrap_or(0);
-            point = circle::rotate(prime, point, circle::times(prime, drawn, count));
-        }
-        (Quadratic::Real(point.0), Quadratic::Real(point.1))
-    }
-
-    /// A fraction of a turn as the sum of one whose denominator divides the torsion and one between -1/2 and 1/2.
-    fn split_turns(&self, turns: &Number) -> (Number, Number) {
-        let order = self.groups().torsion.0;
-        let (mut exact, mut other) = (BigInt::one(), BigInt::one());
-        for (prime, count) in prime_factors(&Number::whole(turns.denominator())) {
-            let power: BigInt = num_traits::Pow::pow(prime, count.unsigned_abs());
-            if (BigInt::from(order) % &power).is_zero() {
-                exact *= power;
-            } else {
-                other *= power;
-            }
-        }
-        // turns = a/exact + b/other
-        let inverse = exact.modinv(&other).unwrap_or_default();
-        let mut b = (turns.numerator() * inverse).mod_floor(&other);
-        if &b * 2 > other {
-            b -= &other;
-        }
-        let rest = Number::from_big(b, other).expect("a denominator is positive");
-        (turns.sub(&rest), rest)
     }
 
     /// The cosine and the sine of an argument, given by its value in the field of angles.

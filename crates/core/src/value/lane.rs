@@ -51,6 +51,9 @@ pub(crate) struct FieldId {
 /// See [`FieldId::with_turned_logarithms`].
 const TURNED_BY: u32 = 12;
 
+/// The bit of points at which complex symbols lie elsewhere.
+const MOVED: u16 = 1 << (TURNED_BY - 1);
+
 impl FieldId {
     /// The first fields of the lanes that fingerprints show.
     pub(crate) const HASH: [Self; 2] = [Self::of_lane(0, 0), Self::of_lane(1, 0)];
@@ -100,11 +103,21 @@ impl FieldId {
         self.field().draw_positive(&self.at_point(key))
     }
 
+    /// The coordinate of a complex symbol.
+    pub(crate) fn draw_complex(self, key: &Key) -> Quadratic {
+        if self.point & MOVED == 0 { self.draw(key) } else { self.draw(&key.word(MOVED.into())) }
+    }
+
     fn at_point(self, key: &Key) -> Key {
-        match self.unturned().point {
+        match self.unturned().point & !MOVED {
             0 => *key,
             point => key.word(point.into()),
         }
+    }
+
+    /// The same point, but for the complex symbols, which lie elsewhere.
+    pub(crate) fn with_complex_moved(self) -> Self {
+        Self { point: self.point | MOVED, ..self }
     }
 
     /// The field in which the argument of a sine or cosine is evaluated.

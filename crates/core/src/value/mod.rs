@@ -11,6 +11,7 @@ mod adic;
 mod circle;
 mod double;
 mod element;
+mod exact_angle;
 mod field;
 mod gcd;
 mod key;
@@ -22,7 +23,7 @@ mod quadratic;
 mod radical;
 mod unramified;
 
-pub(crate) use adic::{Adic, Adics, PARTS};
+pub(crate) use adic::{Adic, Adics};
 pub use element::Element;
 pub(crate) use field::Field;
 pub(crate) use key::Key;

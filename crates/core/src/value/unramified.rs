@@ -160,8 +160,7 @@ impl Unramified {
         if unit[1..].iter().all(Zero::is_zero) {
             return self.integer(&unit[0].modinv(&self.modulus).unwrap_or_default());
         }
-        let residue =
-            Self { prime: self.prime.clone(), modulus: self.prime.clone(), low: self.low.clone(), ..*self };
+        let residue = self.residues();
         let order = num_traits::Pow::pow(&self.prime, self.degree) - 2;
         let start =
             residue.power(&unit.iter().map(|coefficient| coefficient % &self.prime).collect(), &order);
@@ -169,6 +168,52 @@ impl Unramified {
             let error: Integral = self.mul(unit, &inverse).iter().map(|coefficient| -coefficient).collect();
             self.mul(&inverse, &self.add(&self.integer(&2.into()), &error, 0))
         })
+    }
+
+    /// One of the two square roots of a unit, if it has any: modulo the prime [Tonelli & Shanks; Cohen 1993, sec. 1.5.1],
+    /// then by Newton's iteration.
+    pub(super) fn square_root(&self, unit: &Integral) -> Option<Integral> {
+        if self.prime.is_even() {
+            return None;
+        }
+        let residue = self.residues();
+        let start =
+            residue.root_of_residue(&unit.iter().map(|coefficient| coefficient % &self.prime).collect())?;
+        let half = (&self.modulus + 1u32) / 2u32;
+        Some((0..NEWTON).fold(start, |root, _| {
+            let sum = self.add(&root, &self.mul(unit, &self.inverse(&root)), 0);
+            sum.iter().map(|coefficient| coefficient * &half % &self.modulus).collect()
+        }))
+    }
+
+    /// The field of the residues modulo the prime.
+    fn residues(&self) -> Self {
+        Self { prime: self.prime.clone(), modulus: self.prime.clone(), low: self.low.clone(), ..*self }
+    }
+
+    fn root_of_residue(&self, square: &Integral) -> Option<Integral> {
+        let one = self.integer(&BigInt::one());
+        let order: BigInt = num_traits::Pow::pow(&self.prime, self.degree) - 1;
+        if self.power(square, &(&order / 2u32)) != one {
+            return None;
+        }
+        let twos = order.trailing_zeros().unwrap_or(0);
+        let odd: BigInt = &order >> twos;
+        let candidates = (0u64..).map(|salt| self.draw(&Key::new("no square").word(salt)));
+        let mut generators = candidates.map(|candidate| self.power(&candidate, &odd));
+        let half_order = BigInt::one() << (twos - 1);
+        let generator = generators.find(|candidate| self.power(candidate, &half_order) != one)?;
+        // root^2 = square * rest, where the order of rest is a power of two that becomes smaller.
+        let mut root = self.power(square, &((&odd + 1u32) / 2u32));
+        let mut rest = self.power(square, &odd);
+        for level in (0..twos - 1).rev() {
+            if self.power(&rest, &(BigInt::one() << level)) != one {
+                let factor = self.power(&generator, &(BigInt::one() << (twos - 2 - level)));
+                root = self.mul(&root, &factor);
+                rest = self.mul(&rest, &self.mul(&factor, &factor));
+            }
+        }
+        Some(root)
     }
 
     /// A unit drawn for a key.
@@ -210,6 +255,22 @@ mod tests {
                 let unit = field.draw(&Key::new("unit").word(seed));
                 assert!(Unramified::is_one(&field.mul(&unit, &field.inverse(&unit))), "{prime}");
             }
+        }
+    }
+
+    #[test]
+    fn squares_have_roots_for_all_sizes_of_primes() {
+        for prime in [3, 5, 7, 11, 13, 37, 61, 67, 109, 257, 509, 1_000_003] {
+            let field = Unramified::of_prime(&prime.into());
+            let mut squares = 0;
+            for seed in 0..20 {
+                let unit = field.draw(&Key::new("unit").word(seed));
+                let square = field.mul(&unit, &unit);
+                let root = field.square_root(&square).expect("a square has a root");
+                assert_eq!(field.mul(&root, &root), square, "{prime}");
+                squares += usize::from(field.square_root(&unit).is_some());
+            }
+            assert!((1..20).contains(&squares), "{squares} of 20 drawn units are squares for {prime}");
         }
     }
 
