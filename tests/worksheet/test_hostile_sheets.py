@@ -17,8 +17,8 @@ from symbody.worksheet.session import Session
 from tests.worksheet.reading.test_hostile_text import PIECES
 
 WORDS = (
-    "show(a); rotate('X',a) make_BODY(a,b) x(t) := 3 ; solve({a=b},{a}); diff(x(t),t); [a,b] simplify( subs( op(%) %[1] "
-    "matrix([[1,2],[3,4]]) evalm( seq(i,i=1..3) f(x) 1/0 sqrt(2) sin( convert( {a} map( nops( save a,'f'; x^2+1..."
+    "show(a); rotate('X',a) make_BODY(a,b) x(t) := 3 ; solve({a=b},{a}); diff(x(t),t); [a,b] simplify( subs( op(%) "
+    "%[1] matrix([[1,2],[3,4]]) evalm( seq(i,i=1..3) f(x) 1/0 sqrt(2) sin( convert( {a} map( nops( save a,'f'; x^2+1..."
 )
 
 #: How many sheets are tried; more with SYMBODY_FUZZ=all.
