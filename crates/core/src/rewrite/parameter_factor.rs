@@ -137,8 +137,7 @@ mod tests {
             g.mul(u, v)
         };
         let (one, two) = (quotient(g, x, y)?, quotient(g, z, w)?);
-        let terms = g.add(one, two);
-        let sum = g.sub(terms, Id::ONE);
+        let sum = g.sum(&[(NumberId::ONE, one), (NumberId::ONE, two), (NumberId::MINUS_ONE, Id::ONE)]);
         let form = g.parameters_outside(sum)?;
         assert!(g.equal(form, sum));
         assert_eq!((g.cost(&[sum]).total(), g.cost(&[form]).total()), (8, 6)); // (x y + z w) / l**2 - 1

@@ -10,9 +10,9 @@ from .cost import cost
 from .difference import by_differences, with_differences
 from .rewrite import expand, textbook_form
 
-_LARGE = 150
+_LARGE = 100
 """Operations from which on an expression stays as it is: nobody reads it."""
-_TOTAL = 2500
+_TOTAL = 1800
 """Operations of all expressions together, after which only small ones are rewritten."""
 _SMALL = 12
 _EXPANDED = 40
