@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from benchmarks.derive.by_symbody import trifilar
 from symbody import (
     Body,
     Cost,
@@ -69,6 +70,12 @@ def test_both_formalisms_give_the_same_nodes(make: type[System]) -> None:
     assert [e.id for e in one.residuals] == [e.id for e in two.residuals]
     assert [e.id for e in one.mass_matrix.entries] == [e.id for e in two.mass_matrix.entries]
     assert [e.id for e in one.bias] == [e.id for e in two.bias]
+
+
+@pytest.mark.parametrize(("own_frame", "by_hand"), [(False, 497), (True, 635)])
+def test_trifilar_pendulum_has_fewer_operations_than_by_hand(own_frame: bool, by_hand: int) -> None:
+    """The figures are those of CasADi, with the model written by hand in local axes."""
+    assert cost(trifilar.equations(own_frame=own_frame)).total < by_hand
 
 
 def test_trifilar_pendulum() -> None:

@@ -128,6 +128,24 @@ def test_no_factor_occurs_again_in_its_brackets() -> None:
     assert str(textbook_form(m * c * (c + l * cos(theta)) + a)) == "a + m*(c**2 + c*l*cos(theta))"
 
 
+def test_a_place_is_squared_as_a_whole() -> None:
+    """Diagonal entries of M are sums of squares of distances from the axis: none is a difference."""
+    assert str(textbook_form(b + m * (a**2 + l**2 + c**2 * sin(x) ** 2 + 2 * a * c * sin(x)))) == (
+        "b + m*(l**2 + (a + c*sin(x))**2)"
+    )
+
+
+def test_waves_stand_before_the_difference_that_is_a_place() -> None:
+    given = l * m * cos(y) * (l * sin(x) ** 2 * sin(y) - l * sin(y) + a * cos(x))
+    assert str(textbook_form(given)) == "l*m*cos(x)*cos(y)*(a - l*cos(x)*sin(y))"
+
+
+def test_moments_stand_before_masses_by_squares_of_coordinates() -> None:
+    J, Jb = symbols("J Jb")
+    assert str(m * x**2 + J + Jb) == "J + Jb + m*x**2"
+    assert str(k * x + F) == "k*x + F"
+
+
 def test_single_angles_are_preferred() -> None:
     assert str(textbook_form(sin(2 * theta))) == "2*sin(theta)*cos(theta)"
     assert str(textbook_form(cos(x) * cos(y) - sin(x) * sin(y))) == "cos(x + y)"

@@ -29,6 +29,10 @@ CASES = {
         "D(sin)(0), D(f)(a), D(x)(t); g := u -> u^3: D(g)(2);",
         ["1, diff(f(a),a), diff(x(t),t)", "12"],
     ),
+    "D by places": (
+        "D[1](g)(x,y), D[2](g)(a,b+c); D[1,2](g)(x,y);",
+        ["diff(g(x,y),x), D[2](g)(a,b+c)", "diff(diff(g(x,y),x),y)"],
+    ),
     "a rule of one argument": (
         (
             "`diff/theta` := proc(t) omega(t) end proc: diff(theta(t),t); diff(theta(t),t,t); "

@@ -5,9 +5,9 @@ use pyo3::prelude::*;
 use symbody_core::{Error, Graph, Id};
 
 use crate::convert::{mistake, operand, operands};
-use crate::expr::Expr;
+use crate::expr::{Expr, Object, Tuple, tuple};
 use crate::namesake::notice_namesakes;
-use crate::session::long_with_forms;
+use crate::session::{long_with_forms, long_with_graph};
 
 /// Additions, multiplications, divisions and functions of expressions: on the graph by what they depend on
 /// (parameters alone, time and positions, speeds, accelerations), or as trees in one sum.
@@ -34,6 +34,7 @@ fn rewrite(py: Python<'_>, name: &str, expression: &Bound<'_, PyAny>) -> PyResul
         "simplify" => Graph::simplify,
         "readable" => Graph::readable,
         "textbook_form" => Graph::textbook_form,
+        "parameters_outside" => Graph::parameters_outside,
         _ => return Err(PyValueError::new_err(format!("{name} is not a rewrite"))),
     };
     let root = operand(expression, name)?;
@@ -63,9 +64,30 @@ fn coeff(
     long_with_forms(py, |graph| graph.coeff(root, variable, n)).map(Expr)
 }
 
+/// Expressions in forms whose sums share common parts, if these take fewer operations beside the others.
+#[pyfunction]
+fn with_shared_sums<'py>(py: Python<'py>, expressions: &Object<'py>, others: &Object<'py>) -> Tuple<'py> {
+    let roots = operands(expressions, "with_shared_sums, expressions")?;
+    let others = operands(others, "with_shared_sums, others")?;
+    tuple(py, long_with_forms(py, |graph| Ok(graph.with_shared_sums(&roots, &others)))?)
+}
+
+/// The common factor of expressions that depends on parameters alone, and then each of them without it.
+#[pyfunction]
+fn common_parameters<'py>(py: Python<'py>, expressions: &Object<'py>) -> Tuple<'py> {
+    let roots = operands(expressions, "common_parameters")?;
+    let parts = long_with_graph(py, |graph| {
+        let (factor, rests) = graph.common_parameters(&roots)?;
+        Ok([vec![factor], rests].concat())
+    })?;
+    tuple(py, parts)
+}
+
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(cost, module)?)?;
     module.add_function(wrap_pyfunction!(rewrite, module)?)?;
     module.add_function(wrap_pyfunction!(collect, module)?)?;
-    module.add_function(wrap_pyfunction!(coeff, module)?)
+    module.add_function(wrap_pyfunction!(coeff, module)?)?;
+    module.add_function(wrap_pyfunction!(with_shared_sums, module)?)?;
+    module.add_function(wrap_pyfunction!(common_parameters, module)?)
 }

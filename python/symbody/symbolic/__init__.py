@@ -1,6 +1,7 @@
 """Expressions: values first, forms second."""
 
 from symbody.symbolic._core import Expr
+from symbody.symbolic.calculus.common_part import common_parameters, parameters_outside, with_shared_sums
 from symbody.symbolic.calculus.cost import Cost, cost
 from symbody.symbolic.calculus.derivative import (
     diff,
@@ -118,6 +119,7 @@ __all__ = [
     "coeff",
     "collect",
     "combine_trig",
+    "common_parameters",
     "cos",
     "cosh",
     "cost",
@@ -151,6 +153,7 @@ __all__ = [
     "meant_multiple_of_pi",
     "multiple_of_pi",
     "number",
+    "parameters_outside",
     "parse",
     "partial_derivative",
     "pi",
@@ -181,6 +184,7 @@ __all__ = [
     "time_function",
     "to_sympy",
     "truncated",
+    "with_shared_sums",
     "without_idle_symbols",
     "zeros",
 ]

@@ -9,7 +9,7 @@ from typing import Any
 from symbody.errors import SymbodyError, WorksheetError
 from symbody.symbolic import Expr, UndefinedFunction, number
 from symbody.worksheet import arithmetic, builtins, syntax
-from symbody.worksheet.builtins.matrices import from_columns, from_rows
+from symbody.worksheet.builtins.arrays import from_columns, from_rows
 from symbody.worksheet.builtins.sets import joined_by
 from symbody.worksheet.condition import compared, truth
 from symbody.worksheet.current import flattened, set_of
@@ -398,6 +398,8 @@ class Evaluator:
         if name.startswith("evalf["):
             base, (digits,) = self.session.indexed[name]
             return self.call(symbol(base), (*arguments, digits))
+        if name.startswith("D[") and len(arguments) == 1:
+            return Unevaluated(symbol(name), arguments)
         found = builtins.command(self.session, name)
         if found is not None:
             return self._command(name, found, arguments)

@@ -107,13 +107,15 @@ const TIME: f64 = 0.5;
 
 /// The degree of a mass times the square of a length.
 const MOMENT: f64 = 3.0;
+/// The degree in coordinates of the square of a length.
+const SQUARE: f64 = 2.0;
 
 impl Rank {
     fn compare(&self, other: &Self) -> Ordering {
         let by_derivative = other.derivative.cmp(&self.derivative);
         by_derivative
-            .then(other.coordinates.total_cmp(&self.coordinates))
             .then(other.is_moment.cmp(&self.is_moment))
+            .then(other.coordinates.total_cmp(&self.coordinates))
             .then(other.degree.total_cmp(&self.degree))
             .then(self.has_function.cmp(&other.has_function))
     }
@@ -169,9 +171,13 @@ pub(super) fn are_of_one_kind(a: &Term, b: &Term) -> bool {
 pub(super) fn sorted_terms(terms: Vec<Term>) -> Vec<Term> {
     let mut ranked: Vec<(Rank, Term)> = terms.into_iter().map(|term| (Rank::of_term(&term), term)).collect();
     let is_mass_by_square = |(rank, term): &&(Rank, Term)| {
-        rank.derivative == 0 && rank.coordinates == 0.0 && rank.degree >= MOMENT && term.factors.len() > 1
+        rank.coordinates <= SQUARE && rank.degree >= MOMENT && term.factors.len() > 1
     };
-    let products = ranked.iter().filter(is_mass_by_square).flat_map(|(_, term)| &term.factors);
+    let has_rates = ranked.iter().any(|(rank, _)| rank.derivative > 0);
+    let products = ranked
+        .iter()
+        .filter(|each| !has_rates && is_mass_by_square(each))
+        .flat_map(|(_, term)| &term.factors);
     let bases: Vec<Base> = products.map(|factor| factor.base.clone()).collect();
     if !bases.is_empty() {
         for (rank, term) in &mut ranked {

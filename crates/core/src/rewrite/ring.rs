@@ -19,6 +19,8 @@ pub(super) struct Ring<'g> {
     pub(crate) roots: FxHashMap<u32, (Id, i64)>,
     /// Whether everything is opened that can be, as a user asks for, or only what may become shorter.
     pub(super) opens_all: bool,
+    /// Whether `a**2 + 2*a*b + b**2` within a longer sum is arranged as a square.
+    pub(super) completes_squares: bool,
     /// Arguments of sines and cosines as sums of atoms.
     pub(super) angles: FxHashMap<Id, Polynomial>,
 }
@@ -32,6 +34,7 @@ impl<'g> Ring<'g> {
             index: ByValue::default(),
             roots: FxHashMap::default(),
             opens_all: false,
+            completes_squares: false,
             angles: FxHashMap::default(),
         }
     }

@@ -29,7 +29,7 @@ def energies(subject: Subject) -> list[Block]:
     if not subject.is_large:
         (T,) = system.by_speeds(values[:1])
         values = [*_quadratic(T, system.speeds), *readable(values[1:])]
-    return [Heading("Energies"), *equalities(prose(sentence), [*found], values)]
+    return [Heading("Energies"), *equalities(prose(sentence), [*found], values, system)]
 
 
 def _quadratic(T: Expr, speeds: Sequence[Expr]) -> list[Expr]:

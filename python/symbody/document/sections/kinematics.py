@@ -29,7 +29,7 @@ def kinematics(subject: Subject) -> list[Block]:
     if system.constraints:
         multipliers = listed(system.multipliers)
         lead = prose("The constraints, whose multipliers are ", *multipliers, ", are")
-        blocks += equalities(lead, ["0"] * len(system.constraints), subject.read(system.constraints))
+        blocks += equalities(lead, ["0"] * len(system.constraints), subject.read(system.constraints), system)
     blocks += _centres(subject)
     return blocks
 
@@ -55,7 +55,7 @@ def _centres(subject: Subject) -> list[Block]:
                 places[rf"{axis}_{{\mathrm{{G}}{number}}}"] = value
     lead = "The centres of mass, in the axes of the root frame, are at"
     return (
-        equalities(prose(lead), [*places], subject.read([*places.values()]))
+        equalities(prose(lead), [*places], subject.read([*places.values()]), subject.system)
         if places
         else [prose(f"{lead} the origin.")]
     )

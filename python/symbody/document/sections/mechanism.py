@@ -10,7 +10,8 @@ from symbody.errors import SymbodyError
 from symbody.geometry import Vector
 from symbody.multibody import Body, System
 from symbody.simulation.given.wording import joined_by_and
-from symbody.symbolic import latex
+from symbody.symbolic import cost, latex
+from symbody.symbolic.expression.latex_layout import LINE, width
 from symbody.symbolic.given.arguments import brief, counted
 from symbody.view.svg import sketch_svg
 
@@ -72,4 +73,21 @@ def _loads(system: System) -> list[Block]:
 
 
 def _load_row(name: str, kind: str, vector: Vector, on: str) -> tuple[Words, ...]:
-    return (name,), (kind,), listed(vector.components), (brief(vector.frame),), (on,)
+    return (name,), (kind,), _components(vector), (_axes(vector),), (on,)
+
+
+def _components(vector: Vector) -> Words:
+    """Return the components of a vector, or their operations if they don't fit a line of a table."""
+    if sum(width(latex(component)) for component in vector.components) <= LINE:
+        return listed(vector.components)
+    return (f"expressions of {counted(cost(vector.components).total, 'operation')}",)
+
+
+def _axes(vector: Vector) -> str:
+    """Return what the frame is called, without the chain of a frame whose name would fill the table."""
+    text = brief(vector.frame)
+    return text if len(text) <= _LONGEST_NAME else "a chain of frames"
+
+
+_LONGEST_NAME = 40
+"""The letters of a frame in a table."""

@@ -38,6 +38,8 @@ def _entries(subject: Subject) -> Iterator[tuple[Expr, str, str]]:
     units = {each: unit for each, (_, unit) in roles.items()} | {
         each: group.unit("s") for group in coordinates for each in group.expressions
     }
+    for length in _lengths(equations.constraints, units):
+        roles[length], units[length] = ("length", "m"), "m"
     pairs = zip(equations.multipliers, equations.constraints, strict=True)
     for number, (multiplier, constraint) in enumerate(pairs, start=1):
         unit = _unit_of_multiplier(constraint, units | dict(subject.units))
@@ -66,6 +68,19 @@ def _unit_of_multiplier(constraint: Expr, units: Mapping[Expr, str]) -> str:
     return next((unit for n, unit in enumerate(("N m", "N", "N/m")) if scaled == 2**n * constraint), "")
 
 
+def _lengths(constraints: Iterable[Expr], units: Mapping[Expr, str]) -> Iterator[Expr]:
+    """Yield what must be a length, as l in ``l*cos(beta) - x + r*cos(theta)`` where x and r are."""
+    for constraint in constraints:
+        leaves = sorted(constraint.free_symbols, key=str)
+        alike = [leaf for leaf in leaves if _is_of_angles(constraint.diff(leaf), units)]
+        if any(units.get(leaf) == "m" for leaf in alike):
+            yield from (leaf for leaf in alike if leaf not in units)
+
+
+def _is_of_angles(expression: Expr, units: Mapping[Expr, str]) -> bool:
+    return not expression.is_zero and all(units.get(leaf) == "rad" for leaf in expression.free_symbols)
+
+
 def _roles(subject: Subject) -> dict[Expr, tuple[str, str]]:
     """Return the meanings of parameters that stand alone in a mass, an inertia, gravity, a load or a displacement."""
     roles: dict[Expr, tuple[str, str]] = {}
@@ -86,8 +101,9 @@ def _roles(subject: Subject) -> dict[Expr, tuple[str, str]]:
     for load in system.loads:
         for action in load.actions:
             role = ("force", "N") if action.is_force else ("torque", "N m")
-            for component in action.vector.components:
-                roles.setdefault(component, role)
+            components = action.vector.components
+            for each in (*components, *_multiples(components)):
+                roles.setdefault(each, role)
     for motion in (motion for body in system.bodies for motion in body.frame.motions):
         for leaf in _multiples(motion.displacement):
             roles.setdefault(leaf, ("length", "m"))

@@ -8,7 +8,9 @@ from typing import Annotated, TypeAlias
 from symbody.geometry import Scalar
 from symbody.geometry.component.triple import expression
 from symbody.multibody import Variables
-from symbody.symbolic import MOTION, Expr, derivation
+from symbody.symbolic import MOTION, Expr, common_parameters, derivation, number, with_shared_sums
+
+from .constraint_form import in_shortest_form
 
 Damping: TypeAlias = Annotated[
     tuple[Scalar, Scalar] | None,
@@ -42,6 +44,26 @@ def stabilized(
         return damped(system, constraints, accelerations, omega, zeta)
 
 
+def stabilized_beside(
+    residuals: Sequence[Expr], system: Variables, constraints: Sequence[Expr], omega: Scalar, zeta: Scalar
+) -> tuple[Expr, ...]:
+    """Return the same in the form that takes the fewest operations beside the residuals.
+
+    Args:
+        residuals: the residuals, whose nodes the rows take where values agree.
+        system: the system.
+        constraints: its m constraints.
+        omega: the frequency, in rad/s.
+        zeta: the damping ratio.
+    """
+    short = in_shortest_form(system, constraints)
+    with derivation(fresh=True, order=MOTION):
+        for residual in residuals:
+            residual + 0
+        rows = stabilized(system, short, omega, zeta)
+    return with_shared_sums(rows, residuals)
+
+
 def damped(
     system: Variables, constraints: Sequence[Expr], accelerations: Sequence[Expr], omega: Scalar, zeta: Scalar
 ) -> tuple[Expr, ...]:
@@ -56,8 +78,9 @@ def damped(
     """
     frequency, damping = expression(omega), expression(zeta)
     stiffness, viscosity = frequency**2, 2 * damping * frequency
-    rates = system.velocity_level(constraints)
-    rows = [one + viscosity * rate for one, rate in zip(accelerations, rates, strict=True)]
-    for k in system.holonomic:
-        rows[k] += stiffness * constraints[k]
+    positions = [phi if k in system.holonomic else number(0) for k, phi in enumerate(constraints)]
+    rows = []
+    for levels in zip(accelerations, system.velocity_level(constraints), positions, strict=True):
+        factor, (acceleration, rate, position) = common_parameters(levels)
+        rows.append(factor * (acceleration + viscosity * rate + stiffness * position))
     return tuple(rows)

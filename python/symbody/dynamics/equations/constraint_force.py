@@ -16,8 +16,11 @@ from symbody.symbolic import (
     number,
     time_derivative,
     truncated,
+    with_shared_sums,
     zeros,
 )
+
+from .constraint_form import in_shortest_form
 
 
 def constraint_jacobian(system: Variables) -> Matrix:
@@ -30,6 +33,16 @@ def constraint_jacobian(system: Variables) -> Matrix:
         else:
             A = jacobian(system.constraints, system.coordinates)
         return Matrix.from_entries(*A.shape, truncated(A.entries, MOTION))
+
+
+def in_shared_sums(residuals: Sequence[Expr], system: Variables) -> tuple[Expr, ...]:
+    """Return residuals whose sums share common parts if there are constraints, since each force is in many rows.
+
+    Args:
+        residuals: the residuals, with the forces of the multipliers.
+        system: the system.
+    """
+    return with_shared_sums(residuals) if system.constraints else tuple(residuals)
 
 
 def with_multipliers(residuals: Sequence[Expr], system: Variables) -> tuple[Expr, ...]:
@@ -50,7 +63,8 @@ def with_multipliers(residuals: Sequence[Expr], system: Variables) -> tuple[Expr
 
 
 def _forces_on_positions(system: Variables) -> tuple[Expr, ...]:
-    forces = gradient(_multiplied(system, system.constraints, on_position=True), system.coordinates)
+    constraints = in_shortest_form(system, system.constraints)
+    forces = gradient(_multiplied(system, constraints, on_position=True), system.coordinates)
     return _along_speeds(forces, system) if system.has_quasi_velocities else forces
 
 

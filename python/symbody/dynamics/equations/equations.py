@@ -31,7 +31,7 @@ from symbody.symbolic.expression.latex_layout import displayed
 from symbody.symbolic.given.arguments import counted
 from symbody.symbolic.numeric.program import program_of
 
-from .baumgarte import Damping, stabilized
+from .baumgarte import Damping, stabilized_beside
 from .constraint_bias import by_jacobian, by_second_rate, is_shorter_by_jacobian
 from .constraint_force import constraint_jacobian
 from .output import Outputs
@@ -226,7 +226,7 @@ class Equations:
             omega: the frequency with which a violation dies out, in rad/s.
             zeta: its damping ratio; 1 is critical.
         """
-        return stabilized(self.system, self.constraints, omega, zeta)
+        return stabilized_beside(self.residuals, self.system, self.constraints, omega, zeta)
 
     def program(
         self,

@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import TypeAlias
 
-from symbody.dynamics.equations.constraint_force import with_multipliers
+from symbody.dynamics.equations.constraint_force import in_shared_sums, with_multipliers
 from symbody.dynamics.equations.equations import Assembly, Equations
 from symbody.dynamics.recursion.added_mass import with_added_mass
 from symbody.dynamics.recursion.mass_matrix import mass_matrix
@@ -62,7 +62,8 @@ def derived(
             with_multipliers(recursive_newton_euler(system, shortest), system)
         completed = with_multipliers(_by_speeds(residuals, system), system)
         found = truncated(completed, MOTION)
-    return Equations(system, without_idle_symbols(found), partial(_assemble, residuals, inertia))
+    shared = in_shared_sums(without_idle_symbols(found), system)
+    return Equations(system, shared, partial(_assemble, residuals, inertia))
 
 
 def _assemble(residuals: Residuals, inertia: Callable[[System], Matrix] | None, system: System) -> Assembly:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from symbody.dynamics.equations.constraint_force import with_multipliers
+from symbody.dynamics.equations.constraint_force import in_shared_sums, with_multipliers
 from symbody.dynamics.equations.equations import Assembly, Equations
 from symbody.dynamics.equations.independence import check_independent
 from symbody.dynamics.recursion.added_mass import with_added_mass
@@ -12,7 +12,13 @@ from symbody.dynamics.recursion.shortest_tree import mass_matrix_and_bias, short
 from symbody.errors import ModelError
 from symbody.geometry.given.argument import checked
 from symbody.multibody import System
-from symbody.symbolic import ENERGY, MOTION, derivation, truncated, without_idle_symbols
+from symbody.symbolic import (
+    ENERGY,
+    MOTION,
+    derivation,
+    truncated,
+    without_idle_symbols,
+)
 
 from .checked_tree import check_rigid, checked_tree
 
@@ -43,7 +49,7 @@ def newton_euler(system: System) -> Equations:
         shortest = shortest_tree(system, recursive_newton_euler)
         residuals = with_multipliers(recursive_newton_euler(system, shortest), system)
         residuals = truncated(residuals, MOTION)
-    return Equations(system, without_idle_symbols(residuals), _assemble)
+    return Equations(system, in_shared_sums(without_idle_symbols(residuals), system), _assemble)
 
 
 def _assemble(system: System) -> Assembly:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import final
 
-from symbody.geometry.component.triple import NULL, Rate, Triple, rates
-from symbody.symbolic import Expr, cross3, dot3, matvec3, sub3, substitute
+from symbody.geometry.component.triple import NULL, Rate, Triple, rates, triple
+from symbody.symbolic import Expr, common_parameters, cross3, dot3, matvec3, sub3, substitute
 
 from .frame_motion import FrameMotion, Rows, Substitution
 
@@ -74,10 +74,13 @@ def transposed(rows: Rows) -> Rows:
 def axial_rate(rows: Rows, rate: Rate) -> Triple:
     """Return the vector of ``R^T dR/dt``: its entries (z, y), (x, z) and (y, x).
 
-    With columns u, v, w of R these are ``w.v'``, ``u.w'`` and ``v.u'``.
+    With columns u, v, w of R these are ``w.v'``, ``u.w'`` and ``v.u'``. Parameters that all entries of a column have as
+    a factor are factors of these.
     """
-    u, v, w = transposed(rows)
-    return dot3(w, rates(v, rate)), dot3(u, rates(w, rate)), dot3(v, rates(u, rate))
+    columns = transposed(rows)
+    (p, u), (q, v), (r, w) = ((factor, triple(*rest)) for factor, rest in map(common_parameters, columns))
+    x, y, z = dot3(w, rates(v, rate)), dot3(u, rates(w, rate)), dot3(v, rates(u, rate))
+    return q * r * x, p * r * y, p * q * z
 
 
 def is_rotation(rows: Rows) -> bool:

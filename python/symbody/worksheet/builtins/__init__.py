@@ -10,6 +10,7 @@ from symbody.worksheet import mbsymba, syntax
 from symbody.worksheet.arithmetic import rebuilt
 from symbody.worksheet.builtins import (
     algebra,
+    arrays,
     calculus,
     code,
     containers,
@@ -51,7 +52,7 @@ __all__ = [
 ]
 
 _FAMILIES = (
-    *(elementary, calculus, algebra, solving, structural, containers, sets, matrices),
+    *(elementary, calculus, algebra, solving, structural, containers, sets, arrays, matrices),
     *(texts, files, display_family, code, motions, plots),
 )
 

@@ -7,8 +7,8 @@ from dataclasses import replace
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, number, pi
 from symbody.worksheet.arithmetic import scalar
+from symbody.worksheet.builtins.arrays import array_of
 from symbody.worksheet.builtins.elementary import in_decimals
-from symbody.worksheet.builtins.matrices import array_of
 from symbody.worksheet.builtins.structural import operands
 from symbody.worksheet.builtins.texts import unparsed
 from symbody.worksheet.current import set_of

@@ -1,4 +1,4 @@
-"""Matrices and vectors: those of linalg, and those of LinearAlgebra."""
+"""Operations on matrices and vectors: those of linalg, and those of LinearAlgebra."""
 
 from __future__ import annotations
 
@@ -8,245 +8,21 @@ from dataclasses import replace
 from symbody.errors import WorksheetError
 from symbody.symbolic import Abs, Expr, Matrix, jacobian, number, sqrt
 from symbody.worksheet.arithmetic import binary, identity, inverted, matrix_product, scalar, transposed
+from symbody.worksheet.builtins import arrays
+from symbody.worksheet.builtins.arrays import array_of, filled
 from symbody.worksheet.entrywise import parts_of
-from symbody.worksheet.naming import symbol
 from symbody.worksheet.numeric import as_integer
 from symbody.worksheet.session import Command, Session, sequence
 from symbody.worksheet.value import (
     Array,
-    Builtin,
     Listed,
-    MapleSet,
     Range,
     Reference,
     Relation,
-    Sequence,
-    Table,
     Value,
 )
 
-__all__ = ["COMMANDS", "array_of", "from_columns", "from_rows"]
-
-
-def array_of(session: Session, value: Value, where: str) -> Array:
-    """Return a matrix or vector with its current entries; lists become columns or matrices."""
-    found = session.resolve(value)
-    if isinstance(found, Array):
-        made = session.current(found)
-        assert isinstance(made, Array)
-        return made
-    if isinstance(found, Listed) and found.items and all(isinstance(each, Listed) for each in found.items):
-        return _of_rows(session, found, "matrix")
-    if isinstance(found, Listed | MapleSet | Sequence):
-        return Array(len(found.items), 1, list(found.items), "vector")
-    raise WorksheetError(f"{where}: {session.text(value)[:60]} is not a matrix")
-
-
-def _of_rows(session: Session, value: Listed, kind: str) -> Array:
-    rows = [row.items if isinstance(row, Listed) else (row,) for row in value.items]
-    columns = max((len(row) for row in rows), default=0)
-    entries = [row[j] if j < len(row) else number(0) for row in rows for j in range(columns)]
-    return Array(len(rows), columns, entries, kind)
-
-
-# --- displays ---------------------------------------------------------------------------------------------------------
-
-
-def from_columns(session: Session, items: tuple[Value, ...]) -> Value:
-    """Return ``<a, b>``: a column; of rows, a matrix."""
-    parts = [session.resolve(each) for each in items]
-    if any(isinstance(each, Array) for each in parts):
-        arrays = [each if isinstance(each, Array) else Array(1, 1, [each]) for each in parts]
-        columns = arrays[0].columns
-        entries = [session.current(entry) for each in arrays for entry in each.entries]
-        rows = len(entries) // columns if columns else 0
-        return Array(rows, columns, entries, "Vector" if columns == 1 else "Matrix")
-    flat = [
-        each for part in parts for each in (part.items if isinstance(part, Listed | Sequence) else (part,))
-    ]
-    flat = [items[i] for i in range(len(items))] if len(flat) == len(items) else flat
-    return Array(len(flat), 1, list(flat), "Vector")
-
-
-def from_rows(session: Session, items: tuple[Value, ...]) -> Value:
-    """Return ``<a | b>``: a row; of columns, a matrix."""
-    parts = [session.resolve(each) for each in items]
-    if not any(isinstance(each, Array) for each in parts):
-        return Array(1, len(items), list(items), "RowVector")
-    arrays = [each if isinstance(each, Array) else Array(1, 1, [each]) for each in parts]
-    rows = arrays[0].rows
-    entries = [
-        session.current(each.entries[i * each.columns + j])
-        for i in range(rows)
-        for each in arrays
-        for j in range(each.columns)
-    ]
-    return Array(rows, sum(each.columns for each in arrays), entries, "Matrix")
-
-
-# --- constructors -----------------------------------------------------------------------------------------------------
-
-
-def _matrix_command(kind: str) -> Command:
-    def command(session: Session, *arguments: Value) -> Value:
-        settings = [each for each in arguments if isinstance(each, Relation) and each.operator == "="]
-        attributes = _attributes(settings)
-        arguments = tuple(each for each in arguments if not isinstance(each, Relation))
-        arguments += tuple(_entries_of(session, each.right) for each in settings if _option(each) == "symbol")
-        found = [session.resolve(each) for each in arguments]
-        sizes = [size for each in found if (size := as_integer(each)) is not None]
-        rest = [each for each, value in zip(arguments, found, strict=True) if as_integer(value) is None]
-        if len(sizes) > 2 and not rest:
-            rest, sizes = [number(sizes[2])], sizes[:2]
-        if not rest:
-            rows = sizes[0] if sizes else 0
-            columns = sizes[1] if len(sizes) > 1 else rows
-            return _filled(session, rows, columns, None, kind)
-        made = _from_content(session, sizes, rest[0], kind)
-        return replace(made, attributes=attributes) if attributes and isinstance(made, Array) else made
-
-    return command
-
-
-def _attributes(settings: list[Relation]) -> tuple[Value, ...]:
-    """Return the attributes of a matrix that was saved: the name of a frame."""
-    found = [each.right for each in settings if _option(each) == "attributes"]
-    names = found[0].items if found and isinstance(found[0], Listed) else ()
-    return tuple(each for each in names if isinstance(each, Expr | Reference))
-
-
-def _option(setting: Relation) -> str:
-    return getattr(setting.left, "name", "") if isinstance(setting.left, Expr | Reference) else ""
-
-
-def _entries_of(session: Session, name: Value) -> Value:
-    """Return what gives the entries m[i, j] of a matrix of names."""
-    return Builtin("entries", lambda session, *places: session.select(name, places))
-
-
-def _from_content(session: Session, sizes: list[int], content: Value, kind: str) -> Value:
-    found = session.resolve(content)
-    if isinstance(found, Listed) and any(isinstance(each, Listed) for each in found.items):
-        return _sized(_of_rows(session, found, kind), sizes, kind)
-    if isinstance(found, Array):
-        return _sized(
-            Array(found.rows, found.columns, [session.current(e) for e in found.entries], kind), sizes, kind
-        )
-    if isinstance(found, Listed):
-        if len(sizes) == 2:
-            entries = list(found.items) + [number(0)] * (sizes[0] * sizes[1] - len(found.items))
-            return Array(sizes[0], sizes[1], entries[: sizes[0] * sizes[1]], kind)
-        return (
-            Array(1, len(found.items), list(found.items), kind)
-            if kind == "Matrix"
-            else _of_rows(session, found, kind)
-        )
-    rows = sizes[0] if sizes else 1
-    return _filled(session, rows, sizes[1] if len(sizes) > 1 else rows, content, kind)
-
-
-def _sized(array: Array, sizes: list[int], kind: str) -> Array:
-    if not sizes:
-        return array
-    rows, columns = sizes[0], sizes[1] if len(sizes) > 1 else sizes[0]
-    entries = [
-        array.entries[i * array.columns + j] if i < array.rows and j < array.columns else number(0)
-        for i in range(rows)
-        for j in range(columns)
-    ]
-    return Array(rows, columns, entries, kind)
-
-
-def _filled(session: Session, rows: int, columns: int, content: Value | None, kind: str) -> Array:
-    """Return a matrix without a list of entries.
-
-    Args:
-        session: the session.
-        rows: the number of rows.
-        columns: the number of columns.
-        content: the entry everywhere, or a function of the indices; zero by default.
-        kind: what it is made by: "Matrix", "Vector" and the like.
-    """
-    session.limits.check_items(rows * columns)
-    if rows < 0 or columns < 0:
-        raise WorksheetError(f"a matrix of {rows} x {columns}; expected sizes that aren't negative")
-    if content is None:
-        return Array(rows, columns, [number(0)] * (rows * columns), kind)
-    if isinstance(content, Expr) and content.kind != "symbol":
-        return Array(rows, columns, [content] * (rows * columns), kind)
-    places = [(number(i), number(j)) for i in range(1, rows + 1) for j in range(1, columns + 1)]
-    entries = [session.call(content, place if "ector" not in kind else place[:1]) for place in places]
-    return Array(rows, columns, entries, kind)
-
-
-def _vector_command(kind: str) -> Command:
-    def command(session: Session, *arguments: Value) -> Value:
-        items: list[Value] | None = None
-        size, content, shape = None, None, kind
-        for argument in arguments:
-            found = session.resolve(argument)
-            if isinstance(found, Listed | Sequence | MapleSet):
-                items = list(found.items)
-            elif isinstance(found, Array):
-                items = [session.current(each) for each in found.entries]
-            elif as_integer(found) is not None and size is None:
-                size = as_integer(found)
-            elif (
-                isinstance(argument, Expr)
-                and argument.kind == "symbol"
-                and argument.name in ("row", "column")
-            ):
-                shape = "RowVector" if argument.name == "row" else kind
-            elif not isinstance(argument, Relation):
-                content = argument
-        if items is None:
-            made = _filled(session, size or 0, 1, content, shape)
-            items = list(made.entries)
-        elif size is not None:
-            items = items[:size] + [number(0)] * (size - len(items))
-        return (
-            Array(1, len(items), items, shape) if shape == "RowVector" else Array(len(items), 1, items, shape)
-        )
-
-    return command
-
-
-def array_command(session: Session, *arguments: Value) -> Value:
-    """array(1..n, 1..m [, values]), array([..]): a matrix or vector of the old kind."""
-    ranges = [each for each in arguments if isinstance(each, Range)]
-    rest = [each for each in arguments if not isinstance(each, Range)]
-    if rest and isinstance(rest[0], Listed):
-        rows = any(isinstance(each, Listed) for each in rest[0].items)
-        return (
-            _of_rows(session, rest[0], "matrix")
-            if rows
-            else Array(len(rest[0].items), 1, list(rest[0].items), "vector")
-        )
-    stops = [as_integer(each.stop) for each in ranges]
-    if not stops or any(stop is None for stop in stops) or len(stops) > 2:
-        return Table()
-    if any(as_integer(each.start) != 1 for each in ranges):
-        return Table()
-    count, width = stops[0] or 0, (stops[1] or 0) if len(stops) > 1 else 1
-    session.limits.check_items(count * width)
-    names: list[Value] = [
-        symbol(f"?[{row}]" if len(stops) == 1 else f"?[{row},{column}]")
-        for row in range(1, count + 1)
-        for column in range(1, width + 1)
-    ]
-    return Array(count, width, names, "matrix" if len(stops) > 1 else "vector")
-
-
-def new_array(session: Session, *arguments: Value) -> Value:
-    """Array(1..n, 1..m [, values]): a matrix or vector of the new kind, filled with zeros."""
-    made = array_command(session, *arguments)
-    if not isinstance(made, Array):
-        return made
-    entries = [
-        number(0) if isinstance(each, Expr) and str(each).startswith("?[") else each for each in made.entries
-    ]
-    return replace(made, entries=entries, kind="Matrix" if made.kind == "matrix" else "Vector")
-
+__all__ = ["COMMANDS", "PACKAGES"]
 
 # --- operations -------------------------------------------------------------------------------------------------------
 
@@ -389,7 +165,7 @@ def identity_matrix(session: Session, size: Value, *rest: Value) -> Value:
 
 def zero_matrix(session: Session, rows: Value, columns: Value | None = None) -> Value:
     """ZeroMatrix(n, m)."""
-    return _filled(session, as_integer(rows) or 0, as_integer(columns or rows) or 0, None, "Matrix")
+    return filled(session, as_integer(rows) or 0, as_integer(columns or rows) or 0, None, "Matrix")
 
 
 def generate_matrix(kind: str) -> Command:
@@ -444,15 +220,6 @@ def old_kind(function: Callable[..., Value]) -> Command:
 
     return command
 
-
-COMMANDS: dict[str, Command] = {
-    "Matrix": _matrix_command("Matrix"),
-    "matrix": _matrix_command("matrix"),
-    "Vector": _vector_command("Vector"),
-    "vector": _vector_command("vector"),
-    "array": array_command,
-    "Array": new_array,
-}
 
 _NEW: dict[str, Command] = {
     "Transpose": transpose,
@@ -513,8 +280,8 @@ _OLD: dict[str, Command] = {
 
 PACKAGES: dict[str, dict[str, Command]] = {
     "LinearAlgebra": _NEW,
-    "linalg": _OLD | {"matrix": COMMANDS["matrix"], "vector": COMMANDS["vector"]},
+    "linalg": _OLD | {"matrix": arrays.COMMANDS["matrix"], "vector": arrays.COMMANDS["vector"]},
     "ArrayTools": {},
 }
 
-COMMANDS |= {"norm": norm, "transpose": transpose}
+COMMANDS: dict[str, Command] = {"norm": norm, "transpose": transpose}

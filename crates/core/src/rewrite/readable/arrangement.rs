@@ -4,10 +4,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::error::Error;
 use crate::graph::{Id, NumberId};
-use crate::polynomial::{Monomial, Polynomial};
+use crate::polynomial::{Budget, Monomial, Polynomial};
 use crate::value::Number;
 
-use super::LONG;
+use super::{LONG, TERMS, WORK_ON_SQUARES};
 use crate::rewrite::expand::Opening;
 use crate::rewrite::factor_terms::content;
 use crate::rewrite::ring::Ring;
@@ -42,10 +42,24 @@ impl Ring<'_> {
         for sum in sums.into_iter().flatten() {
             made.extend(self.product_of(&[outside, sum]));
         }
-        if let Ok(id) = self.grouped_sum(polynomial, None, DEEPEST) {
-            made.push(id);
-        }
+        made.extend(self.grouped_sum(polynomial, None, DEEPEST));
+        made.extend(self.with_squares(polynomial, outside, &rest));
         made
+    }
+
+    /// Arrangements in which squares are completed where terms of one factor allow it.
+    fn with_squares(&mut self, polynomial: &Polynomial, outside: Id, rest: &Polynomial) -> Vec<Id> {
+        if polynomial.len() < 3 || polynomial.len() > LONG {
+            return Vec::new();
+        }
+        let budget = std::mem::replace(&mut self.budget, Budget::new(TERMS, WORK_ON_SQUARES));
+        self.completes_squares = true;
+        let whole = self.squares(rest, DEEPEST).ok().flatten();
+        let whole = whole.and_then(|sum| self.product_of(&[outside, sum]).ok());
+        let grouped = self.grouped_sum(polynomial, None, DEEPEST).ok();
+        self.completes_squares = false;
+        self.budget = budget;
+        whole.into_iter().chain(grouped).collect()
     }
 
     /// The square of a sum, if the polynomial is one.
@@ -83,8 +97,8 @@ impl Ring<'_> {
             rest.add_scaled(&covered, &Number::integer(-1));
             let (monomial, factor, columns) = numeric_content(&columns)?;
             let outside = self.node_of(&Polynomial::term(outside.times(&monomial), factor))?;
-            let columns = match self.whole_square(&columns, depth)? {
-                Some(square) => square,
+            let columns = match self.squares(&columns, depth)? {
+                Some(squares) => squares,
                 None => self.grouped_sum(&columns, None, depth - 1)?,
             };
             parts.push(self.product_of(&[outside, columns])?);
@@ -93,13 +107,46 @@ impl Ring<'_> {
         Ok(self.sum_of(&parts))
     }
 
-    fn whole_square(&mut self, polynomial: &Polynomial, depth: usize) -> Result<Option<Id>, Error> {
+    /// A polynomial as the square of a sum and, where differences may be squared, another polynomial.
+    fn squares(&mut self, polynomial: &Polynomial, depth: usize) -> Result<Option<Id>, Error> {
         if polynomial.len() < 3 {
             return Ok(None);
         }
-        let Some(root) = polynomial.square_root(&mut self.budget) else { return Ok(None) };
+        let (root, rest) = match polynomial.square_root(&mut self.budget) {
+            Some(root) => (root, Polynomial::default()),
+            None if self.completes_squares => match self.square_within(polynomial)? {
+                Some(found) => found,
+                None => return Ok(None),
+            },
+            None => return Ok(None),
+        };
         let root = self.grouped_sum(&root, None, depth - 1)?;
-        self.graph.pow_number(root, &Number::integer(2)).map(Some)
+        let square = self.graph.pow_number(root, &Number::integer(2))?;
+        let rest = self.grouped_sum(&rest, None, depth - 1)?;
+        Ok(Some(self.sum_of(&[square, rest])))
+    }
+
+    /// The root of the first square of two terms, `a**2 + 2*a*b + b**2`, within a polynomial, and the other terms.
+    fn square_within(&mut self, polynomial: &Polynomial) -> Result<Option<(Polynomial, Polynomial)>, Error> {
+        let terms: Vec<Polynomial> =
+            polynomial.iter().map(|(m, c)| Polynomial::term(m.clone(), c.clone())).collect();
+        let roots: Vec<Polynomial> =
+            terms.iter().filter_map(|term| term.square_root(&mut self.budget)).collect();
+        for (k, one) in roots.iter().enumerate() {
+            for other in &roots[..k] {
+                for sign in [1, -1] {
+                    let mut root = one.clone();
+                    root.add_scaled(other, &Number::integer(sign));
+                    let mut rest = polynomial.clone();
+                    let square = root.times(&root, &mut self.budget)?;
+                    rest.add_scaled(&square, &Number::integer(-1));
+                    if rest.len() + square.len() == polynomial.len() {
+                        return Ok(Some((root, rest)));
+                    }
+                }
+            }
+        }
+        Ok(None)
     }
 
     /// The group that saves most factors; among equal ones, that of the smallest atom.

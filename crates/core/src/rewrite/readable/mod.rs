@@ -27,6 +27,8 @@ const TERMS: usize = 200;
 const JOINED: usize = 8;
 /// The most terms handled for one part.
 const WORK: usize = 30_000;
+/// The same for squares that are completed.
+const WORK_ON_SQUARES: usize = 3_000;
 /// The terms of a long polynomial.
 const LONG: usize = 16;
 

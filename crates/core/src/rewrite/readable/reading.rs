@@ -38,7 +38,7 @@ impl Graph {
                     }
                 }
                 View::Product(factors) => {
-                    total += NESTED * self.repeated_factors(id);
+                    total += NESTED * self.repeated_factors(id, id == root);
                     stack.extend(factors.iter().map(|(base, _)| (base, true)));
                 }
                 View::Function(Function::Sin | Function::Cos, args) => {
@@ -71,8 +71,9 @@ impl Graph {
         matches!(self.view(id), View::Sum(_))
     }
 
-    /// The number of factors of a product that occur again inside the sums among its factors; a sum counts twice.
-    fn repeated_factors(&self, product: Id) -> usize {
+    /// The number of factors of a product that occur again inside the sums among its factors; a sum counts twice. Sines
+    /// and cosines before a whole sum don't count.
+    fn repeated_factors(&self, product: Id, is_whole: bool) -> usize {
         let factors = self.flat_factors(product);
         let mut inner: FxHashSet<Id> = FxHashSet::default();
         for &(sum, is_plain) in factors.iter().filter(|&&(base, _)| self.is_sum(base)) {
@@ -96,7 +97,9 @@ impl Graph {
         // A displacement stands in brackets of its own, times its lever or direction: `a*k*(a*theta - z)`.
         let is_motion = |id: Id| matches!(self.view(id), View::TimeFunction(..));
         let has_motion = inner.iter().any(|&id| is_motion(id));
-        let counts = |base: Id| inner.contains(&base) && (is_motion(base) || !has_motion);
+        let is_outside = |id: Id| is_whole && matches!(self.view(id), View::Function(..));
+        let counts =
+            |base: Id| inner.contains(&base) && !is_outside(base) && (is_motion(base) || !has_motion);
         let weight = |base: Id| 1 + usize::from(self.is_sum(base));
         factors.iter().filter(|&&(base, _)| counts(base)).map(|&(base, _)| weight(base)).sum()
     }
@@ -115,6 +118,22 @@ impl Graph {
             }
         }
         flat
+    }
+
+    /// Characters for a negative term beside a parameter. `l**2 - l**2*cos(q)**2` is a square that is written as a
+    /// difference, and `l2**2 - l1**2` is nothing in a mechanism; `R - l*cos(q)` is a place.
+    fn awkwardness_of_negative(&self, term: Id) -> usize {
+        match self.view(term) {
+            View::Product(factors) => {
+                let is_odd = |(base, exponent)| {
+                    matches!(self.view(base), View::Function(..)) && !self.get_number(exponent).is_even()
+                };
+                let has_sum = self.flat_factors(term).iter().any(|&(base, _)| self.is_sum(base));
+                if !has_sum && factors.iter().any(is_odd) { 0 } else { DIFFERENCE }
+            }
+            View::Function(..) => 0,
+            _ => DIFFERENCE,
+        }
     }
 
     /// The terms of a sum and of the sums among them, as they are printed: brackets stand only behind numbers, and
@@ -150,8 +169,9 @@ impl Graph {
         let shared =
             motions.first().is_some_and(|bases| bases.iter().any(|b| is_function(b) && is_shared(b)));
         let has_parameter = motions.iter().any(|bases| bases.iter().all(is_shared));
-        let negatives = terms.iter().filter(|(factor, _)| factor.is_negative()).count();
-        NESTED * usize::from(shared && terms.len() > 1) + DIFFERENCE * negatives * usize::from(has_parameter)
+        let negatives = terms.iter().filter(|(factor, _)| factor.is_negative());
+        let difference: usize = negatives.map(|&(_, term)| self.awkwardness_of_negative(term)).sum();
+        NESTED * usize::from(shared && terms.len() > 1) + difference * usize::from(has_parameter)
     }
 
     /// Whether an angle has a term with a whole number other than one before it.
