@@ -11,7 +11,6 @@ use crate::graph::{Assumption, Atom, Function, Generator, Graph, Id, View};
 use crate::value::{Element, Field, FieldId, Key, Number, Quadratic, fingerprint, prime_factors};
 
 use super::logarithm_part::Part;
-use super::monomial::likely_rational;
 
 /// Larger expressions have no value here.
 const MOST_NODES: usize = 4096;
@@ -410,7 +409,7 @@ impl Graph {
 
 /// The rational number that has a value, if that is not too large.
 fn rational(element: Element) -> Option<Number> {
-    element.to_simple_rational().or_else(|| likely_rational(element))
+    element.to_simple_rational().or_else(|| element.to_likely_rational())
 }
 
 /// A rational power; `None` at a pole.

@@ -9,7 +9,7 @@ use num_integer::Integer;
 use rustc_hash::FxHashMap;
 
 use crate::graph::{Assumption, Function, Generator, Graph, Id, Monomial, View};
-use crate::value::{Element, Field, FieldId, Number, Quadratic, fingerprint};
+use crate::value::{Field, FieldId, Number, Quadratic, fingerprint};
 
 use super::integer_point::Doublings;
 use super::logarithm::DEPTH;
@@ -187,18 +187,11 @@ fn root_of_number(
     });
     degrees.find_map(|degree| {
         let power = |(value, f): &(Quadratic, &Field)| f.power(value, &Number::integer(degree));
-        let number = likely_rational(fingerprint([&power(&first), &power(&second)]))?;
+        let number = fingerprint([&power(&first), &power(&second)]).to_likely_rational()?;
         let is_positive = !number.is_zero() && !number.is_negative();
         let whole = content.powi(degree).ok()?.mul(&number);
         is_positive.then(|| (Number::rational(1, degree), whole))
     })
-}
-
-/// The rational with numerator and denominator below 2^45 that has a value, which has about 2^126 others to choose from.
-pub(super) fn likely_rational(element: Element) -> Option<Number> {
-    const BITS: u64 = 45;
-    let number = element.to_rational(BITS)?;
-    (number.numerator().bits() <= BITS && number.denominator().bits() <= BITS).then_some(number)
 }
 
 /// Bring a matrix to its reduced row echelon form; the columns of the pivots, which are those of the first rows.

@@ -76,6 +76,13 @@ impl Element {
         Number::from_big(r1, t1).ok()
     }
 
+    /// The rational with numerator and denominator below 2^45 that has this value, which has about 2^126 others to choose from.
+    pub(crate) fn to_likely_rational(self) -> Option<Number> {
+        const BITS: u64 = 45;
+        let number = self.to_rational(BITS)?;
+        (number.numerator().bits() <= BITS && number.denominator().bits() <= BITS).then_some(number)
+    }
+
     /// Return the value or its opposite, whichever represents both, and whether the sign was changed.
     #[inline]
     #[must_use]
