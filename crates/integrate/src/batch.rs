@@ -6,9 +6,10 @@ use std::sync::{Mutex, PoisonError, mpsc};
 use std::thread;
 use std::time::Duration;
 
+use crate::crew::run_crew;
 use crate::dynamics::Dynamics;
 use crate::integrate::{Record, Run, integrate};
-use crate::lanes::{Lane, run_crew};
+use crate::lane::Lane;
 use crate::machine_code::MachineCode;
 use crate::method::Method;
 use crate::tolerances::Tolerances;

@@ -1,6 +1,6 @@
 //! The equations that are integrated: the rates of a state, its constraints and its events.
 
-use crate::lanes::Lane;
+use crate::lane::Lane;
 use crate::machine_code::{BoundCode, MachineCode};
 
 /// Which zeros of a function are events, and whether they end the motion.

@@ -10,13 +10,14 @@
 
 mod batch;
 mod branch;
+mod crew;
 mod diffsol_methods;
 mod dynamics;
 mod energy_balance;
 mod event;
 mod failure;
 mod integrate;
-mod lanes;
+mod lane;
 mod machine_code;
 mod method;
 mod projection;

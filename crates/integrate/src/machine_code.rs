@@ -7,7 +7,7 @@
 
 use std::cell::RefCell;
 
-use crate::lanes::Lane;
+use crate::lane::Lane;
 
 /// Machine code `void f(const double *in, double *out)` with `in = (t, state, constants)`.
 #[derive(Clone, Copy, Debug)]

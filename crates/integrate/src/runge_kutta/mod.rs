@@ -12,7 +12,7 @@ mod tsit5;
 
 use crate::dynamics::Dynamics;
 use crate::failure::Failure;
-use crate::lanes::{Lane, StepResults};
+use crate::lane::{Lane, StepResults};
 use crate::machine_code::BoundCode;
 use crate::projection::{Projection, Tangent};
 use crate::stepper::{Statistics, Stepper};
@@ -244,8 +244,10 @@ impl<'a> RungeKutta<'a> {
             after: &mut self.after,
             last_stage: &mut self.last_stage,
             errors: &mut self.errors,
-            stages: &mut self.stages,
         });
+        for stage in stages - 1..stages + usize::from(evaluates_end) {
+            lane.read_rates(stage, self.stages.row_mut(stage));
+        }
         self.are_rates_here = false;
         if self.state.len() > self.tolerances.controlled {
             self.fetch_rates();

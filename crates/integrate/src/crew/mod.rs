@@ -5,117 +5,26 @@
 //! they wait for are evaluated for all lanes at once. So each motion has its own time, steps, events and end, and a lane
 //! whose motion has ended takes the next one. No arithmetic crosses lanes: a motion doesn't depend on its neighbours.
 
-#![allow(
-    unsafe_code,
-    reason = "a motion is known to its coroutine by a pointer, and the coroutines borrow what outlives them"
-)]
+#![allow(unsafe_code, reason = "the coroutines borrow what outlives them")]
 
 mod columns;
 mod stages;
 
 use std::cell::RefCell;
-use std::fmt;
-use std::ptr::NonNull;
 use std::rc::Rc;
 
 use corosensei::stack::DefaultStack;
 use corosensei::{Coroutine, CoroutineResult, Yielder};
 
 use crate::dynamics::Dynamics;
+use crate::lane::{Desk, Lane, Request, StepResults};
 use crate::machine_code::MachineCode;
-use crate::runge_kutta::{Stages, Tableau};
+use crate::runge_kutta::Tableau;
 use columns::{Columns, Waiting, read, write};
 use stages::StepColumns;
 
 /// The memory of the stack of a motion; only what is used is taken from the system.
 const STACK: usize = 1 << 20;
-
-/// What a motion waits for.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Request {
-    /// The values of a function, by its number.
-    Function(usize),
-    /// A step.
-    Step,
-}
-
-/// The memory for the results of a step.
-pub(crate) struct StepResults<'a> {
-    pub after: &'a mut [f64],
-    pub last_stage: &'a mut [f64],
-    pub errors: &'a mut [Vec<f64>],
-    /// The rates of the last stage, and those at the end if the method evaluates them.
-    pub stages: &'a mut Stages,
-}
-
-/// The place of a motion in a crew.
-#[derive(Clone)]
-pub struct Lane {
-    crew: Rc<dyn Desk>,
-    number: usize,
-    function: usize,
-    /// Suspends the coroutine of the motion.
-    yielder: NonNull<Yielder<(), Request>>,
-}
-
-impl fmt::Debug for Lane {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "Lane({})", self.number)
-    }
-}
-
-impl Lane {
-    /// Its number in the crew.
-    pub fn number(&self) -> usize {
-        self.number
-    }
-
-    /// The lane for a function, by its number, with its constants.
-    pub(crate) fn of_function(&self, function: usize, constants: &[f64]) -> Self {
-        self.crew.put_constants(self.number, function, constants);
-        Self { function, ..self.clone() }
-    }
-
-    /// Write the values of the function, as soon as those of the other lanes are evaluated.
-    pub(crate) fn evaluate(&self, t: f64, state: &[f64], out: &mut [f64]) {
-        self.crew.put_state(self.number, self.function, t, state);
-        self.wait_for(Request::Function(self.function));
-        self.crew.read_values(self.number, self.function, out);
-    }
-
-    /// Take a step from a state, as soon as all other lanes ask for one. The function is that of the rates. Write the
-    /// rates at the start, with which it agrees.
-    pub(crate) fn take_step(&self, (t, h): (f64, f64), before: &[f64], first: &mut [f64]) {
-        self.crew.put_step(self.number, (t, h), before);
-        self.wait_for(Request::Step);
-        self.crew.read_rates(self.number, 0, first);
-    }
-
-    /// Read the results of the last step.
-    pub(crate) fn read_step(&self, results: StepResults<'_>) {
-        self.crew.read_step(self.number, results);
-    }
-
-    /// Read the rates at a stage of the last step.
-    pub(crate) fn read_rates(&self, stage: usize, rates: &mut [f64]) {
-        self.crew.read_rates(self.number, stage, rates);
-    }
-
-    fn wait_for(&self, request: Request) {
-        // SAFETY: a lane belongs to a motion, which runs inside the coroutine that the pointer belongs to.
-        unsafe { self.yielder.as_ref() }.suspend(request);
-    }
-}
-
-/// The memory that the motions of a crew share.
-trait Desk {
-    fn put_constants(&self, lane: usize, function: usize, constants: &[f64]);
-    fn put_state(&self, lane: usize, function: usize, t: f64, state: &[f64]);
-    fn read_values(&self, lane: usize, function: usize, out: &mut [f64]);
-    fn put_step(&self, lane: usize, times: (f64, f64), before: &[f64]);
-    fn read_step(&self, lane: usize, results: StepResults<'_>);
-    fn read_rates(&self, lane: usize, stage: usize, rates: &mut [f64]);
-}
 
 /// The numbers of all functions, and of the steps.
 struct Crew<const W: usize> {
@@ -192,10 +101,6 @@ impl<const W: usize> Desk for Crew<W> {
         for (columns, error) in columns.errors.iter().zip(results.errors) {
             read(lane, columns, error);
         }
-        let last = self.tableau.stages - 1;
-        for stage in last..=last + usize::from(self.tableau.evaluates_end) {
-            read(lane, columns.rates(stage), results.stages.row_mut(stage));
-        }
     }
 
     fn read_rates(&self, lane: usize, stage: usize, rates: &mut [f64]) {
@@ -261,7 +166,7 @@ fn coroutine<const W: usize>(
 ) -> Coroutine<(), Request, ()> {
     let stack = DefaultStack::new(STACK).expect("memory for the stack of a motion");
     let body = move |yielder: &Yielder<(), Request>, ()| {
-        job(&Lane { crew, number, function: 0, yielder: NonNull::from(yielder) });
+        job(&Lane::new(crew, number, yielder));
     };
     // SAFETY: `run` drives the coroutine to its end, or drops it, before the job that it borrows is gone.
     unsafe { Coroutine::with_stack_unchecked(stack, body) }
