@@ -242,7 +242,7 @@ def equations_text(models: Sequence[Model]) -> str:
 
 def equations_latex(models: Sequence[Model]) -> str:
     lines = [r"\documentclass{article}", r"\usepackage{amsmath}"]
-    lines += [r"\usepackage[paperwidth=60cm,paperheight=40cm,margin=2cm]{geometry}", r"\allowdisplaybreaks"]
+    lines += [r"\usepackage[paperwidth=70cm,paperheight=40cm,margin=2cm]{geometry}", r"\allowdisplaybreaks"]
     lines += [r"\begin{document}", r"\title{Trifilar pendulum in natural coordinates}\date{}\maketitle"]
     for model in models:
         definitions, zeros = sb.listing(model.equations, "latex")

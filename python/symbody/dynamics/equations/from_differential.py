@@ -42,12 +42,12 @@ def equations_from_differential(
         ModelError: an equation is of third order, or not linear in the highest derivatives; or multipliers stand for
             no forces of constraints.
 
-    >>> from symbody import forward_dynamics, functions_of_time, symbols
+    >>> from symbody import functions_of_time, symbols
     >>> (x, i), (m, k, R, L) = functions_of_time("x i"), symbols("m k R L")
     >>> v, a, di = time_derivative(x), time_derivative(x, 2), time_derivative(i)
     >>> coupled = equations_from_differential([m * a - k * i, L * di + R * i + k * v], [x, i])
-    >>> forward_dynamics(coupled).accelerations
-    (-(R*i + k*x')/L, k*i/m)
+    >>> coupled.residuals
+    (m*x'' - k*i, k*x' + L*i' + R*i)
     """
     given = [expression for expression in residuals if not expression.is_zero]
     order = {x: _order(x, given) for x in unknowns}

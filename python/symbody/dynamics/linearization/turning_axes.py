@@ -94,7 +94,7 @@ def turning_axes(
     >>> x, y, psi = functions_of_time("x y psi")
     >>> speeds = time_derivative(x), time_derivative(y)
     >>> turning_axes(speeds, (x, y, psi), speeds, ()).definitions
-    {v_x: x'*cos(psi) + y'*sin(psi), v_y: -x'*sin(psi) + y'*cos(psi)}
+    {v_x: sin(psi)*y' + cos(psi)*x', v_y: cos(psi)*y' - sin(psi)*x'}
     """
     x, y, heading = turning
     dx, dy = time_derivative(x), time_derivative(y)

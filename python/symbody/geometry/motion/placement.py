@@ -74,13 +74,20 @@ def transposed(rows: Rows) -> Rows:
 def axial_rate(rows: Rows, rate: Rate) -> Triple:
     """Return the vector of ``R^T dR/dt``: its entries (z, y), (x, z) and (y, x).
 
-    With columns u, v, w of R these are ``w.v'``, ``u.w'`` and ``v.u'``. Parameters that all entries of a column have as
-    a factor are factors of these.
+    With columns u, v, w of R these are ``w.v'``, ``u.w'`` and ``v.u'``. Parameters that all entries of a column, or of
+    its rate, have as a factor are factors of these. Columns are differentiated as they are: where terms of small
+    variables are dropped, a column that is made anew has lost those of which its rate consists.
     """
     columns = transposed(rows)
-    (p, u), (q, v), (r, w) = ((factor, triple(*rest)) for factor, rest in map(common_parameters, columns))
-    x, y, z = dot3(w, rates(v, rate)), dot3(u, rates(w, rate)), dot3(v, rates(u, rate))
-    return q * r * x, p * r * y, p * q * z
+    (p, u), (q, v), (r, w) = map(_parts, columns)
+    (p_t, u_t), (q_t, v_t), (r_t, w_t) = (_parts(rates(column, rate)) for column in columns)
+    return r * q_t * dot3(w, v_t), p * r_t * dot3(u, w_t), q * p_t * dot3(v, u_t)
+
+
+def _parts(entries: Triple) -> tuple[Expr, Triple]:
+    """Return the parameters that entries have in common, and the entries without them."""
+    factor, rest = common_parameters(entries)
+    return factor, triple(*rest)
 
 
 def is_rotation(rows: Rows) -> bool:

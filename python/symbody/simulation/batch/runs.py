@@ -265,7 +265,7 @@ class Runs:
         >>> x, (m, k) = sb.functions_of_time("x"), sb.symbols("m k")
         >>> oscillator = sb.newton_euler(sb.System([sb.Body(sb.translate(x, 0, 0), m)], coordinates=[x]))
         >>> u = sb.time_derivative(x)
-        >>> runs = simulate_many(oscillator, {m: 1}, {u: [0, 1]}, t=(0, 2), sensitivities=[u])
+        >>> runs = sb.simulate_many(oscillator, {m: 1}, {u: [0, 1]}, t=(0, 2), sensitivities=[u])
         >>> runs.sensitivity(x, by=u)[:, -1].round(9)
         array([2., 2.])
         """

@@ -54,8 +54,9 @@ def finite_part(
         places: the places of the states v; by default, they are chosen.
 
     >>> part = finite_part(np.diag([1.0, 0.0]), np.array([[-1.0, 1.0], [2.0, -1.0]]))
-    >>> part.A, part.basis.tolist()
-    (array([[1.]]), [[1.0], [2.0]])
+    >>> part.A, (part.basis / part.basis[0]).round(9)
+    (array([[1.]]), array([[1.],
+           [2.]]))
     """
     n = len(E)
     rates, rest, r = E, A0, [np.asarray(each) for each in inputs]

@@ -60,7 +60,7 @@ def crossing_branch(
     >>> column = equations_of([[1]], [P * l * sin(theta) - k * theta], [theta])
     >>> straight = continuation(steady(column, {k: 2, l: 1, P: 1}), P, (1, 3))
     >>> buckled = crossing_branch(straight, limits={theta: (-1, 1)})
-    >>> abs(buckled[P] - 2 * buckled[theta] / buckled[sin(theta)])[buckled[theta] != 0].max() < 1e-9
+    >>> abs(buckled[P] * buckled[sin(theta)] - 2 * buckled[theta]).max() < 1e-9
     np.True_
     """
     found = _point(branch, point)

@@ -45,10 +45,10 @@ def common_parameters(expressions: Sequence[ExprLike]) -> tuple[Expr, tuple[Expr
 def parameters_outside(expression: Expr) -> Expr:
     """Return a sum with the factor outside that all its terms, but numbers, have in common, if it is of parameters.
 
-    >>> from symbody import functions_of_time, symbols
+    >>> from symbody import expand, functions_of_time, symbols
     >>> from symbody.symbolic import parameters_outside
     >>> (x, y), l = functions_of_time("x y"), symbols("l")
-    >>> parameters_outside(x**2 / l + y**2 / l - 1)
+    >>> parameters_outside(expand(x**2 / l + y**2 / l - 1))
     (x**2 + y**2)/l - 1
     """
     return _core.rewrite("parameters_outside", expression)

@@ -48,7 +48,7 @@ def polynomial_roots(of: Sequence[Expr]) -> list[Expr] | None:
     >>> from symbody.symbolic import number, symbols
     >>> b, c = symbols("b c")
     >>> polynomial_roots([c, b, number(1)])
-    [(sqrt(b**2 - 4*c) - b)/2, -(sqrt(b**2 - 4*c) + b)/2]
+    [(sqrt(b**2 - 4*c) - b)/2, -(b + sqrt(b**2 - 4*c))/2]
     """
     known = list(of)
     while known and known[-1].is_zero:

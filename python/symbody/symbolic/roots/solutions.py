@@ -46,8 +46,8 @@ def solutions(equations: Sequence[Expr], unknowns: Sequence[Expr]) -> list[Solut
     >>> solutions([x**2 - a], [x])
     [{x: sqrt(a)}, {x: -sqrt(a)}]
     >>> phi = symbols("phi")
-    >>> [found[x] for found in solutions([l * cos(phi) - x + a, l * sin(phi) - b], [x, phi])]
-    [l*sqrt(1 - b**2/l**2) + a, a - l*sqrt(1 - b**2/l**2)]
+    >>> [found[phi] for found in solutions([l * cos(phi) - x + a, l * sin(phi) - b], [x, phi])]
+    [atan2(b/l, sqrt(1 - b**2/l**2)), atan2(b/l, -sqrt(1 - b**2/l**2))]
     """
     names = _plain_names([*equations, *unknowns])
     back = {plain: leaf for leaf, plain in names.items()}
