@@ -124,11 +124,11 @@ MAKE = {
 
 FEW = {
     "tree": (0, 4, 8),
-    "floating": (3, 7, 8),
+    "floating": (3, 8),
     "constrained": (0, 4, 13),
     "floating and constrained": (3, 5),
 }
-MORE = {"tree": (2,), "floating": (5,), "constrained": (2, 9), "floating and constrained": (7, 9)}
+MORE = {"tree": (2,), "floating": (5, 7), "constrained": (2, 9), "floating and constrained": (7, 9)}
 """Seeds of systems that nothing drives in time, and whose mass matrices are regular."""
 
 CASES = [

@@ -93,6 +93,7 @@ def test_symbols_for_the_values_of_a_turn() -> None:
     assert_allclose(np.sort_complex(locus.eigenvalues[-1]), np.sort_complex(last), rtol=1e-7)
 
 
+@pytest.mark.repeated
 def test_a_motorcycle_in_a_bend_is_tangent_to_its_motions() -> None:
     """Deviations of nonlinear motions, with velocities along the axes of each, are ``expm(A t)`` times the first."""
     model = motorcycle()
