@@ -14,6 +14,7 @@ PYTHON_SOURCES := $(shell find python -name '*.py' 2>/dev/null)
 # CI runs everything, the rivals of the benchmarks too, and lets no lock file change; on a desk the slow tests wait.
 LOCKED := $(if $(CI),--locked)
 SELECT := $(if $(CI),,-m "not slow")
+unexport PYTHONDONTWRITEBYTECODE  # hundreds of tests start programs, and each would compile the package anew
 RIVALS := $(if $(CI),$(STAMPS)/bench)
 PYTEST := $(BIN)/python -m pytest --numprocesses=2 --dist=worksteal
 
@@ -90,6 +91,7 @@ bench: $(STAMPS)/build $(STAMPS)/bench  ## measure against the rivals (a quarter
 	$(BIN)/python -m benchmarks.linear.small_variables
 	$(BIN)/python -m benchmarks.linear.run
 	$(BIN)/python -m benchmarks.sensitivity.run
+	$(BIN)/python -m benchmarks.worksheet.run
 
 docs: $(STAMPS)/build $(STAMPS)/docs $(STAMPS)/develop  ## check the documents, write the API reference into site/
 	$(PYTEST) tests/test_documents.py

@@ -109,4 +109,4 @@ def test_ctrl_c_keeps_what_is_done(tmp_path: Path) -> None:
         out, err = process.communicate(timeout=60)
     assert process.returncode == 130
     assert "interrupted" in err
-    assert out.splitlines()[-1].startswith("1 statements, 0 failed")
+    assert out.splitlines()[-1].startswith("1 statement, 0 failed")

@@ -40,8 +40,9 @@ class Report:
         return sum(verdict.kind in kinds for verdict in self.verdicts)
 
     def __str__(self) -> str:
+        noun = "statement" if self.statements == 1 else "statements"
         return (
-            f"{self.statements} statements, {self.failed} failed, {self.count('equal', 'differs')} compared, "
+            f"{self.statements} {noun}, {self.failed} failed, {self.count('equal', 'differs')} compared, "
             f"{self.count('differs')} different, {self.count('not comparable')} not comparable"
         )
 

@@ -1,0 +1,1 @@
+"""The time that worksheets take, from the command to the last line."""
