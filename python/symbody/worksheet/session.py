@@ -72,7 +72,7 @@ class Limits:
 
 @dataclass
 class Options:
-    """What ``interface``, ``Digits``, ``PDEtools[declare]`` and ``alias`` have set."""
+    """What ``interface``, ``Digits``, ``PDEtools[declare]`` and ``alias`` have set; which functions have occurred."""
 
     digits: int = 10
     places: int | None = None
@@ -80,6 +80,7 @@ class Options:
     declared: set[str] = field(default_factory=set)
     aliases: dict[str, Value] = field(default_factory=dict)
     reciprocals: set[str] = field(default_factory=set)
+    imaginary: bool = False
     printlevel: int = 1
 
 

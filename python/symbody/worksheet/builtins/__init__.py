@@ -13,9 +13,11 @@ from symbody.worksheet.builtins import (
     arrays,
     calculus,
     code,
+    complex_numbers,
     containers,
     elementary,
     files,
+    integrals,
     matrices,
     motions,
     plots,
@@ -52,7 +54,19 @@ __all__ = [
 ]
 
 _FAMILIES = (
-    *(elementary, calculus, algebra, solving, structural, containers, sets, arrays, matrices),
+    *(
+        elementary,
+        complex_numbers,
+        calculus,
+        integrals,
+        algebra,
+        solving,
+        structural,
+        containers,
+        sets,
+        arrays,
+        matrices,
+    ),
     *(texts, files, display_family, code, motions, plots),
 )
 

@@ -11,6 +11,7 @@ from symbody.symbolic import Expr, number
 from symbody.worksheet import syntax
 from symbody.worksheet.arithmetic import binary, matrix_product, rebuilt, scalar
 from symbody.worksheet.builtins.containers import assigned as is_assigned
+from symbody.worksheet.builtins.integrals import closed_sum
 from symbody.worksheet.builtins.structural import items_of
 from symbody.worksheet.condition import truth
 from symbody.worksheet.current import flattened
@@ -138,7 +139,7 @@ def summed(session: Session, body: syntax.Expression, *rest: syntax.Expression) 
     assert isinstance(bounds, Range)
     low, high = as_integer(bounds.start), as_integer(bounds.stop)
     if low is None or high is None:
-        return Unevaluated(symbol("sum"), (session.evaluate(body), Relation("=", symbol(name), bounds)))
+        return closed_sum(session, session.evaluate(body), name, bounds)
     session.limits.check_items(high - low + 1)
     total: Value = number(0)
     for k in range(low, high + 1):

@@ -18,6 +18,8 @@ import symbody.symbolic as sb
 from symbody.errors import SymbodyError
 from symbody.symbolic import Expr, UndefinedFunction, number, pi, symbol, t
 from symbody.worksheet import syntax
+from symbody.worksheet.complex_number import normal
+from symbody.worksheet.entrywise import parts_of, with_parts
 from symbody.worksheet.reading.parse import Failure, next_statement, terminator_after, tokens_of
 from symbody.worksheet.source import Line
 from symbody.worksheet.value import Listed, MapleSet, Range, Relation, Sequence, String, Unevaluated, Value
@@ -174,9 +176,18 @@ def value_of(node: syntax.Expression, functions: frozenset[str]) -> Value:
         NotComparable: something in it has no value here.
     """
     try:
-        return _Values(functions).value(node)
+        found = _Values(functions).value(node)
     except (SymbodyError, ArithmeticError, TypeError, RecursionError) as error:
         raise NotComparable(f"a part of it can't be read: {error}") from None
+    is_complex = any(isinstance(part, syntax.Name) and part.name == "I" for part in _parts(node))
+    return _normal(found) if is_complex else found
+
+
+def _normal(value: Value) -> Value:
+    """Return a value with its complex numbers as x + I*y."""
+    if isinstance(value, Expr):
+        return normal(value)
+    return with_parts(value, [_normal(part) for part in parts_of(value)])
 
 
 @dataclass(frozen=True, slots=True)
