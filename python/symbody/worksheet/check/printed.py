@@ -19,7 +19,6 @@ from symbody.errors import SymbodyError
 from symbody.symbolic import Expr, UndefinedFunction, number, pi, symbol, t
 from symbody.worksheet import syntax
 from symbody.worksheet.complex_number import normal
-from symbody.worksheet.entrywise import parts_of, with_parts
 from symbody.worksheet.reading.parse import Failure, next_statement, terminator_after, tokens_of
 from symbody.worksheet.source import Line
 from symbody.worksheet.value import Listed, MapleSet, Range, Relation, Sequence, String, Unevaluated, Value
@@ -175,24 +174,17 @@ def value_of(node: syntax.Expression, functions: frozenset[str]) -> Value:
     Raises:
         NotComparable: something in it has no value here.
     """
+    is_complex = any(isinstance(part, syntax.Name) and part.name == "I" for part in _parts(node))
     try:
-        found = _Values(functions).value(node)
+        return _Values(functions, is_complex).value(node)
     except (SymbodyError, ArithmeticError, TypeError, RecursionError) as error:
         raise NotComparable(f"a part of it can't be read: {error}") from None
-    is_complex = any(isinstance(part, syntax.Name) and part.name == "I" for part in _parts(node))
-    return _normal(found) if is_complex else found
-
-
-def _normal(value: Value) -> Value:
-    """Return a value with its complex numbers as x + I*y."""
-    if isinstance(value, Expr):
-        return normal(value)
-    return with_parts(value, [_normal(part) for part in parts_of(value)])
 
 
 @dataclass(frozen=True, slots=True)
 class _Values:
     functions: frozenset[str]
+    is_complex: bool = False
 
     def value(self, node: syntax.Expression) -> Value:
         reader = _READERS.get(type(node))
@@ -241,7 +233,8 @@ class _Values:
         arithmetic = _ARITHMETIC.get(operator)
         if arithmetic is None:
             raise NotComparable(f"{operator} in it has no value")
-        return arithmetic(self._scalar(left), self._scalar(right))
+        made = arithmetic(self._scalar(left), self._scalar(right))
+        return normal(made) if self.is_complex else made
 
     def call(self, node: syntax.Call) -> Value:
         match node:
