@@ -41,6 +41,7 @@ from symbody.worksheet.session import Command, Session, sequence
 from symbody.worksheet.structure import Tree, tree_of, walk
 from symbody.worksheet.value import (
     Array,
+    Boolean,
     Listed,
     MapleSet,
     Range,
@@ -193,6 +194,14 @@ def _irem(a: int, b: int) -> int:
     return a - b * int(Fraction(a, b))
 
 
+def is_prime(session: Session, n: Value) -> Value:
+    """isprime(n)."""
+    value = as_integer(n)
+    if value is None or abs(value) > 10**12:
+        return Unevaluated(symbol("isprime"), (n,))
+    return Boolean(truth=value > 1 and all(value % k for k in range(2, math.isqrt(value) + 1)))
+
+
 def _fraction_part(which: int) -> Command:
     def command(session: Session, x: Value) -> Value:
         expression = scalar(session, x)
@@ -338,6 +347,9 @@ COMMANDS: dict[str, Command] = {
     "irem": _integers(_irem),
     "igcd": _integers(math.gcd),
     "ilcm": _integers(math.lcm),
+    "gcd": _integers(math.gcd),
+    "lcm": _integers(math.lcm),
+    "isprime": is_prime,
     "numer": _fraction_part(0),
     "denom": _fraction_part(1),
     "piecewise": piecewise,

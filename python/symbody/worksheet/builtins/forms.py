@@ -11,6 +11,8 @@ from symbody.symbolic import Expr, number
 from symbody.worksheet import syntax
 from symbody.worksheet.arithmetic import binary, matrix_product, rebuilt, scalar
 from symbody.worksheet.builtins.containers import assigned as is_assigned
+from symbody.worksheet.builtins.display import alias as set_alias
+from symbody.worksheet.builtins.display import aliases
 from symbody.worksheet.builtins.integrals import closed_sum
 from symbody.worksheet.builtins.structural import items_of
 from symbody.worksheet.condition import truth
@@ -24,6 +26,7 @@ from symbody.worksheet.value import (
     Listed,
     MapleSet,
     Range,
+    Reference,
     Relation,
     Sequence,
     Unevaluated,
@@ -304,7 +307,36 @@ def chosen(
     return session.evaluate(then if truth(session, session.evaluate(condition)) else otherwise)
 
 
+def alias(session: Session, *nodes: syntax.Expression) -> Value:
+    """alias(c = cos, x = x(t)): another name for what is on the right; alias(c = c) ends it."""
+    for node in nodes:
+        if (
+            isinstance(node, syntax.Infix)
+            and node.operator == "="
+            and isinstance(_unquoted(node.left), syntax.Name)
+        ):
+            name = _unquoted(node.left).name
+            session.options.aliases.pop(name, None)
+            set_alias(session, name, session.evaluate(node.right))
+        else:
+            _aliases_of(session, session.evaluate(node))
+    return aliases(session)
+
+
+def _aliases_of(session: Session, value: Value) -> None:
+    """Make aliases of equations that are values: ``alias(op(L))``."""
+    for each in value.items if isinstance(value, Sequence | Listed | MapleSet) else (value,):
+        if not isinstance(each, Relation):
+            continue
+        if not isinstance(each.left, Expr | Reference) or (
+            isinstance(each.left, Expr) and each.left.kind != "symbol"
+        ):
+            raise WorksheetError(f"alias: {session.text(each.left)[:60]} is not a name")
+        set_alias(session, each.left.name, each.right)
+
+
 FORMS: dict[str, Form] = {
+    "alias": alias,
     "if": chosen,
     "ifelse": chosen,
     "seq": seq,
