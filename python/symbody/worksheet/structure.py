@@ -271,7 +271,7 @@ def sum_of(parts: Iterable[Tree], value: Expr | None = None) -> Tree:
     if not terms:
         return tree_of(number(0))
     terms.sort(key=_term_order)
-    first = next((i for i, term in enumerate(terms) if not _is_negative(term)), 0)
+    first = next((i for i, term in enumerate(terms) if not _is_negative(term) and not _is_imaginary(term)), 0)
     terms.insert(0, terms.pop(first))
     if value is None:
         value = reduce(add, (term.value for term in terms))

@@ -15,6 +15,7 @@ from symbody.worksheet.builtins import (
     code,
     complex_numbers,
     containers,
+    eigenvalues,
     elementary,
     files,
     integrals,
@@ -66,11 +67,14 @@ _FAMILIES = (
         sets,
         arrays,
         matrices,
+        eigenvalues,
     ),
     *(texts, files, display_family, code, motions, plots),
 )
 
-KERNEL: dict[str, Command] = {name: each for family in _FAMILIES for name, each in family.COMMANDS.items()}
+KERNEL: dict[str, Command] = {
+    name: each for family in _FAMILIES for name, each in getattr(family, "COMMANDS", {}).items()
+}
 """Commands that are always known."""
 
 PACKAGES: dict[str, dict[str, Command]] = {}

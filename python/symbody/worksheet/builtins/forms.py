@@ -310,14 +310,10 @@ def chosen(
 def alias(session: Session, *nodes: syntax.Expression) -> Value:
     """alias(c = cos, x = x(t)): another name for what is on the right; alias(c = c) ends it."""
     for node in nodes:
-        if (
-            isinstance(node, syntax.Infix)
-            and node.operator == "="
-            and isinstance(_unquoted(node.left), syntax.Name)
-        ):
-            name = _unquoted(node.left).name
-            session.options.aliases.pop(name, None)
-            set_alias(session, name, session.evaluate(node.right))
+        name = _unquoted(node.left) if isinstance(node, syntax.Infix) and node.operator == "=" else None
+        if isinstance(node, syntax.Infix) and isinstance(name, syntax.Name):
+            session.options.aliases.pop(name.name, None)
+            set_alias(session, name.name, session.evaluate(node.right))
         else:
             _aliases_of(session, session.evaluate(node))
     return aliases(session)
