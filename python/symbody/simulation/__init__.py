@@ -28,6 +28,10 @@ from symbody.simulation.steady_state.equilibrium import Equilibrium, equilibrium
 from symbody.simulation.steady_state.steady import steady
 from symbody.simulation.steady_state.steady_motion import SteadyMotion
 from symbody.simulation.steady_state.steady_motions import steady_motions
+from symbody.simulation.study import measures, statistics
+from symbody.simulation.study.sample.sample import sample
+from symbody.simulation.study.study import study
+from symbody.simulation.study.study_results import Study
 
 __all__ = [
     "Branch",
@@ -47,6 +51,7 @@ __all__ = [
     "Runs",
     "StateSpace",
     "SteadyMotion",
+    "Study",
     "Sweep",
     "TimeResponse",
     "consistent_state",
@@ -58,16 +63,20 @@ __all__ = [
     "grid",
     "impulse_response",
     "inverse_dynamics",
+    "measures",
     "mobility",
     "modes",
     "redundant_constraints",
     "root_locus",
+    "sample",
     "simulate",
     "simulate_many",
     "state_space",
+    "statistics",
     "steady",
     "steady_motions",
     "step_response",
     "stops",
+    "study",
     "sweep",
 ]
