@@ -7,14 +7,17 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-from numpy.typing import NDArray
-
+from symbody.deferred import Deferred
 from symbody.worksheet.session import Session
 from symbody.worksheet.value import Plot, Value
 
 if TYPE_CHECKING:
+    import numpy as np
     from matplotlib.axes import Axes
+    from numpy.typing import NDArray
+else:
+    np = Deferred("numpy")
+
 
 __all__ = ["Piece", "drawn", "pieces_of"]
 
