@@ -28,18 +28,25 @@ from symbody.simulation.steady_state.equilibrium import Equilibrium, equilibrium
 from symbody.simulation.steady_state.steady import steady
 from symbody.simulation.steady_state.steady_motion import SteadyMotion
 from symbody.simulation.steady_state.steady_motions import steady_motions
-from symbody.simulation.study import measures, statistics
-from symbody.simulation.study.sample.sample import sample
-from symbody.simulation.study.study import study
-from symbody.simulation.study.study_results import Study
+from symbody.simulation.studies import measures, statistics
+from symbody.simulation.studies.fit.experiment import Experiment, Measurement
+from symbody.simulation.studies.fit.fit import fit
+from symbody.simulation.studies.fit.fitted import Fit
+from symbody.simulation.studies.sample.sample import sample
+from symbody.simulation.studies.sobol_indices import SobolIndices, sobol_indices
+from symbody.simulation.studies.study import study
+from symbody.simulation.studies.study_results import Study
 
 __all__ = [
     "Branch",
     "CriticalValue",
     "Equilibrium",
     "Event",
+    "Experiment",
+    "Fit",
     "FrequencyResponse",
     "InverseDynamics",
+    "Measurement",
     "Mobility",
     "Mode",
     "Modes",
@@ -49,6 +56,7 @@ __all__ = [
     "Redundancy",
     "RootLocus",
     "Runs",
+    "SobolIndices",
     "StateSpace",
     "SteadyMotion",
     "Study",
@@ -58,6 +66,7 @@ __all__ = [
     "continuation",
     "crossing_branch",
     "equilibrium",
+    "fit",
     "frequency_response",
     "gradient_of_motion",
     "grid",
@@ -71,6 +80,7 @@ __all__ = [
     "sample",
     "simulate",
     "simulate_many",
+    "sobol_indices",
     "state_space",
     "statistics",
     "steady",

@@ -69,7 +69,7 @@ class Accumulation:
         made = cls(plan, count, size, file, status, t_reached, values, messages, merged, upto, _stored=upto)
         for number in range(upto, made.chunks):
             if made._is_done(number):
-                made._merge(number, file.partials(number) if plan.statistics else [])
+                made._merge(number, file.partials(number))
         return made
 
     @property

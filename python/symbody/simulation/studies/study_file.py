@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
@@ -205,8 +206,8 @@ class StudyFile:
                     data = message.encode()[:MESSAGE]
                     texts[case, : len(data)] = np.frombuffer(data, dtype=np.uint8)
                 group["message"][rows] = texts
-            for k, partial in enumerate(chunk.partials):
-                _put(group, f"progress/chunk_{number}/{k}", partial)
+            if chunk.partials:
+                _put(group, f"chunk_{number}", chunk.partials)
             group["t_reached"][rows] = chunk.t_reached
             group["status"][rows] = chunk.status
         except OSError as error:
@@ -218,15 +219,11 @@ class StudyFile:
         """Return the number of chunks whose statistics are merged, and these."""
         group = self._group
         upto = int(group.attrs.get("merged", 0))
-        return upto, self._partials(f"progress/merged_{upto}") if upto else []
+        return upto, _got(group, f"merged_{upto}") if upto else []
 
     def partials(self, number: int) -> list[Partial]:
         """Return the partial statistics of a finished chunk."""
-        return self._partials(f"progress/chunk_{number}")
-
-    def _partials(self, place: str) -> list[Partial]:
-        group = self._group
-        return [_got(group, f"{place}/{k}") for k in range(len(self.plan.statistics))]
+        return _got(self._group, f"chunk_{number}") if self.plan.statistics else []
 
     def commit(self, upto: int, merged: list[Partial]) -> None:
         """Store the merged statistics of the first chunks; then the parts that they replace are removed."""
@@ -234,8 +231,7 @@ class StudyFile:
         before = int(group.attrs.get("merged", 0))
         if upto == before or not self.plan.statistics:
             return
-        for k, partial in enumerate(merged):
-            _put(group, f"progress/merged_{upto}/{k}", partial)
+        _put(group, f"merged_{upto}", merged)
         group.attrs["merged"] = upto
         for name in [f"merged_{before}", *(f"chunk_{number}" for number in range(before, upto))]:
             if name in group["progress"]:
@@ -256,18 +252,20 @@ class StudyFile:
                 ] = values
 
 
-def _put(group: Any, place: str, partial: Partial) -> None:
-    """Write a partial result as a group of arrays."""
-    folder = group.require_group(place)
-    for name, values in partial.items():
-        array = np.asarray(values)
-        folder.create_array(name, data=array, chunks=tuple(max(1, n) for n in array.shape), overwrite=True)
+def _put(group: Any, name: str, partials: Sequence[Partial]) -> None:
+    """Write partial results as one array of bytes, which are a file ``.npz``."""
+    content = BytesIO()
+    arrays = {f"{k}/{key}": each for k, partial in enumerate(partials) for key, each in partial.items()}
+    np.savez(content, allow_pickle=False, **arrays)
+    data = np.frombuffer(content.getvalue(), dtype=np.uint8)
+    group["progress"].create_array(name, data=data, chunks=data.shape, overwrite=True)
 
 
-def _got(group: Any, place: str) -> Partial:
-    return dict(_arrays(group[place]))
-
-
-def _arrays(folder: Any) -> Iterator[tuple[str, NDArray[Any]]]:
-    for name, array in folder.arrays():
-        yield name, np.asarray(array[:])
+def _got(group: Any, name: str) -> list[Partial]:
+    """Return partial results as `_put` wrote them."""
+    found: dict[int, dict[str, NDArray[Any]]] = {}
+    with np.load(BytesIO(np.asarray(group["progress"][name][:]).tobytes()), allow_pickle=False) as stored:
+        for place, values in stored.items():
+            k, key = place.split("/")
+            found.setdefault(int(k), {})[key] = values
+    return [found[k] for k in sorted(found)]

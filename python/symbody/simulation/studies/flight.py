@@ -52,6 +52,8 @@ def run_in_threads(
     """
     done = 0
     for number in numbers:
+        if not keep_going(done):
+            return
         part = chunk_of(cases, number, size)
         chunk = run_chunk(plan, part, number * size, threads, counting_from(keep_going, done))
         if chunk is None:
