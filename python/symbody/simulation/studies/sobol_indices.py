@@ -38,6 +38,13 @@ class SobolIndices:
         first_interval: the confidence intervals of the first, shape (d, 2).
         total_interval: those of the others, shape (d, 2).
         confidence: the probability of these intervals.
+
+    >>> from symbody import sample, sobol_indices, symbols
+    >>> a, b = symbols("a b")
+    >>> table = sample({a: ("uniform", 0, 1), b: ("uniform", 0, 1)}, 64, method="saltelli")
+    >>> found = sobol_indices(table, table[a])
+    >>> found.names, found.first.round(6) + 0.0
+    ((a, b), array([1., 0.]))
     """
 
     names: tuple[Expr, ...]
@@ -196,6 +203,14 @@ def _intervals(
     """Return confidence intervals of first-order and total indices, shape (d, 2) each, by the percentile bootstrap.
 
     SciPy's own are those of BCa, whose jackknife takes memory for n^2 numbers.
+
+    Args:
+        A: the results at A, shape (n,).
+        B: those at B.
+        AB: those at AB_i, shape (d, n).
+        confidence: the probability of the intervals.
+        resamples: the number of resamples.
+        seed: the seed of the generator.
     """
     generator, n = np.random.default_rng(seed), len(A)
     first, total = np.empty((resamples, len(AB))), np.empty((resamples, len(AB)))

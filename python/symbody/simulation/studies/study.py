@@ -251,6 +251,15 @@ def _chunk_size(row: int, count: int, given: object) -> int:
 
 
 def _file(path: Path, plan: Plan, cases: Cases, size: int, units: Mapping[str, str]) -> StudyFile:
+    """Return the file of a study, made or checked.
+
+    Args:
+        path: its path.
+        plan: what is computed.
+        cases: all cases.
+        size: the number of cases of a chunk.
+        units: the units, by name.
+    """
     problem = problem_digest(plan.with_names, cases)
     problem["the measures"] = digest(f"{name} {measure}" for name, measure in plan.measures.items())
     problem["the statistics"] = digest([*map(repr, plan.statistics), repr(plan.keeps_histories)])

@@ -154,6 +154,17 @@ class StudyFile:
         dims: tuple[str, ...],
         attributes: Mapping[str, Any],
     ) -> Any:
+        """Make an array, and return it.
+
+        Args:
+            group: the group of the store.
+            name: the name of the array.
+            shape: its shape.
+            dtype: the type of its numbers.
+            empty: what it is filled with.
+            dims: the names of its dimensions.
+            attributes: its attributes.
+        """
         chunks = (self.size, *shape[1:]) if dims[0] == "case" else shape
         return group.create_array(
             name,

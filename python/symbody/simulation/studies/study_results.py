@@ -64,6 +64,16 @@ class Study:
         cases: the parameters and initial values of the cases.
         found: what was computed.
         units: the units of measures, outputs and parameters, by name.
+
+    >>> import symbody as sb
+    >>> x = sb.functions_of_time("x")
+    >>> free = sb.newton_euler(sb.System([sb.Body(sb.translate(x, 0, 0), 1)], coordinates=[x]))
+    >>> given = {"cases": {x.diff(sb.t): [1, 2, 3]}, "measures": {"end": sb.measures.final(x)}, "outputs": {"x": x}}
+    >>> found = sb.study(free, t=(0, 2), **given)
+    >>> found["end"].round(9), found.over_time("x")["mean"][-1].round(9).item()
+    (array([2., 4., 6.]), 4.0)
+    >>> found.summary()["end"]["maximum case"]
+    2.0
     """
 
     plan: Plan = field(repr=False)

@@ -148,6 +148,19 @@ def _check(
     parameters: Mapping[Expr, float] | None,
     initial: Mapping[Expr, float] | None,
 ) -> None:
+    """Check the options of a fit, and that nothing is unknown and given.
+
+    Args:
+        loss: the loss.
+        confidence: the probability of the confidence intervals.
+        unknowns: the unknowns.
+        parameters: the values of known parameters.
+        initial: the known initial values.
+
+    Raises:
+        ArgumentError: an option is not known, or values are no dictionary.
+        ParameterError: a variable is unknown and given.
+    """
     if loss not in get_args(Loss):
         raise ArgumentError(f"fit: loss={loss!r}; expected one of {', '.join(get_args(Loss))}")
     if not is_real(confidence) or not 0 < float(str(confidence)) < 1:

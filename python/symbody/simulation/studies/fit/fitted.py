@@ -63,6 +63,14 @@ class Fit:
         residuals: the residuals, relative to the deviations of the measurements if these are given.
         confidence: the probability of the confidence intervals.
         evaluations: the number of points at which motions were computed.
+
+    >>> import symbody as sb
+    >>> x, u = sb.functions_of_time("x u")
+    >>> free = sb.newton_euler(sb.System([sb.Body(sb.translate(x, 0, 0), 1)], coordinates=[x]))
+    >>> thrown = sb.Experiment([sb.Measurement(x, [0, 1, 2], [0.01, 1.99, 4.01], deviation=0.01)])
+    >>> found = sb.fit(free, thrown, unknown={x.diff(sb.t): 1.0})
+    >>> [round(value, 4) for value in (found[x.diff(sb.t)], found.estimates[0].deviation)]
+    [2.002, 0.0045]
     """
 
     problem: Residuals = field(repr=False)

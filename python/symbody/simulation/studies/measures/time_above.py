@@ -59,7 +59,15 @@ class SettlingTime(SignChange):
 
 
 def _event_at(event: Indices, places: Indices, has_any: Flags, wanted: int, otherwise: Flags) -> Flags:
-    """Return whether the event at a place is the wanted one, for each case; without events, another answer."""
+    """Return whether the event at a place is the wanted one, for each case; another answer without events.
+
+    Args:
+        event: all events.
+        places: which of them is asked for, for each case.
+        has_any: whether a case has events.
+        wanted: the event that it should be.
+        otherwise: the answer for cases without events.
+    """
     result = otherwise.copy()
     result[has_any] = event[places[has_any]] == wanted
     return result
