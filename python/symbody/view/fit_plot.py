@@ -48,7 +48,7 @@ def plot_fit(
         above.legend(loc="best", fontsize="small")
         below.plot(instants, residuals, ".", ms=3, color="C1")
         below.axhline(0, color="0.4", lw=0.8)
-        below.set_ylabel("residual / deviation" if is_relative else "residual", fontsize="small")
+        below.set_ylabel("residual /\ndeviation" if is_relative else "residual", fontsize="small")
     for each in axes:
         each.grid(visible=True, alpha=0.3)
     axes[-1].set_xlabel("t [s]")
