@@ -61,6 +61,7 @@ from symbody.symbolic.expression.leaves import (
     time_function,
 )
 from symbody.symbolic.expression.matrix import Matrix, identity, zeros
+from symbody.symbolic.expression.time_limit import time_limit
 from symbody.symbolic.expression.multiple_of_pi import (
     exact_angle,
     meant_multiple_of_pi,
@@ -182,6 +183,7 @@ __all__ = [
     "time_derivative",
     "time_derivatives",
     "time_function",
+    "time_limit",
     "to_sympy",
     "truncated",
     "with_shared_sums",
