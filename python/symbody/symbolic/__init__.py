@@ -61,13 +61,13 @@ from symbody.symbolic.expression.leaves import (
     time_function,
 )
 from symbody.symbolic.expression.matrix import Matrix, identity, zeros
-from symbody.symbolic.expression.time_limit import time_limit
 from symbody.symbolic.expression.multiple_of_pi import (
     exact_angle,
     meant_multiple_of_pi,
     multiple_of_pi,
     radians,
 )
+from symbody.symbolic.expression.time_limit import time_limit
 from symbody.symbolic.expression.vector_operations import (
     add3,
     cross3,
