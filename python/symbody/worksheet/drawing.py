@@ -53,8 +53,8 @@ def pieces_of(plot: Plot) -> list[Piece]:
 def drawn(session: Session, plot: Plot) -> str:
     """Draw into a new file of the output folder, and return what the sheet prints of it."""
     animated = plot.kind == "animation"
-    number = 1 + sum(1 for _ in session.folder.glob("plot*.*"))
-    path = session.folder / f"plot{number}.{'html' if animated else 'png'}"
+    session.drawings += 1
+    path = session.folder / f"plot{session.drawings}.{'html' if animated else 'png'}"
     session.folder.mkdir(parents=True, exist_ok=True)
     frames = [pieces_of(each) for each in plot.data] if animated else [pieces_of(plot)]
     options = dict(plot.options)

@@ -13,6 +13,7 @@ from symbody.worksheet import builtins, frame_face, mbsymba, operators, syntax
 from symbody.worksheet.builtins.files import read_file, save_file
 from symbody.worksheet.condition import truth
 from symbody.worksheet.evaluate import Evaluator
+from symbody.worksheet.naming import symbol
 from symbody.worksheet.numeric import as_float
 from symbody.worksheet.procedure import Leave, Returned
 from symbody.worksheet.reading.files import source_cells
@@ -391,6 +392,7 @@ class Interpreter:
         try:
             return self._nested(node.body, shown=node.shown)
         except SymbodyError as error:
+            self.session.assign("lastexception", Sequence((symbol("unknown"), String(str(error)))))
             for texts, body in node.handlers:
                 if not texts or any(not text or text in str(error) for text in texts):
                     return self._nested(body, shown=node.shown)
