@@ -21,7 +21,16 @@ def definition(
     values: Sequence[Any],
     keywords: dict[str, Any],
 ) -> list[str]:
-    """Return a procedure as a function, written for the kinds of values of a call."""
+    """Return a procedure as a function, written for the kinds of values of a call.
+
+    Args:
+        name: the name of the procedure.
+        procedure: its parameters and statements.
+        names: the names around it.
+        text: writes expressions.
+        values: the values of the arguments of the call.
+        keywords: those that are given by name.
+    """
     inner = names.inner()
     writer = text.within(inner)
     parameters = [each for each in procedure.parameters if not each.rest]

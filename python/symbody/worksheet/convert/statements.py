@@ -233,7 +233,15 @@ def _shown_item(text: PythonText, item: syntax.Expression, *, shown: bool, keeps
 def _value_lines(
     text: PythonText, item: syntax.Expression, written: str, *, shown: bool, keeps: bool
 ) -> list[str]:
-    """Return the lines that show a value, or keep it for the next statement."""
+    """Return the lines that show a value, or keep it for the next statement.
+
+    Args:
+        text: writes expressions.
+        item: the expression.
+        written: its text.
+        shown: whether its value is printed.
+        keeps: whether the next statement needs it.
+    """
     if _acts(item):
         return [written] if not keeps else [f"last = {written}"]
     text.shown.append(written)
