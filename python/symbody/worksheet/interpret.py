@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import Any
 
 from symbody.errors import SymbodyError, WorksheetError
-from symbody.symbolic import Expr, UndefinedFunction, number
+from symbody.symbolic import Expr, UndefinedFunction, number, time_limit
 from symbody.worksheet import builtins, frame_face, mbsymba, operators, syntax
 from symbody.worksheet.builtins.files import read_file, save_file
 from symbody.worksheet.condition import truth
@@ -99,9 +99,14 @@ class Interpreter:
         frames = sys.getrecursionlimit()
         sys.setrecursionlimit(max(frames, _FRAMES))
         try:
-            self._statement(statement, shown=statement.shown)
+            with time_limit(session.limits.seconds):
+                self._statement(statement, shown=statement.shown)
         except Returned:
             pass
+        except TimeoutError:
+            late = session.limits.exceeded()
+            late.place = statement.place
+            raise late from None
         except Leave:
             raise WorksheetError("break and next stand in loops only", statement.place) from None
         except RecursionError:

@@ -60,9 +60,13 @@ class Limits:
     def check(self) -> None:
         """Raise an error if the statement has run for too long."""
         if time.monotonic() > self.deadline:
-            raise WorksheetError(
-                f"the statement ran for more than {self.seconds:g} s; it was stopped, and the next statement runs"
-            )
+            raise self.exceeded()
+
+    def exceeded(self) -> WorksheetError:
+        """Return the error of a statement that has run for too long."""
+        return WorksheetError(
+            f"the statement ran for more than {self.seconds:g} s; it was stopped, and the next statement runs"
+        )
 
     def check_items(self, items: float) -> None:
         """Raise an error for sequences, loops of sequences and matrices of too many items."""
