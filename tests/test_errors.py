@@ -1254,10 +1254,10 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     ),
     (
         errors.JointError,
-        lambda: meshed(gear, revolute("Q", ground, B, axis="X", at=(3, 0, 0)), 1, 2),
+        lambda: meshed(gear, revolute("Q", ground, B, axis="X", at=(3, a, 0)), 1, 2),
         (
-            "gear G: the axes of revolute P and revolute Q aren't parallel with one sense; expected wheels in a "
-            "plane: turn their places on the carrier"
+            "gear G: the axes of revolute P and revolute Q are neither parallel nor meet; expected wheels in a plane, "
+            "or bevel gears, whose axes meet in one point"
         ),
     ),
     (

@@ -264,9 +264,12 @@ def _nearly_closes(q: Array, phi: Array, phi_q: Array, sizes: Array) -> bool:
 
 def _are_nearly_dependent(phi_q: Array) -> bool:
     """Return whether gradients depend on each other up to what dimensions lose when they are printed."""
-    directions = phi_q / np.maximum(np.linalg.norm(phi_q, axis=1, keepdims=True), 1e-300)
-    if len(phi_q) > phi_q.shape[1] or not np.isfinite(directions).all():
-        return len(phi_q) > phi_q.shape[1]
+    rows, columns = phi_q.shape
+    if rows > columns:
+        return True
+    directions = phi_q / np.maximum(np.linalg.norm(phi_q, axis=1, keepdims=True), np.finfo(float).tiny)
+    if not np.isfinite(directions).all():
+        return False
     values = np.linalg.svd(directions, compute_uv=False)
     return bool(values[-1] <= _PRINTED * values[0])
 
