@@ -14,6 +14,7 @@ from time import process_time
 from typing import TypeVar
 
 from symbody import Equations, Motion, cost, forward_dynamics, models, newton_euler, simulate
+from symbody.errors import ModelError
 
 DURATION, RTOL, ATOL = 1.0, 1e-8, 1e-10
 _MOTIONS = 5
@@ -32,7 +33,7 @@ class Found:
         derivation: from the call of the model to the equations of motion, the first in the process.
         operations: those of the accelerations.
         motion: a motion with its energies, after the first one, which makes the machine code.
-        drift: of the balance of energy.
+        drift: of the balance of energy; None if a drive without a name takes part in it.
     """
 
     name: str
@@ -41,7 +42,7 @@ class Found:
     derivation: float
     operations: int
     motion: float
-    drift: float
+    drift: float | None
 
 
 def trial(name: str) -> Found:
@@ -60,7 +61,10 @@ def trial(name: str) -> Found:
             atol=ATOL,
         )
 
-    drift = moved().energy_drift
+    try:
+        drift = moved().energy_drift
+    except ModelError:
+        drift = None
     return Found(
         name,
         len(equations.coordinates),
