@@ -48,6 +48,7 @@ class Found:
 def trial(name: str) -> Found:
     """Measure a model."""
     (model, equations), derivation = _timed(lambda: _derived(name))
+    operations = cost(forward_dynamics(equations).accelerations).total
 
     def moved() -> Motion:
         return simulate(
@@ -70,7 +71,7 @@ def trial(name: str) -> Found:
         len(equations.coordinates),
         len(equations.constraints),
         derivation,
-        cost(forward_dynamics(equations).accelerations).total,
+        operations,
         median(_timed(moved)[1] for _ in range(_MOTIONS)),
         drift,
     )
