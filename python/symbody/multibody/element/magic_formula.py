@@ -101,7 +101,15 @@ class MagicFormula:
         *,
         speed: Scalar | None = None,
     ) -> TireForce:
-        """Return the forces of the tyre; the rolling resistance may depend on the speed, in m/s."""
+        """Return the forces of the tyre.
+
+        Args:
+            load: the vertical load, in N.
+            kappa: the longitudinal slip.
+            lateral_slip: the tangent of the slip angle.
+            camber: the camber, in rad.
+            speed: that of the wheel, in m/s, if the rolling resistance depends on it.
+        """
         if speed is None and self.needs_speed:
             raise LoadError(
                 f"magic_formula: no speed, on which the rolling resistance depends by {' and '.join(BY_SPEED)}; "
