@@ -194,6 +194,7 @@ class _Arrangement:
             [(result.name, index) for result in results for index in range(result.size)],
             scalars=frozenset(array.name for array in arguments if array.is_scalar),
             limit=self.limit,
+            fuses=bool(self.language.fused),
         )
         operations = frozenset(row.operation for row in code.instructions)
         working = self._working(composition)
