@@ -34,6 +34,9 @@ LANGUAGE: Language = replace(
 )
 """C with fused products, with sines and cosines of our own, and with a note of deficient linear systems."""
 
+_OUTSIDE = "factor|solve|take_units|reflect_columns|find_directions|mark|solve_orthogonal"
+"""The functions of linear systems that are not inlined: they would make most of the code."""
+
 _PRELUDE = """\
 #ifndef DBL_MIN
 #define DBL_MIN 2.2250738585072014e-308
@@ -48,8 +51,8 @@ _PRELUDE = """\
 #endif
 #define UNROLL _Pragma("unroll")
 
-/* The sine of an angle up to 1e5, or of the angle in the next quadrant, its cosine: the arithmetic of the machine code for
- * the host (codegen/llvm/sincos.py). Sine and cosine of one angle share the reduction when both are inlined. */
+/* The sine of an angle up to 1e5, or, of the angle in the next quadrant, its cosine: the arithmetic of the machine
+ * code for the host (codegen/llvm/sincos.py). Sine and cosine of one angle share its reduction. */
 static __device__ __forceinline__ double wave(double x, long long next)
 {
     const double shifted = fma(x, 0.6366197723675814, 6755399441055744.0);
@@ -81,6 +84,7 @@ def device_prelude(module: Module) -> str:
         return _PRELUDE
     kernel = re.sub(r"^#include.*\n", "", kernel_text("linear_solve.c"), flags=re.MULTILINE)
     kernel = re.sub(r"^static ", "static __device__ ", kernel, flags=re.MULTILINE)
+    kernel = re.sub(rf"__device__ (\w+) (?=symbody_({_OUTSIDE})\()", r"__device__ __noinline__ \1 ", kernel)
     return f"{_PRELUDE}\n#define restrict __restrict__\n{kernel}"
 
 
@@ -105,7 +109,9 @@ def _function(function: Function) -> Sequence[str]:
 def _signature(function: Function) -> str:
     parameters = [_parameter(a, "const ") for a in function.arguments]
     parameters += [_parameter(r, "") for r in function.results]
-    return f"static __device__ __noinline__ void {function.name}({', '.join([*parameters, 'int *deficient'])})"
+    return (
+        f"static __device__ __noinline__ void {function.name}({', '.join([*parameters, 'int *deficient'])})"
+    )
 
 
 def _parameter(array: Array, constant: str) -> str:

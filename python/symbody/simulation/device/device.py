@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Any, Protocol
 
-import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 __all__ = ["Device", "Loaded"]
@@ -33,8 +32,13 @@ class Device(Protocol):
 class Loaded(Protocol):
     """A compiled text on its device."""
 
+    @property
+    def block(self) -> int:
+        """The number of threads that start and end together; a launch has whole blocks."""
+        ...
+
     def threads(self, name: str) -> int:
-        """Return how many threads run a function at a time."""
+        """Return how many threads run a function at a time: whole blocks."""
         ...
 
     def launch(self, name: str, threads: int, *given: Any) -> None:
@@ -42,7 +46,7 @@ class Loaded(Protocol):
 
         Args:
             name: the function.
-            threads: their number; a few more may run.
+            threads: their number, in whole blocks.
             given: its arguments: arrays of the device, ``np.int64`` and ``np.float64``.
         """
         ...

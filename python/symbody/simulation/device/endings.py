@@ -8,7 +8,7 @@ from enum import IntEnum
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Column", "Ending", "Endings"]
+__all__ = ["REASONS", "Column", "Ending", "Endings"]
 
 Array = NDArray[np.float64]
 
@@ -39,6 +39,19 @@ class Column(IntEnum):
     EVALUATIONS = 4
     STIFF = 5
     HAPPENED = 6
+
+
+REASONS = {
+    Ending.NOT_FINITE: "a rate of the state is not a finite number there",
+    Ending.COLLAPSED: "its step has collapsed there",
+    Ending.STALLED: "its steps are so short that it would never end",
+    Ending.DEFICIENT: "a linear system in the model has no unique solution",
+    Ending.UNBALANCED: "its energy balance is off there",
+    Ending.SINGULAR: "it comes near a singular position of its constraints",
+    Ending.CROWDED: "it has more events than the device keeps",
+    Ending.AT_POLE: "its accelerations are so large at its start that they may be infinite",
+}
+"""Why the host integrates a motion."""
 
 
 @dataclass(frozen=True, eq=False)

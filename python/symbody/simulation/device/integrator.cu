@@ -133,7 +133,7 @@ static __device__ void evaluate(Lane *lane, double t, const double *x, double *o
 }
 
 /* Guess the first step from the rates and their change. */
-static __device__ double first_step(const Batch *batch, Lane *lane, double end)
+static __device__ __noinline__ double first_step(const Batch *batch, Lane *lane, double end)
 {
     const double longest = fmin(batch->max_step, end - lane->t);
     double y[WIDTH], change[WIDTH];
@@ -164,7 +164,7 @@ static __device__ int energies_of(Lane *lane, double t, const double *x, double 
 }
 
 /* Update the largest change of the energy by errors of one tolerance in each entry, and of one absolute tolerance. */
-static __device__ void widen(const Batch *batch, Lane *lane, double t, const double *x, double energy)
+static __device__ __noinline__ void widen(const Batch *batch, Lane *lane, double t, const double *x, double energy)
 {
     double near[WIDTH], energies[2], sums[2] = {0.0, 0.0};
     EACH(i, WIDTH) near[i] = x[i];
@@ -179,7 +179,7 @@ static __device__ void widen(const Batch *batch, Lane *lane, double t, const dou
     lane->least_spread = fmax(lane->least_spread, sums[1]);
 }
 
-static __device__ void look(const Batch *batch, Lane *lane, double t, const double *x)
+static __device__ __noinline__ void look(const Batch *batch, Lane *lane, double t, const double *x)
 {
     double energies[2];
     if (!energies_of(lane, t, x, energies)) return;
@@ -193,7 +193,7 @@ static __device__ void look(const Batch *batch, Lane *lane, double t, const doub
     lane->off = fmax(lane->off, fabs(kinetic + potential - work - lane->first));
 }
 
-static __device__ void begin_balance(const Batch *batch, Lane *lane)
+static __device__ __noinline__ void begin_balance(const Batch *batch, Lane *lane)
 {
     double energies[2];
     lane->first = lane->first_potential = lane->moving = lane->largest = 0.0;
@@ -207,7 +207,7 @@ static __device__ void begin_balance(const Batch *batch, Lane *lane)
 }
 
 /* Whether the balance was ever off by more than the errors of the steps explain. */
-static __device__ int is_unbalanced(const Batch *batch, Lane *lane, double t, const double *x)
+static __device__ __noinline__ int is_unbalanced(const Batch *batch, Lane *lane, double t, const double *x)
 {
     double energies[2];
     look(batch, lane, t, x);
@@ -237,7 +237,7 @@ static __device__ double apply(int n, const double *change, double *x)
 }
 
 /* Project a state onto the constraints; return whether that changes the speeds by no more than the bound. */
-static __device__ int project(Lane *lane, double t, double *x, double bound)
+static __device__ __noinline__ int project(Lane *lane, double t, double *x, double bound)
 {
     double change[WIDTH], size = 0.0;
     for (int turn = 0; turn < 8; ++turn) {
@@ -262,7 +262,7 @@ static __device__ double branch_bound(const Batch *batch, Lane *lane)
 }
 
 /* Take away the part of a small change of the state that leads off the constraints. */
-static __device__ void keep_along(Lane *lane, double t, const double *x, double *change)
+static __device__ __noinline__ void keep_along(Lane *lane, double t, const double *x, double *change)
 {
     double at[WIDTH], with[SPEEDS], without[SPEEDS];
     EACH(i, WIDTH) at[i] = x[i];
@@ -277,7 +277,7 @@ static __device__ void keep_along(Lane *lane, double t, const double *x, double 
 }
 
 /* By how much rounding errors change the speeds that the constraints allow. */
-static __device__ double noise(Lane *lane)
+static __device__ __noinline__ double noise(Lane *lane)
 {
     double near[WIDTH], here[SPEEDS], beside[SPEEDS], change = 0.0;
     velocity_correction_at(lane->t, lane->x, lane->c, here, &lane->deficient);
@@ -295,7 +295,7 @@ static __device__ double noise_bound(const Batch *batch, const Lane *lane)
 }
 
 /* Whether a step can start at the state, whose rates are known: no singular position is near. */
-static __device__ int starts_well(const Batch *batch, Lane *lane, double steepness)
+static __device__ __noinline__ int starts_well(const Batch *batch, Lane *lane, double steepness)
 {
     const double now = largest_of(SPEEDS, lane->x + COORDINATES), ever = largest_of(SPEEDS, lane->sizes + COORDINATES);
     double change[WIDTH];
@@ -309,7 +309,7 @@ static __device__ int starts_well(const Batch *batch, Lane *lane, double steepne
 }
 
 /* Whether the dense output of the last step satisfies the equations in its middle. */
-static __device__ int reads_well(const Batch *batch, Lane *lane, double dense[TERMS][WIDTH])
+static __device__ __noinline__ int reads_well(const Batch *batch, Lane *lane, double dense[TERMS][WIDTH])
 {
     const double h = lane->last_h, middle = lane->last_t + 0.5*h;
     double y[WIDTH], defect[WIDTH];
@@ -366,7 +366,7 @@ struct Dense {
     double terms[TERMS][WIDTH], bound;
 };
 
-static __device__ void ask(const Batch *batch, Lane *lane, Dense *dense)
+static __device__ __noinline__ void ask(const Batch *batch, Lane *lane, Dense *dense)
 {
     if (dense->is_there) return;
     prepare_dense(lane, dense->terms);
@@ -378,7 +378,7 @@ static __device__ void ask(const Batch *batch, Lane *lane, Dense *dense)
 }
 
 /* Write the state at an instant of the last step, on the constraints. */
-static __device__ void read(const Batch *batch, Lane *lane, Dense *dense, double t, double *out)
+static __device__ __noinline__ void read(const Batch *batch, Lane *lane, Dense *dense, double t, double *out)
 {
     const int is_end = t >= lane->t || t >= lane->last_t + lane->last_h;
     double y[WIDTH];
@@ -407,7 +407,7 @@ static __device__ int crosses(double before, double after, int direction)
 }
 
 /* Find the zero of an event between the last checked instant and b by the Illinois method; leave the state there in x. */
-static __device__ double locate(
+static __device__ __noinline__ double locate(
     const Batch *batch, Lane *lane, Dense *dense, int event, double b, double at_b, double *x)
 {
     double a = lane->seen, at_a = lane->values[event], zero = b, values[EVENTS];
@@ -440,7 +440,7 @@ static __device__ int comes_before(const double *one, const double *other)
 }
 
 /* Store an event among those of its step, in order of time; at one instant, those that end the motion come last. */
-static __device__ void store_event(double *rows, long long first, long long count, int event, double t, const double *x)
+static __device__ __noinline__ void store_event(double *rows, long long first, long long count, int event, double t, const double *x)
 {
     double row[2 + WIDTH];
     row[0] = event, row[1] = t;
@@ -452,7 +452,7 @@ static __device__ void store_event(double *rows, long long first, long long coun
 }
 
 /* Find the events of the last step. Return RUNNING, ENDED_BY_EVENT with the row of the last one, or CROWDED. */
-static __device__ int find_events(const Batch *batch, Lane *lane, Dense *dense, const double **last)
+static __device__ __noinline__ int find_events(const Batch *batch, Lane *lane, Dense *dense, const double **last)
 {
     double *rows = batch->events + lane->number*batch->most_events*(2 + WIDTH);
     const double start = lane->seen, end = lane->t;
@@ -492,7 +492,7 @@ static __device__ int may_be_a_pole(const Lane *lane)
         > 1e6*fmax(1.0, largest_of(FIRST_ACCELERATION, lane->k[0]));
 }
 
-static __device__ void begin(const Batch *batch, Lane *lane, long long number)
+static __device__ __noinline__ void begin(const Batch *batch, Lane *lane, long long number)
 {
     lane->number = number;
     lane->reached = 1;
@@ -521,7 +521,7 @@ static __device__ void begin(const Batch *batch, Lane *lane, long long number)
 }
 
 /* Write how a motion ended, and leave the lane free. */
-static __device__ void finish(const Batch *batch, Lane *lane, int status, double t, const double *x)
+static __device__ __noinline__ void finish(const Batch *batch, Lane *lane, int status, double t, const double *x)
 {
 #if ENERGIES
     if (status <= ENDED_BY_EVENT && is_unbalanced(batch, lane, t, x)) status = UNBALANCED;

@@ -40,8 +40,11 @@ class Kernel:
 def kernel_of(task: Task) -> Kernel:
     """Return the kernel of a task."""
     problem = problem_of(task.model, is_projected=task.is_projected, events=task.events)
-    module = module_of(_program(problem, task.model.code_variables[1:]), LANGUAGE, None)
-    constants = {**_constants(problem, task, module), **method_constants(tableau := tableau_of(task.options.method))}
+    module = module_of(_program(problem, task.model.code_variables[1:]), LANGUAGE, None, calls=False)
+    constants = {
+        **_constants(problem, task, module),
+        **method_constants(tableau := tableau_of(task.options.method)),
+    }
     parts = [
         "/* Many motions of one model, each in a thread; made by symbody. */",
         device_prelude(module),
@@ -52,7 +55,9 @@ def kernel_of(task: Task) -> Kernel:
         files(__package__).joinpath("integrator.cu").read_text(encoding="utf-8"),
         method_text(tableau),
     ]
-    return Kernel("\n\n".join(filter(None, parts)), problem.width, problem.parameters, problem.events is not None)
+    return Kernel(
+        "\n\n".join(filter(None, parts)), problem.width, problem.parameters, problem.events is not None
+    )
 
 
 _MEANINGS = {
@@ -88,8 +93,13 @@ def _routines(problem: Problem) -> Iterator[Routine]:
         out = Result("out", "", code.expressions, (len(code.expressions),))
         if code.shortcut is not None:
             brief, conditions = code.shortcut.expressions, code.shortcut.conditions
-            results = (Result("out", "", brief, (len(brief),)), Result("conditions", "", conditions, (len(conditions),)))
-            yield Routine(f"{name}_briefly", f"{_MEANINGS[name]}, where the conditions are positive", names, results)
+            results = (
+                Result("out", "", brief, (len(brief),)),
+                Result("conditions", "", conditions, (len(conditions),)),
+            )
+            yield Routine(
+                f"{name}_briefly", f"{_MEANINGS[name]}, where the conditions are positive", names, results
+            )
         yield Routine(name, _MEANINGS[name], names, (out,))
 
 

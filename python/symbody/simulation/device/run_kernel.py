@@ -59,10 +59,10 @@ def run_kernel(
         keep_going: called between launches with the number of motions that have ended.
     """
     cases, most = len(states), MOST_EVENTS if kernel.has_events else 0
-    threads = min(loaded.threads("advance"), cases)
+    threads = min(loaded.threads("advance"), -(-cases // loaded.block) * loaded.block)
     size = device.put(np.zeros(1, dtype=np.int64))
-    loaded.launch("measure", 1, size)
-    lanes = device.empty((_whole_blocks(threads) * int(device.get(size)[0]),), np.uint8)
+    loaded.launch("measure", loaded.block, size)
+    lanes = device.empty((threads * int(device.get(size)[0]),), np.uint8)
     loaded.launch("clear", threads, lanes)
     results = (
         device.empty((cases, len(instants), kernel.width), np.float64),
@@ -84,12 +84,3 @@ def run_kernel(
         turns = int(np.clip(turns * LAUNCH / max(monotonic() - begin, 1e-6), max(turns // 2, 1), 4 * turns))
     along, ends, events, counts = map(device.get, results)
     return Endings(counts, ends, along, events)
-
-
-def _whole_blocks(threads: int) -> int:
-    """Return at least as many threads as a launch runs."""
-    return threads + BLOCK - 1
-
-
-BLOCK = 128
-"""The threads of a block: few, so that registers that are left over are few."""
