@@ -140,7 +140,7 @@ def simulate_many(
     check_cases(task, all_cases)
     if device is not None and executor is not None:
         raise SimulationError(
-            f"{PREFIX}device={described(device)} and an executor; give one of them: the device is fed by this process"
+            f"{PREFIX}device={device!r} and an executor; give one of them: the device is fed by this process"
         )
     task = on_device(task, device, PLACE)
     warn_of_odd_values(task, all_cases.parameters, PLACE)

@@ -10,7 +10,6 @@ from symbody.errors import ProgramError, SimulationError
 from symbody.simulation.given.wording import joined_by_and
 from symbody.simulation.integrate.methods import methods_that
 from symbody.simulation.integrate.task import Task
-from symbody.symbolic.given.arguments import described
 
 from .cuda import cuda
 from .device import Device, Loaded
@@ -38,7 +37,7 @@ def on_device(task: Task, name: object, where: str) -> Task:
     if not isinstance(name, str) or name not in DEVICES:
         known = ", ".join(map(repr, DEVICES))
         raise SimulationError(
-            f"{where}: device={described(name)}; expected {known}, or None for threads of this process"
+            f"{where}: device={name!r}; expected {known}, or None for threads of this process"
         )
     _check_abilities(task, f"{where}: device={name!r}")
     found = replace(task, device=name)
