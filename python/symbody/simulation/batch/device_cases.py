@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,19 +19,30 @@ from symbody.simulation.integrate.task import KeepGoing, Task
 from symbody.symbolic.numeric.deficiency import noting
 
 from .cases import Cases
-from .record import record
 
-__all__ = ["name_left", "run_on_device"]
+__all__ = ["Ended", "name_left", "run_on_device"]
 
 Array = NDArray[np.float64]
 
 _ENDS = {Ending.COMPLETED: Status.COMPLETED, Ending.ENDED_BY_EVENT: Status.ENDED_BY_EVENT}
 
 
+class Ended(NamedTuple):
+    """What remains to be done for cases that ran on a device.
+
+    Attributes:
+        alone: the motions that must be looked at one by one, and their cases.
+        left: the cases that this process must integrate, and why.
+    """
+
+    alone: Iterator[tuple[int, Integrated]]
+    left: dict[int, str]
+
+
 def run_on_device(
     task: Task, cases: Cases, chosen: Sequence[int], states: Array, results: Results, keep_going: KeepGoing
-) -> dict[int, str]:
-    """Run cases on the device of a task and record them; return those that are left to this process, and why.
+) -> Ended:
+    """Run cases on the device of a task, record those of which nothing is to be reported, and return the others.
 
     Args:
         task: what the cases share.
@@ -48,19 +60,19 @@ def run_on_device(
         rows[:, place] = own.parameters[name]
     found = run_kernel(device, loaded, kernel, task.options, task.instants, rows, states[numbers], keep_going)
     over = np.flatnonzero(found.is_over)
-    if not _record_together(task, own, results, numbers, over, found):
-        for k in over.tolist():
-            outcome = _outcome_of(found, k, task)
-            record(results, chosen[k], Integrated(task, own.parameters_of(k), outcome))
+    are_recorded = _record_together(task, own, results, numbers, over, found)
+    alone = (
+        (chosen[k], Integrated(task, own.parameters_of(k), _outcome_of(found, k, task)))
+        for k in ([] if are_recorded else over.tolist())
+    )
     left = np.flatnonzero(found.is_left).tolist()
-    return {chosen[k]: REASONS[Ending(int(found.status[k]))] for k in left}
+    return Ended(alone, {chosen[k]: REASONS[Ending(int(found.status[k]))] for k in left})
 
 
 def name_left(results: Results, left: dict[int, str]) -> None:
     """Add a finding to cases that were left to this process, and were none the worse for what the device met."""
     for case, reason in left.items():
-        is_well = results.status[case] in _ENDS.values() and not results.findings[case]
-        if reason and is_well:
+        if results.status[case] in _ENDS.values() and not results.findings[case]:
             results.findings[case] = (Finding("left", reason),)
 
 

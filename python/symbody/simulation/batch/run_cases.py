@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from symbody.errors import SymbodyError
 from symbody.simulation.batch.case_arrays import Results, Status
+from symbody.simulation.integrate.diagnosis import diagnosis
 from symbody.simulation.integrate.initial_state import initial_slopes, initial_state
-from symbody.simulation.integrate.integrated import run_motions
-from symbody.simulation.integrate.notices import deficiency_findings
+from symbody.simulation.integrate.integrated import Integrated, run_motions
+from symbody.simulation.integrate.notices import deficiency_findings, findings_of
+from symbody.simulation.integrate.outcome import FailureKind, with_deficiencies
 from symbody.simulation.integrate.task import KeepGoing, Task
 from symbody.simulation.integrate.with_sensitivities import beside_sensitivities
 from symbody.simulation.integrate.without_redundant import without_redundant
@@ -19,7 +22,6 @@ from symbody.symbolic.numeric.deficiency import noting
 
 from .cases import Cases
 from .device_cases import name_left, run_on_device
-from .record import record
 
 __all__ = ["empty_results", "run_cases"]
 
@@ -53,26 +55,30 @@ def run_cases(task: Task, cases: Cases, threads: int = 1, keep_going: KeepGoing 
     def goes_on(done: float) -> bool:
         return keep_going(finished + done)
 
-    for each, chosen in _grouped(tasks).items():
-        reasons = dict.fromkeys(chosen, "")
+    for each, asked in _grouped(tasks).items():
+        chosen, ended = asked, None
         if each.device is not None:
-            reasons = run_on_device(each, cases, chosen, states, results, goes_on)
-            finished += len(chosen) - len(reasons)
-        left = np.array([*reasons], dtype=np.intp)
-        parameters, starts = cases.subset(left).parameters, states[left]
+            ended = run_on_device(each, cases, asked, states, results, goes_on)
+            chosen = [*ended.left]
+            for case, on_device in ended.alone:
+                _record(results, case, on_device)
+            finished += len(asked) - len(chosen)
+        parameters = cases.subset(np.array(chosen, dtype=np.intp)).parameters
+        starts = states[chosen]
         if each.variation is not None:
             starts = np.array(
                 [
                     beside_sensitivities(states[k], slopes[k], each.variation, cases.parameters_of(k))
-                    for k in reasons
+                    for k in chosen
                 ]
             )
         motions = run_motions(each, parameters, starts, threads, goes_on)
-        for case, motion in zip(reasons, motions, strict=True):
+        for case, motion in zip(chosen, motions, strict=True):
             if motion is not None:
-                record(results, case, motion)
-        name_left(results, reasons)
-        finished += len(reasons)
+                _record(results, case, motion)
+        if ended is not None:
+            name_left(results, ended.left)
+        finished += len(chosen)
     return results
 
 
@@ -119,3 +125,53 @@ def _free_initial_states(task: Task, cases: Cases) -> Array:
     for place, name in enumerate(model.state):
         states[:, place] = cases.initial.get(name, task.guess.get(name, 0.0))
     return states
+
+
+def _record(results: Results, case: int, motion: Integrated) -> None:
+    """Store the result of the integration of one case."""
+    task, outcome = motion.task, motion.outcome
+    failure, size, reached = outcome.failure, len(task.model.state), len(outcome.states)
+    if failure is not None and failure.kind is FailureKind.INTERRUPTED:
+        return
+    is_early = outcome.end[0] < task.instants[-1]
+    results.status[case] = (
+        Status.FAILED if failure else Status.ENDED_BY_EVENT if is_early else Status.COMPLETED
+    )
+    results.messages[case] = diagnosis(motion) if failure else ""
+    results.reached[case] = reached
+    results.t_reached[case] = failure.t if failure else outcome.end[0]
+    statistics = outcome.statistics
+    results.counts[case] = (
+        statistics.steps,
+        statistics.rejected,
+        statistics.evaluations,
+        statistics.jacobians,
+        statistics.is_stiff,
+    )
+    found = outcome.sensitivities
+    none = np.empty((len(outcome.occurrences), size, 0))
+    results.occurrences[case] = tuple(
+        (event, when, np.array(state[:size]), slopes)
+        for (event, when, state), slopes in zip(
+            outcome.occurrences, none if found is None else found.occurrences, strict=True
+        )
+    )
+    if found is not None and task.keeps_states:
+        results.slopes[case, :reached] = found.states
+    if task.keeps_states:
+        results.states[case, :reached, : outcome.states.shape[1]] = outcome.states
+    met = _put_outputs(results, case, motion) if task.outputs else motion
+    with noting():  # what the motion met is already in its findings
+        findings = findings_of(met)
+    results.findings[case] = tuple(dict.fromkeys((*results.findings[case], *findings)))
+
+
+def _put_outputs(results: Results, case: int, motion: Integrated) -> Integrated:
+    """Store the outputs of one case; return the motion with the deficient linear systems that they met."""
+    task, states = motion.task, motion.outcome.states
+    reached, size = len(states), len(task.model.state)
+    with noting() as found:
+        results.outputs[case, :, :reached] = task.values(
+            list(task.outputs.values()), states[:, :size], task.instants[:reached], motion.parameters
+        )
+    return replace(motion, outcome=with_deficiencies(motion.outcome, found))

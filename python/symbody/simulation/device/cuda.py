@@ -91,14 +91,16 @@ class LoadedModule:
         """Return how many threads run a function at a time: as many as registers allow on all multiprocessors."""
         function = self._module.get_function(name)
         limits = self._cupy.cuda.Device().attributes
-        registers = limits["MaxRegistersPerMultiprocessor"] // (BLOCK * max(int(function.num_regs), 1))
+        registers = limits["MaxRegistersPerMultiprocessor"] // (self.block * max(int(function.num_regs), 1))
         blocks = min(
-            registers, limits["MaxThreadsPerMultiProcessor"] // BLOCK, limits["MaxBlocksPerMultiprocessor"]
+            registers,
+            limits["MaxThreadsPerMultiProcessor"] // self.block,
+            limits["MaxBlocksPerMultiprocessor"],
         )
-        return int(BLOCK * max(blocks, 1) * limits["MultiProcessorCount"])
+        return int(self.block * max(blocks, 1) * limits["MultiProcessorCount"])
 
     def launch(self, name: str, threads: int, *given: Any) -> None:
         """Call a function in so many threads, and wait for its end."""
         function = self._module.get_function(name)
-        function((threads // BLOCK,), (BLOCK,), given)
+        function((threads // self.block,), (self.block,), given)
         self._cupy.cuda.get_current_stream().synchronize()

@@ -30,12 +30,13 @@ class Device(Protocol):
 
 
 class Loaded(Protocol):
-    """A compiled text on its device."""
+    """A compiled text on its device.
 
-    @property
-    def block(self) -> int:
-        """The number of threads that start and end together; a launch has whole blocks."""
-        ...
+    Attributes:
+        block: the number of threads that start and end together; a launch has whole blocks.
+    """
+
+    block: int
 
     def threads(self, name: str) -> int:
         """Return how many threads run a function at a time: whole blocks."""
