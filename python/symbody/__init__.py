@@ -1,7 +1,7 @@
 """symbody: symbolic equations of motion of multibody systems, derived, checked, and solved numerically.
 
-This module has the public names of all layers: ``import symbody as sb``. The layers that turn equations into code and
-numbers are loaded when one of their names is first used, because SciPy and LLVM take long to load.
+This module has the public names of all layers: ``import symbody as sb``. A layer is loaded when one of its names is
+first used: the start of a program waits for what it needs, and for no more.
 """
 
 from __future__ import annotations
@@ -9,169 +9,104 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING
 
-from symbody.dynamics import (
-    CanonicalEquations,
-    Equations,
-    ForwardDynamics,
-    Linear,
-    Reaction,
-    dependent_speeds,
-    embedded,
-    equations_from_differential,
-    equations_of,
-    euler_equations,
-    forward_dynamics,
-    generalized_force,
-    gibbs_appell,
-    hamilton,
-    kane,
-    lagrange,
-    lagrange_equations,
-    linearize,
-    newton_equations,
-    newton_euler,
-    reaction,
-)
-from symbody.dynamics.equations.independence import register_adviser
-from symbody.errors import ModelNotice, SymbodyError
-from symbody.geometry import (
-    Frame,
-    Point,
-    Vector,
-    acceleration,
-    angular_velocity,
-    cross,
-    dot,
-    floating_frame,
-    frozen_velocity,
-    ground,
-    moving_frame,
-    origin,
-    project,
-    rotate,
-    translate,
-    velocity,
-)
-from symbody.multibody import (
-    Body,
-    Constraint,
-    Element,
-    Force,
-    Link,
-    Mechanism,
-    System,
-    TireForce,
-    Torque,
-    air_force,
-    angular_momentum,
-    assemble,
-    bushing,
-    center_of_mass,
-    combined,
-    contact,
-    cylindrical,
-    describe,
-    displaced,
-    fixed,
-    free,
-    friction,
-    gear,
-    gravitational_energy,
-    kinetic_energy,
-    line_force,
-    linear_momentum,
-    linear_tire,
-    magic_formula,
-    mechanical_energy,
-    motor,
-    planar,
-    point_on_curve,
-    potential_energy,
-    power,
-    prismatic,
-    rack,
-    resultant,
-    revolute,
-    rolling,
-    saturated,
-    screw,
-    show,
-    spherical,
-    spring,
-    tire,
-    tire_kinematics,
-    tire_shape,
-    torsion_spring,
-    universal,
-)
-from symbody.symbolic import (
-    Abs,
-    Cost,
-    Expr,
-    Matrix,
-    Max,
-    Min,
-    Piecewise,
-    UndefinedFunction,
-    acos,
-    asin,
-    atan,
-    atan2,
-    coeff,
-    collect,
-    combine_trig,
-    cos,
-    cosh,
-    cost,
-    current_derivation,
-    derivation,
-    diff,
-    exp,
-    expand,
-    expand_trig,
-    factor_terms,
-    from_sympy,
-    function,
-    functions_of_time,
-    gradient,
-    identity,
-    jacobian,
-    latex,
-    ldl_solve,
-    linear_solve,
-    listing,
-    log,
-    maple,
-    number,
-    parse,
-    partial_derivative,
-    pi,
-    readable,
-    sign,
-    simplify,
-    sin,
-    sinh,
-    small,
-    solve,
-    sqrt,
-    subs,
-    substitute,
-    symbols,
-    t,
-    tan,
-    tanh,
-    taylor,
-    time_derivative,
-    time_derivatives,
-    to_sympy,
-    zeros,
-)
-from symbody.symbolic.given.hint import no_attribute
-
 if TYPE_CHECKING:
     from symbody import models as models
     from symbody.codegen import CompiledFunction, MachineCode, generate, lambdify
     from symbody.document import report
+    from symbody.dynamics import (
+        CanonicalEquations,
+        Equations,
+        ForwardDynamics,
+        Linear,
+        Reaction,
+        dependent_speeds,
+        embedded,
+        equations_from_differential,
+        equations_of,
+        euler_equations,
+        forward_dynamics,
+        generalized_force,
+        gibbs_appell,
+        hamilton,
+        kane,
+        lagrange,
+        lagrange_equations,
+        linearize,
+        newton_equations,
+        newton_euler,
+        reaction,
+    )
+    from symbody.errors import ModelNotice, SymbodyError
+    from symbody.geometry import (
+        Frame,
+        Point,
+        Vector,
+        acceleration,
+        angular_velocity,
+        cross,
+        dot,
+        floating_frame,
+        frozen_velocity,
+        ground,
+        moving_frame,
+        origin,
+        project,
+        rotate,
+        translate,
+        velocity,
+    )
+    from symbody.multibody import (
+        Body,
+        Constraint,
+        Element,
+        Force,
+        Link,
+        Mechanism,
+        System,
+        TireForce,
+        Torque,
+        air_force,
+        angular_momentum,
+        assemble,
+        bushing,
+        center_of_mass,
+        combined,
+        contact,
+        cylindrical,
+        describe,
+        displaced,
+        fixed,
+        free,
+        friction,
+        gear,
+        gravitational_energy,
+        kinetic_energy,
+        line_force,
+        linear_momentum,
+        linear_tire,
+        magic_formula,
+        mechanical_energy,
+        motor,
+        planar,
+        point_on_curve,
+        potential_energy,
+        power,
+        prismatic,
+        rack,
+        resultant,
+        revolute,
+        rolling,
+        saturated,
+        screw,
+        show,
+        spherical,
+        spring,
+        tire,
+        tire_kinematics,
+        tire_shape,
+        torsion_spring,
+        universal,
+    )
     from symbody.simulation import (
         Branch,
         CriticalValue,
@@ -213,6 +148,68 @@ if TYPE_CHECKING:
         step_response,
         stops,
         sweep,
+    )
+    from symbody.symbolic import (
+        Abs,
+        Cost,
+        Expr,
+        Matrix,
+        Max,
+        Min,
+        Piecewise,
+        UndefinedFunction,
+        acos,
+        asin,
+        atan,
+        atan2,
+        coeff,
+        collect,
+        combine_trig,
+        cos,
+        cosh,
+        cost,
+        current_derivation,
+        derivation,
+        diff,
+        exp,
+        expand,
+        expand_trig,
+        factor_terms,
+        from_sympy,
+        function,
+        functions_of_time,
+        gradient,
+        identity,
+        jacobian,
+        latex,
+        ldl_solve,
+        linear_solve,
+        listing,
+        log,
+        maple,
+        number,
+        parse,
+        partial_derivative,
+        pi,
+        readable,
+        sign,
+        simplify,
+        sin,
+        sinh,
+        small,
+        solve,
+        sqrt,
+        subs,
+        substitute,
+        symbols,
+        t,
+        tan,
+        tanh,
+        taylor,
+        time_derivative,
+        time_derivatives,
+        to_sympy,
+        zeros,
     )
     from symbody.view import free_body_diagram
 
@@ -417,34 +414,29 @@ __all__ = [
     "zeros",
 ]
 
-_LATER = ("codegen", "simulation", "view", "document", "models")
-"""The layers that are loaded when one of their names is first used, the lower ones first."""
-
-
-def _what_is_redundant(system: object) -> str:
-    text: str = import_module("symbody.simulation.constraint.redundant_constraints").advice(system)
-    return text
-
-
-register_adviser(_what_is_redundant)
+_LAYERS = (
+    *("errors", "symbolic", "geometry", "multibody", "dynamics"),
+    *("codegen", "simulation", "view", "document", "models"),
+)
+"""The layers that have public names, the lower ones first."""
 
 if not TYPE_CHECKING:  # for type checkers, a module with this function has every name
 
     def __getattr__(name: str) -> object:
-        """Load the layer of a public name when it is first used [PEP 562]."""
-        if name in _LATER:
+        """Load the layer of a public name when it is first used, and those below it [PEP 562]."""
+        if name in _LAYERS:
             return import_module(f"symbody.{name}")
         if name == "__version__":
             value = import_module("importlib.metadata").version("symbody")
         elif name in __all__:
-            layers = (import_module(f"symbody.{layer}") for layer in _LATER)
+            layers = (import_module(f"symbody.{layer}") for layer in _LAYERS)
             value = next(getattr(layer, name) for layer in layers if name in layer.__all__)
         else:
-            raise no_attribute("symbody", name)
+            raise import_module("symbody.symbolic.given.hint").no_attribute("symbody", name)
         globals()[name] = value
         return value
 
 
 def __dir__() -> list[str]:
     """List the public names, loaded or not."""
-    return sorted({*globals(), *__all__, *_LATER, "__version__"})
+    return sorted({*globals(), *__all__, *_LAYERS, "__version__"})
