@@ -2,8 +2,8 @@
 
     python -m benchmarks.simulate.gpu [--side 1000] [--rounds 5]
 
-It needs a graphics processor of NVIDIA, `pip install "symbody[cuda]"`, and `jax[cuda12]` for the rival. It prints a table:
-side x side double pendulums of ten seconds, each contender with the loosest setting that keeps the error.
+It needs a graphics processor of NVIDIA, `pip install "symbody[cuda]"`, and `jax[cuda12]` for the rival. It prints a
+table: side x side double pendulums of ten seconds, each contender with the loosest setting that keeps the error.
 """
 
 from __future__ import annotations

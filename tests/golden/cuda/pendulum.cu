@@ -148,25 +148,32 @@ static __device__ const int EVENT_IS_TERMINAL[] = {0};
 static __device__ void take_stages(Lane *lane, double h, double errors[ESTIMATES][WIDTH])
 {
     double y[WIDTH];
-    EACH(i, WIDTH) y[i] = lane->x[i] + h*(0.161*lane->k[0][i]);
+    EACH(i, WIDTH)
+        y[i] = lane->x[i] + h*(0.161*lane->k[0][i]);
     evaluate(lane, lane->t + 0.161*h, y, lane->k[1]);
-    EACH(i, WIDTH) y[i] = lane->x[i] + h*(-0.008480655492356989*lane->k[0][i] + 0.335480655492357*lane->k[1][i]);
+    EACH(i, WIDTH)
+        y[i] = lane->x[i] + h*(-0.008480655492356989*lane->k[0][i] + 0.335480655492357*lane->k[1][i]);
     evaluate(lane, lane->t + 0.327*h, y, lane->k[2]);
-    EACH(i, WIDTH) y[i] = lane->x[i] + h*(2.8971530571054935*lane->k[0][i] + -6.359448489975075*lane->k[1][i] + 4.3622954328695815*lane->k[2][i]);
+    EACH(i, WIDTH)
+        y[i] = lane->x[i] + h*(2.8971530571054935*lane->k[0][i] - 6.359448489975075*lane->k[1][i] + 4.3622954328695815*lane->k[2][i]);
     evaluate(lane, lane->t + 0.9*h, y, lane->k[3]);
-    EACH(i, WIDTH) y[i] = lane->x[i] + h*(5.325864828439257*lane->k[0][i] + -11.748883564062828*lane->k[1][i] + 7.4955393428898365*lane->k[2][i] +
-        -0.09249506636175525*lane->k[3][i]);
+    EACH(i, WIDTH)
+        y[i] = lane->x[i] + h*(5.325864828439257*lane->k[0][i] - 11.748883564062828*lane->k[1][i] + 7.4955393428898365*lane->k[2][i]
+            - 0.09249506636175525*lane->k[3][i]);
     evaluate(lane, lane->t + 0.9800255409045097*h, y, lane->k[4]);
-    EACH(i, WIDTH) y[i] = lane->x[i] + h*(5.86145544294642*lane->k[0][i] + -12.92096931784711*lane->k[1][i] + 8.159367898576159*lane->k[2][i] +
-        -0.071584973281401*lane->k[3][i] + -0.028269050394068383*lane->k[4][i]);
+    EACH(i, WIDTH)
+        y[i] = lane->x[i] + h*(5.86145544294642*lane->k[0][i] - 12.92096931784711*lane->k[1][i] + 8.159367898576159*lane->k[2][i]
+            - 0.071584973281401*lane->k[3][i] - 0.028269050394068383*lane->k[4][i]);
     evaluate(lane, lane->t + 1.0*h, y, lane->k[5]);
     EACH(i, WIDTH) lane->last_stage[i] = y[i];
-    EACH(i, WIDTH) lane->after[i] = lane->x[i] + h*(0.09646076681806523*lane->k[0][i] + 0.01*lane->k[1][i] + 0.4798896504144996*lane->k[2][i] +
-        1.379008574103742*lane->k[3][i] + -3.290069515436081*lane->k[4][i] + 2.324710524099774*lane->k[5][i]);
+    EACH(i, WIDTH)
+        lane->after[i] = lane->x[i] + h*(0.09646076681806523*lane->k[0][i] + 0.01*lane->k[1][i] + 0.4798896504144996*lane->k[2][i]
+            + 1.379008574103742*lane->k[3][i] - 3.290069515436081*lane->k[4][i] + 2.324710524099774*lane->k[5][i]);
     evaluate(lane, lane->t + h, lane->after, lane->k[6]);
-    EACH(i, WIDTH) errors[0][i] = -0.001780011052225777*lane->k[0][i] + -0.0008164344596567469*lane->k[1][i] + 0.007880878010261995*lane->k[2][i] +
-        -0.1447110071732629*lane->k[3][i] + 0.5823571654525552*lane->k[4][i] + -0.45808210592918697*lane->k[5][i] +
-        0.015151515151515152*lane->k[6][i];
+    EACH(i, WIDTH)
+        errors[0][i] = -0.001780011052225777*lane->k[0][i] - 0.0008164344596567469*lane->k[1][i] + 0.007880878010261995*lane->k[2][i]
+            - 0.1447110071732629*lane->k[3][i] + 0.5823571654525552*lane->k[4][i] - 0.45808210592918697*lane->k[5][i]
+            + 0.015151515151515152*lane->k[6][i];
 }
 
 static __device__ void add_stages(Lane *lane)
@@ -179,7 +186,8 @@ static __device__ void add_stages(Lane *lane)
 
 static __device__ void add_terms(const Lane *lane, double h, double dense[TERMS][WIDTH])
 {
-    EACH(i, WIDTH) dense[3][i] = h*(-1.0530884977290216*lane->k[0][i] + 0.1017*lane->k[1][i] + 2.490627285651253*lane->k[2][i] +
-        -16.548102889244902*lane->k[3][i] + 47.37952196281928*lane->k[4][i] + -34.87065786149661*lane->k[5][i] +
-        2.5*lane->k[6][i]);
+    EACH(i, WIDTH)
+        dense[3][i] = h*(-1.0530884977290216*lane->k[0][i] + 0.1017*lane->k[1][i] + 2.490627285651253*lane->k[2][i]
+            - 16.548102889244902*lane->k[3][i] + 47.37952196281928*lane->k[4][i] - 34.87065786149661*lane->k[5][i]
+            + 2.5*lane->k[6][i]);
 }

@@ -86,6 +86,8 @@ def _assigned(place: str, base: str, row: Sequence[tuple[int, float]]) -> str:
 
 def _summed(place: str, row: Sequence[tuple[int, float]], form: str = "{}") -> str:
     """Return the loop that assigns a weighted sum of the rates at stages, term after term."""
-    terms = [f"{weight!r}*lane->k[{stage}][i]" for stage, weight in row]
-    rows = [" + ".join(terms[start : start + 3]) for start in range(0, len(terms), 3)]
-    return f"    EACH(i, WIDTH) {place} = {form.format((' +' + chr(10) + '        ').join(rows))};"
+    terms = [f"{'-' if weight < 0 else '+'} {abs(weight)!r}*lane->k[{stage}][i]" for stage, weight in row]
+    lines = [" ".join(terms[start : start + 3]) for start in range(0, len(terms), 3)]
+    first = ("-" if row[0][1] < 0 else "") + lines[0][2:]
+    value = form.format("\n            ".join([first, *lines[1:]]))
+    return f"    EACH(i, WIDTH)\n        {place} = {value};"
