@@ -26,6 +26,7 @@ EXTRAS = {
     "control": "takes linear models: to_control",
     "dask": "runs simulate_many on the workers of a cluster",
     "cuda": "simulate_many(device='cuda'), on a graphics processor of NVIDIA",
+    "study": "files of studies, and quantiles of many cases",
     "sundials": "the methods ida, ida2 and ida3 of simulate",
     "notebook": "Jupyter, which shows expressions, frames and equations as formulas",
 }
