@@ -88,7 +88,7 @@ def compiled_by_nvrtc(text: str) -> bytes:
 
 @pytest.mark.skipif(find_spec("nvidia") is None, reason="the package nvidia-cuda-nvrtc-cu12 is not installed")
 @pytest.mark.parametrize(
-    ("name", "method"), [("free", "dop853"), pytest.param("loop", "tsit5", marks=pytest.mark.slow)]
+    ("name", "method"), [("free", "dop853"), pytest.param("loop", "tsit5", marks=pytest.mark.repeated)]
 )
 def test_nvrtc_compiles_it(name: str, method: str) -> None:
     """For the loop: constraints, a shortcut, systems that are solved at run time, events, energies."""
