@@ -46,7 +46,7 @@ REASONS = {
     Ending.COLLAPSED: "its step has collapsed there",
     Ending.STALLED: "its steps are so short that it would never end",
     Ending.DEFICIENT: "a linear system in the model has no unique solution",
-    Ending.UNBALANCED: "its energy balance is off there",
+    Ending.UNBALANCED: "its energy balance might be off",
     Ending.SINGULAR: "it comes near a singular position of its constraints",
     Ending.CROWDED: "it has more events than the device keeps",
     Ending.AT_POLE: "its accelerations are so large at its start that they may be infinite",

@@ -163,7 +163,8 @@ static __device__ int energies_of(Lane *lane, double t, const double *x, double 
     return are_finite(2, energies);
 }
 
-/* Update the largest change of the energy by errors of one tolerance in each entry, and of one absolute tolerance. */
+/* Update the largest change of the energy by errors of one tolerance in each entry, and the least by errors of one
+ * absolute tolerance, which the host takes the median of. */
 static __device__ __noinline__ void widen(const Batch *batch, Lane *lane, double t, const double *x, double energy)
 {
     double near[WIDTH], energies[2], sums[2] = {0.0, 0.0};
@@ -176,7 +177,7 @@ static __device__ __noinline__ void widen(const Batch *batch, Lane *lane, double
         near[i] = x[i];
     }
     lane->spread = fmax(lane->spread, sums[0]);
-    lane->least_spread = fmax(lane->least_spread, sums[1]);
+    lane->least_spread = fmin(lane->least_spread, sums[1]);
 }
 
 static __device__ __noinline__ void look(const Batch *batch, Lane *lane, double t, const double *x)
@@ -197,7 +198,8 @@ static __device__ __noinline__ void begin_balance(const Batch *batch, Lane *lane
 {
     double energies[2];
     lane->first = lane->first_potential = lane->moving = lane->largest = 0.0;
-    lane->spread = lane->least_spread = lane->off = 0.0;
+    lane->spread = lane->off = 0.0;
+    lane->least_spread = INFINITY;
     lane->looks = 0;
     if (energies_of(lane, lane->t, lane->x, energies)) {
         lane->first = energies[0] + energies[1] - work_of(lane->x);
@@ -206,16 +208,16 @@ static __device__ __noinline__ void begin_balance(const Batch *batch, Lane *lane
     look(batch, lane, lane->t, lane->x);
 }
 
-/* Whether the balance was ever off by more than the errors of the steps explain. */
+/* Whether the balance may have been off by more than the errors of the steps explain: the host decides. */
 static __device__ __noinline__ int is_unbalanced(const Batch *batch, Lane *lane, double t, const double *x)
 {
     double energies[2];
     look(batch, lane, t, x);
     if (!energies_of(lane, t, x, energies)) return 0;
     widen(batch, lane, t, x, energies[0] + energies[1]);
-    const double least = lane->least_spread + (WIDTH > CONTROLLED ? batch->absolute : 0.0);
-    const double each = fmax(fmax(lane->spread, least), batch->relative*lane->moving);
-    const double most = fmax(0.1, 200.0*batch->relative)*lane->moving + 10.0*least;
+    const double by_work = WIDTH > CONTROLLED ? batch->absolute : 0.0;
+    const double each = fmax(fmax(lane->spread, by_work), batch->relative*lane->moving);
+    const double most = fmax(0.01, 200.0*batch->relative)*lane->moving + 10.0*(lane->least_spread + by_work);
     const double explained = fmin(10.0*(1.0 + lane->errors)*each, most) + 1e-11*lane->largest;
     return lane->off > explained;
 }
