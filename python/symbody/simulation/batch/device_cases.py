@@ -24,8 +24,6 @@ __all__ = ["Ended", "name_left", "run_on_device"]
 
 Array = NDArray[np.float64]
 
-_ENDS = {Ending.COMPLETED: Status.COMPLETED, Ending.ENDED_BY_EVENT: Status.ENDED_BY_EVENT}
-
 
 class Ended(NamedTuple):
     """What remains to be done for cases that ran on a device.
@@ -72,7 +70,8 @@ def run_on_device(
 def name_left(results: Results, left: dict[int, str]) -> None:
     """Add a finding to cases that were left to this process, and were none the worse for what the device met."""
     for case, reason in left.items():
-        if results.status[case] in _ENDS.values() and not results.findings[case]:
+        is_well = results.status[case] in (Status.COMPLETED, Status.ENDED_BY_EVENT)
+        if is_well and not results.findings[case]:
             results.findings[case] = (Finding("left", reason),)
 
 
@@ -101,7 +100,8 @@ def _record_together(batch: _Batch, results: Results) -> bool:
     task, _, numbers, found, over = batch
     at, counts = numbers[over], found.counts[over]
     reached = counts[:, Column.REACHED]
-    results.status[at] = [_ENDS[Ending(status)] for status in counts[:, Column.STATUS].tolist()]
+    is_early = counts[:, Column.STATUS] == Ending.ENDED_BY_EVENT
+    results.status[at] = np.where(is_early, Status.ENDED_BY_EVENT, Status.COMPLETED)
     results.reached[at] = reached
     results.t_reached[at] = found.ends[over]
     results.counts[at] = np.column_stack(
