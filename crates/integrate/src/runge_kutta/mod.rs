@@ -19,7 +19,7 @@ use crate::stepper::{Statistics, Stepper};
 use crate::tolerances::{INTEGRAL, Tolerances};
 pub use dop853::DOP853;
 pub use stages::Stages;
-pub use tableau::Tableau;
+pub use tableau::{Row, Tableau};
 pub use tsit5::TSIT5;
 
 /// The next step depends on the error of the last one and, with a small weight, on that of the one before, so that few

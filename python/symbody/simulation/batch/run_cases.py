@@ -21,6 +21,7 @@ from symbody.simulation.integrate.without_redundant import without_redundant
 from symbody.symbolic.numeric.deficiency import noting
 
 from .cases import Cases
+from .device_cases import name_left, run_on_device
 
 __all__ = ["empty_results", "run_cases"]
 
@@ -54,8 +55,15 @@ def run_cases(task: Task, cases: Cases, threads: int = 1, keep_going: KeepGoing 
     def goes_on(done: float) -> bool:
         return keep_going(finished + done)
 
-    for each, chosen in _grouped(tasks).items():
-        parameters = cases.subset(np.array(chosen)).parameters
+    for each, asked in _grouped(tasks).items():
+        chosen, ended = asked, None
+        if each.device is not None:
+            ended = run_on_device(each, cases, asked, states, results, goes_on)
+            chosen = [*ended.left]
+            for case, on_device in ended.alone:
+                _record(results, case, on_device)
+            finished += len(asked) - len(chosen)
+        parameters = cases.subset(np.array(chosen, dtype=np.intp)).parameters
         starts = states[chosen]
         if each.variation is not None:
             starts = np.array(
@@ -68,6 +76,8 @@ def run_cases(task: Task, cases: Cases, threads: int = 1, keep_going: KeepGoing 
         for case, motion in zip(chosen, motions, strict=True):
             if motion is not None:
                 _record(results, case, motion)
+        if ended is not None:
+            name_left(results, ended.left)
         finished += len(chosen)
     return results
 

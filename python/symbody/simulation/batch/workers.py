@@ -14,6 +14,8 @@ from numpy.typing import NDArray
 
 from symbody.errors import ArgumentError
 from symbody.simulation.batch.case_arrays import Results
+from symbody.simulation.device.devices import prepared
+from symbody.simulation.device.run_kernel import bytes_of_case
 from symbody.simulation.integrate.task import Task
 from symbody.simulation.terminal.interruption import Interruption
 from symbody.symbolic.given.arguments import described
@@ -29,6 +31,9 @@ Part = tuple[NDArray[np.intp], Results]
 
 MEMORY = 64 * 2**20
 """The bytes of states that are computed at a time in this process, or in a task."""
+
+DEVICE_MEMORY = 512 * 2**20
+"""The same on a device, whose many threads all need a motion."""
 
 TASKS = 200
 """The number of tasks in a batch: many, for workers of unequal speed, but few to send."""
@@ -91,7 +96,7 @@ def run_in_threads(
         span: the longest time for a part, in s; a part has at least as many cases as there are threads.
     """
     most = max(threads, _cases_in_memory(task))
-    size, done = most if span == inf else min(most, 4 * threads), 0
+    size, done = most if span == inf or task.device is not None else min(most, 4 * threads), 0
     while done < len(indices) and keep_going(done):
         chosen, begin = indices[done : done + size], monotonic()
         yield chosen, run_cases(task, cases.subset(chosen), threads, counting_from(keep_going, done))
@@ -162,5 +167,8 @@ def _run(parcel: Parcel[Task], cases: Cases, flag: StopFlag) -> Results:
 
 
 def _cases_in_memory(task: Task) -> int:
-    """Return how many cases fit into the memory for states."""
-    return max(1, MEMORY // (8 * (len(task.instants) + task.trail) * task.model.width))
+    """Return how many cases fit into the memory for states, and for events on a device."""
+    numbers = (len(task.instants) + task.trail) * task.model.width
+    if task.device is None:
+        return max(1, MEMORY // (8 * numbers))
+    return max(1, DEVICE_MEMORY // bytes_of_case(prepared(task)[1], len(task.instants)))
