@@ -344,7 +344,7 @@ def notices_of_motion(findings: Iterable[Finding], where: str = "simulate") -> l
     return [f"{where}: {_sentence(finding)}" for finding in findings]
 
 
-def notices_of_batch(findings: Sequence[Iterable[Finding]], where: str) -> list[str]:
+def notices_of_batch(findings: Sequence[Sequence[Finding]], where: str) -> list[str]:
     """Return a message for each kind and subject of findings, with the number of cases that have it.
 
     Args:
@@ -353,7 +353,8 @@ def notices_of_batch(findings: Sequence[Iterable[Finding]], where: str) -> list[
     """
     tally = Tally()
     for case, found in enumerate(findings):
-        tally.add(case, found)
+        if found:
+            tally.add(case, found)
     return tally.notices(len(findings), where)
 
 
