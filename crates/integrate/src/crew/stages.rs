@@ -110,27 +110,48 @@ struct Combination<'a, const W: usize> {
     weights: &'a [(usize, f64)],
 }
 
+/// How many entries are summed at a time: their sums stay in registers, and one waits for no other.
+const TOGETHER: usize = 4;
+
 impl<const W: usize> Loop for Combination<'_, W> {
     #[allow(clippy::inline_always, reason = "what isn't inlined there isn't compiled for those vectors")]
     #[inline(always)]
-    fn run(self) {
+    fn run(mut self) {
+        let mut entry = 0;
+        while entry + TOGETHER <= self.out.len() {
+            self.write::<TOGETHER>(entry);
+            entry += TOGETHER;
+        }
+        while entry < self.out.len() {
+            self.write::<1>(entry);
+            entry += 1;
+        }
+    }
+}
+
+impl<const W: usize> Combination<'_, W> {
+    /// Write some entries. The numbers of a vector are copied before they change, which keeps it in a register.
+    #[allow(clippy::inline_always, reason = "what isn't inlined there isn't compiled for those vectors")]
+    #[inline(always)]
+    fn write<const N: usize>(&mut self, first: usize) {
         let entries = self.out.len();
-        for (entry, out) in self.out.iter_mut().enumerate() {
-            let mut sums = [0.0; W];
-            for &(stage, weight) in self.weights {
-                for (sum, rate) in sums.iter_mut().zip(&self.rows[stage * entries + entry]) {
+        let mut sums = [[0.0; W]; N];
+        for &(stage, weight) in self.weights {
+            let rates = &self.rows[stage * entries + first..][..N];
+            for (sums, rates) in sums.iter_mut().zip(rates) {
+                for (sum, rate) in sums.iter_mut().zip(rates) {
                     *sum += weight * rate;
                 }
             }
-            match self.base {
-                Some((base, h)) => {
-                    for ((value, start), (h, sum)) in out.iter_mut().zip(&base[entry]).zip(h.iter().zip(sums))
-                    {
-                        *value = start + h * sum;
-                    }
+        }
+        if let Some((base, h)) = self.base {
+            let h = *h;
+            for (sums, starts) in sums.iter_mut().zip(&base[first..][..N]) {
+                for lane in 0..W {
+                    sums[lane] = starts[lane] + h[lane] * sums[lane];
                 }
-                None => *out = sums,
             }
         }
+        self.out[first..][..N].copy_from_slice(&sums);
     }
 }

@@ -110,7 +110,7 @@ pub(super) struct Stretches<const W: usize> {
     lanes: Vec<Option<Control>>,
     /// The states at the starts of the last steps that were accepted.
     starts: Vec<[f64; W]>,
-    /// The largest magnitude or change of each entry so far, and the states at the start of the motions.
+    /// The largest magnitude or change of each integral so far, and the states at the start of the motions.
     sizes: Vec<[f64; W]>,
     origins: Vec<[f64; W]>,
     /// The state and the rates at the last stage of the last step that was accepted.
@@ -331,16 +331,21 @@ impl<const W: usize> Loop for Distances<'_, W> {
     #[allow(clippy::inline_always, reason = "what isn't inlined there isn't compiled for those vectors")]
     #[inline(always)]
     fn run(self) {
-        for (a, b) in self.rates.0.iter().zip(self.rates.1) {
+        let mut zeros = [0.0; W];
+        for rates in self.rates.0 {
             for lane in 0..W {
-                self.sums.0[lane] += (a[lane] - b[lane]) * (a[lane] - b[lane]);
-                self.zeros[lane] += 0.0 * a[lane];
+                zeros[lane] += 0.0 * rates[lane];
             }
         }
-        for (a, b) in self.states.0.iter().zip(self.states.1) {
-            for lane in 0..W {
-                self.sums.1[lane] += (a[lane] - b[lane]) * (a[lane] - b[lane]);
+        *self.zeros = zeros;
+        for ((a, b), sums) in [(self.rates, self.sums.0), (self.states, self.sums.1)] {
+            let mut sum = [0.0; W];
+            for (a, b) in a.iter().zip(b) {
+                for lane in 0..W {
+                    sum[lane] += (a[lane] - b[lane]) * (a[lane] - b[lane]);
+                }
             }
+            *sums = sum;
         }
     }
 }
@@ -356,36 +361,82 @@ impl<const W: usize> Loop for Squares<'_, W> {
     #[allow(clippy::inline_always, reason = "what isn't inlined there isn't compiled for those vectors")]
     #[inline(always)]
     fn run(self) {
-        let Self { stretches: Stretches { tolerances, sizes, tableau, .. }, step, squares } = self;
-        let controlled = tolerances.controlled;
-        for (error, squares) in step.errors.iter().zip(squares.iter_mut()) {
-            for (i, error) in error.iter().enumerate().take(controlled) {
-                let (before, after) = (&step.before[i], &step.after[i]);
-                for lane in 0..W {
-                    let scaled = error[lane] * weight(tolerances, before[lane], after[lane]);
-                    squares[lane] += scaled * scaled;
-                }
-            }
-            let mut integrals = [0.0; W];
-            for (i, error) in error.iter().enumerate().skip(controlled) {
-                let mut steepest = [0.0_f64; W];
-                for stage in 0..tableau.stages {
-                    let rates = &step.rates[stage * step.entries + i];
-                    for lane in 0..W {
-                        steepest[lane] = steepest[lane].max(rates[lane].abs());
-                    }
-                }
-                for lane in 0..W {
-                    let largest = step.h[lane].abs() * steepest[lane];
-                    let allowed =
-                        tolerance_of_integral(tolerances, sizes[i][lane], step.after[i][lane], largest);
-                    let scaled = error[lane] / allowed;
-                    integrals[lane] += scaled * scaled;
-                }
-            }
+        let (stretches, step) = (self.stretches, self.step);
+        let (tolerances, controlled) = (stretches.tolerances, stretches.tolerances.controlled);
+        let (mut squares, mut integrals) = ([[0.0; W]; 2], [[0.0; W]; 2]);
+        for i in 0..controlled {
+            let (before, after) = (step.before[i], step.after[i]);
+            let mut weights = [0.0; W];
             for lane in 0..W {
-                squares[lane] += integrals[lane];
+                weights[lane] = weight(&tolerances, before[lane], after[lane]);
             }
+            add_squares(&mut squares, &step.errors, i, &weights);
+        }
+        for i in controlled..step.entries {
+            let (allowed, after, sizes) = (self.steepest(i), step.after[i], stretches.sizes[i]);
+            let mut weights = [0.0; W];
+            for lane in 0..W {
+                weights[lane] = tolerance_of_integral(&tolerances, sizes[lane], after[lane], allowed[lane]);
+            }
+            divide_and_add_squares(&mut integrals, &step.errors, i, &weights);
+        }
+        for (out, (squares, integrals)) in self.squares.iter_mut().zip(squares.iter().zip(&integrals)) {
+            for lane in 0..W {
+                out[lane] = squares[lane] + integrals[lane];
+            }
+        }
+    }
+}
+
+impl<const W: usize> Squares<'_, W> {
+    /// The largest term of an integral in the steps.
+    #[allow(clippy::inline_always, reason = "what isn't inlined there isn't compiled for those vectors")]
+    #[inline(always)]
+    fn steepest(&self, i: usize) -> [f64; W] {
+        let (step, mut steepest) = (self.step, [0.0_f64; W]);
+        for stage in 0..self.stretches.tableau.stages {
+            let rates = step.rates[stage * step.entries + i];
+            for lane in 0..W {
+                steepest[lane] = steepest[lane].max(rates[lane].abs());
+            }
+        }
+        for lane in 0..W {
+            steepest[lane] *= step.h[lane].abs();
+        }
+        steepest
+    }
+}
+
+#[allow(clippy::inline_always, reason = "what isn't inlined there isn't compiled for those vectors")]
+#[inline(always)]
+fn add_squares<const W: usize>(
+    squares: &mut [[f64; W]; 2],
+    errors: &[Vec<[f64; W]>],
+    i: usize,
+    weights: &[f64; W],
+) {
+    for (squares, errors) in squares.iter_mut().zip(errors) {
+        let error = errors[i];
+        for lane in 0..W {
+            let scaled = error[lane] * weights[lane];
+            squares[lane] += scaled * scaled;
+        }
+    }
+}
+
+#[allow(clippy::inline_always, reason = "what isn't inlined there isn't compiled for those vectors")]
+#[inline(always)]
+fn divide_and_add_squares<const W: usize>(
+    squares: &mut [[f64; W]; 2],
+    errors: &[Vec<[f64; W]>],
+    i: usize,
+    allowed: &[f64; W],
+) {
+    for (squares, errors) in squares.iter_mut().zip(errors) {
+        let error = errors[i];
+        for lane in 0..W {
+            let scaled = error[lane] / allowed[lane];
+            squares[lane] += scaled * scaled;
         }
     }
 }
@@ -409,10 +460,12 @@ impl<const W: usize> Loop for Moves<'_, W> {
             blend(&mut step.before[i], &step.after[i], &accepted);
             blend(&mut stretches.last_stage[i], &step.last_stage[i], &accepted);
             blend(&mut stretches.last_rates[i], &step.rates[last + i], &accepted);
-            let (size, origin) = (&mut stretches.sizes[i], &stretches.origins[i]);
-            for lane in 0..W {
-                let x = step.before[i][lane];
-                size[lane] = size[lane].max(x.abs()).max((x - origin[lane]).abs());
+            if i >= stretches.tolerances.controlled {
+                let (x, origin, mut sizes) = (step.before[i], stretches.origins[i], stretches.sizes[i]);
+                for lane in 0..W {
+                    sizes[lane] = sizes[lane].max(x[lane].abs()).max((x[lane] - origin[lane]).abs());
+                }
+                stretches.sizes[i] = sizes;
             }
         }
     }
@@ -422,7 +475,9 @@ impl<const W: usize> Loop for Moves<'_, W> {
 #[allow(clippy::inline_always, reason = "what isn't inlined there isn't compiled for those vectors")]
 #[inline(always)]
 fn blend<const W: usize>(old: &mut [f64; W], new: &[f64; W], chosen: &[bool; W]) {
+    let mut both = *old;
     for lane in 0..W {
-        old[lane] = if chosen[lane] { new[lane] } else { old[lane] };
+        both[lane] = if chosen[lane] { new[lane] } else { both[lane] };
     }
+    *old = both;
 }

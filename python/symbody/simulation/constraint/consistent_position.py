@@ -20,7 +20,16 @@ from .least_norm import least_norm
 from .open_loop import open_joints
 from .opposite_axes import check_senses
 
-__all__ = ["EXACT", "ROUNDED", "Positions", "listed_values", "positions", "starting_points", "term_sizes"]
+__all__ = [
+    "EXACT",
+    "ROUNDED",
+    "Positions",
+    "listed_values",
+    "positions",
+    "starting_points",
+    "term_sizes",
+    "term_sizes_of_many",
+]
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -163,6 +172,13 @@ def starting_points(start: Array, is_free: Flags) -> Iterator[Array]:
 def term_sizes(q: Array, phi_q: Array, sizes: Array) -> Array:
     """Return the magnitudes of the constraints' terms, bounded below by those of a thousandth of the coordinates."""
     scale = np.maximum(sizes, 1e-3 * np.abs(phi_q) @ np.maximum(np.abs(q), 1))
+    return np.where(np.isfinite(scale) & (scale > 0), scale, 1.0)
+
+
+def term_sizes_of_many(q: Array, phi_q: Array, sizes: Array) -> Array:
+    """Return `term_sizes` at k positions: of coordinates (n, k), slopes (m, n, k) and sizes (m, k)."""
+    of_coordinates = (np.abs(phi_q) * np.maximum(np.abs(q), 1)).sum(axis=1)
+    scale = np.maximum(sizes, 1e-3 * of_coordinates)
     return np.where(np.isfinite(scale) & (scale > 0), scale, 1.0)
 
 

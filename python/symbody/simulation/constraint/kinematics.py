@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from copy import copy
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from typing import Any
 
@@ -75,6 +75,14 @@ class Kinematics:
 
     def _with_states(self, place: Array) -> Array:
         return place if self.states is None else np.concatenate([place, self.states])
+
+    def position_of_many(self, t: float, q: Array, p: Array) -> Any:
+        """Return `position` at k positions (n, k) with parameters (p, k), to the same digits."""
+        return replace(self.position, compile=None if self.position.tape.factorizations else False)(t, q, p)
+
+    def velocity_of_many(self, t: float, q: Array, p: Array) -> Any:
+        """Return `velocity` at k positions (n, k) with parameters (p, k), to the same digits."""
+        return replace(self._velocity, compile=None if self._velocity.tape.factorizations else False)(t, q, p)
 
     def velocity(self, t: ArrayLike, q: Array, p: Array) -> Any:
         """Return A and b of ``(phi', q') = A u + b``, with all constraints."""
