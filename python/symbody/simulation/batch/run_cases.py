@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from symbody.errors import SymbodyError
 from symbody.simulation.batch.case_arrays import Results, Status
 from symbody.simulation.integrate.diagnosis import diagnosis
-from symbody.simulation.integrate.initial_state import initial_slopes, initial_state
+from symbody.simulation.integrate.initial_state import initial_slopes, initial_state, initial_states
 from symbody.simulation.integrate.integrated import Integrated, Motions, run_motions
 from symbody.simulation.integrate.notices import deficiency_findings, findings_of
 from symbody.simulation.integrate.outcome import FailureKind, with_deficiencies
@@ -92,7 +92,7 @@ def _begun(
     task: Task, cases: Cases, results: Results, keep_going: KeepGoing
 ) -> tuple[dict[int, Task], Array, dict[int, Array]]:
     """Return the tasks of the cases that can start, all initial states, and derivatives; record why others fail."""
-    states = _free_initial_states(task, cases)
+    states = _initial_states(task, cases)
     tasks = dict.fromkeys(np.flatnonzero(np.isfinite(states).all(axis=1)).tolist(), task)
     slopes = {case: initial_slopes(task, {}, {}, states[case]) for case in tasks} if task.by else {}
     reduced: dict[tuple[int, ...], Task] = {}
@@ -114,15 +114,12 @@ def _begun(
     return tasks, states, slopes
 
 
-def _free_initial_states(task: Task, cases: Cases) -> Array:
-    """Return the initial states of unconstrained motions, one row each; NaN where `initial_state` solves for them."""
+def _initial_states(task: Task, cases: Cases) -> Array:
+    """Return the initial states that need no further look, one row each; NaN where `initial_state` solves for them."""
     model = task.model
-    if model.constraints or model.system.has_quasi_velocities:
+    if task.by and (model.constraints or model.system.has_quasi_velocities):
         return np.full((cases.count, model.width), np.nan)
-    states = np.zeros((cases.count, model.width))
-    for place, name in enumerate(model.state):
-        states[:, place] = cases.initial.get(name, task.guess.get(name, 0.0))
-    return states
+    return initial_states(task, cases.parameters, cases.initial, cases.count)
 
 
 def _record_unremarkable(

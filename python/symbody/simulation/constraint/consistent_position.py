@@ -40,7 +40,8 @@ ROUNDED = 1e-6
 """The relative violation, as of numbers with seven digits, up to which given values are corrected as well."""
 _PRINTED = 1e-4
 """The relative violation that rounded dimensions explain."""
-_APPROACHES = 60
+APPROACHES = 60
+"""The most steps to the position nearest to the guess."""
 _NAMED = 4
 _LISTED = 12
 
@@ -188,7 +189,7 @@ def _nearest(problem: Positions, start: Array, found: Array, is_free: Flags) -> 
     Each step projects the difference to the start onto the tangent space, and then returns to the constraints.
     """
     share = 1.0
-    for _ in range(_APPROACHES):
+    for _ in range(APPROACHES):
         _, J = problem.linearization(found, is_free)
         _, tangents = least_norm(J, np.zeros(len(J)))
         back = np.zeros_like(found)

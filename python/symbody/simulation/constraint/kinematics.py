@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from copy import copy
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import Any
 
@@ -78,11 +78,11 @@ class Kinematics:
 
     def position_of_many(self, t: float, q: Array, p: Array) -> Any:
         """Return `position` at k positions (n, k) with parameters (p, k), to the same digits."""
-        return replace(self.position, compile=None if self.position.tape.factorizations else False)(t, q, p)
+        return self.position.at_few_points(t, q, p)
 
     def velocity_of_many(self, t: float, q: Array, p: Array) -> Any:
         """Return `velocity` at k positions (n, k) with parameters (p, k), to the same digits."""
-        return replace(self._velocity, compile=None if self._velocity.tape.factorizations else False)(t, q, p)
+        return self._velocity.at_few_points(t, q, p)
 
     def velocity(self, t: ArrayLike, q: Array, p: Array) -> Any:
         """Return A and b of ``(phi', q') = A u + b``, with all constraints."""
