@@ -84,7 +84,7 @@ pub fn integrate_many<N: Clone + PartialEq + Send>(
                 let noted: Vec<RefCell<Vec<N>>> = vec![RefCell::default(); lanes];
                 let job = |lane: &Lane| take(Some(lane), &noted[lane.number()]);
                 run_crew(lanes, dynamics, (tableau, tolerances), &job, &mut |lane| {
-                    keep(&noted[lane], notes())
+                    keep(&noted[lane], notes());
                 });
             });
         }

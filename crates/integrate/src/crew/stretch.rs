@@ -24,10 +24,7 @@ struct Control {
     /// The next step to try.
     step: f64,
     is_last: bool,
-    /// Whether the step is tried for the first time.
-    is_new: bool,
-    /// Whether the rates at its start are those of the first stage.
-    has_first: bool,
+    /// Whether the step before the next one was rejected, so that the next one starts there as well.
     was_rejected: bool,
     is_finite: bool,
     last: (f64, f64),
@@ -47,8 +44,6 @@ impl Control {
             stretch: Stretch { until: t, steps: 0 },
             step,
             is_last: false,
-            is_new: true,
-            has_first: true,
             was_rejected: false,
             is_finite: true,
             last: (t, 0.0),
@@ -86,7 +81,6 @@ impl Control {
         self.statistics.errors += error;
         self.statistics.steps += 1;
         self.stretch.steps -= 1;
-        (self.is_new, self.has_first) = (true, false);
         (self.was_rejected, self.is_finite) = (false, true);
     }
 
@@ -94,7 +88,7 @@ impl Control {
         self.is_finite = error.is_finite();
         self.step = h * factor_after_rejection(error, self.exponent);
         self.statistics.rejected += 1;
-        (self.is_new, self.was_rejected) = (false, true);
+        self.was_rejected = true;
     }
 
     /// Whether the motion looks at the last step.
@@ -206,8 +200,7 @@ impl<const W: usize> Stretches<W> {
         for (lane, control) in self.lanes.iter_mut().enumerate() {
             let Some(control) = control.as_mut().filter(|_| waiting.lanes[lane]) else { continue };
             step.t[lane] = control.t;
-            is_new[lane] = !control.has_first;
-            control.has_first = true;
+            is_new[lane] = !control.was_rejected && control.statistics.steps > 0;
         }
         if !self.tableau.evaluates_end {
             for (control, is_new) in self.lanes.iter_mut().zip(is_new) {
@@ -248,7 +241,7 @@ impl<const W: usize> Stretches<W> {
         for (lane, control) in self.lanes.iter_mut().enumerate() {
             let is_waiting = |control: &&mut Control| waiting.lanes[lane] && control.failure.is_none();
             let Some(control) = control.as_mut().filter(is_waiting) else { continue };
-            if !control.is_new {
+            if control.was_rejected {
                 continue;
             }
             if sizes[lane].is_nan() {
@@ -264,7 +257,7 @@ impl<const W: usize> Stretches<W> {
     /// The errors of the steps in units of the tolerance; NaN where some stage has no finite rate.
     fn errors(&self, step: &StepColumns<W>) -> [f64; W] {
         let mut squares = [[0.0; W]; 2];
-        in_vectors::<W>(Squares { stretches: self, step, squares: &mut squares });
+        in_vectors::<W>(Squares { stretches: self, step, sums: &mut squares });
         #[allow(clippy::cast_precision_loss, reason = "no state has 2^53 numbers")]
         let entries = self.tolerances.controlled as f64;
         let has_low = step.errors.len() > 1;
@@ -354,7 +347,7 @@ impl<const W: usize> Loop for Distances<'_, W> {
 struct Squares<'a, const W: usize> {
     stretches: &'a Stretches<W>,
     step: &'a StepColumns<W>,
-    squares: &'a mut [[f64; W]; 2],
+    sums: &'a mut [[f64; W]; 2],
 }
 
 impl<const W: usize> Loop for Squares<'_, W> {
@@ -380,7 +373,7 @@ impl<const W: usize> Loop for Squares<'_, W> {
             }
             divide_and_add_squares(&mut integrals, &step.errors, i, &weights);
         }
-        for (out, (squares, integrals)) in self.squares.iter_mut().zip(squares.iter().zip(&integrals)) {
+        for (out, (squares, integrals)) in self.sums.iter_mut().zip(squares.iter().zip(&integrals)) {
             for lane in 0..W {
                 out[lane] = squares[lane] + integrals[lane];
             }
@@ -400,8 +393,8 @@ impl<const W: usize> Squares<'_, W> {
                 steepest[lane] = steepest[lane].max(rates[lane].abs());
             }
         }
-        for lane in 0..W {
-            steepest[lane] *= step.h[lane].abs();
+        for (steepest, h) in steepest.iter_mut().zip(&step.h) {
+            *steepest *= h.abs();
         }
         steepest
     }

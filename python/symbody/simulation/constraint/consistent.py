@@ -116,7 +116,7 @@ def solved_state(
     usual = usual_states(
         kinematics, p[np.newaxis], t, {name: np.array([x]) for name, x in fixed.items()}, near
     )
-    if usual.are_found[0]:
+    if usual.are_found[0]:  # the others are looked for further
         return _named(system, usual.q[0], usual.u[0], z)
     q = positions(kinematics, p, t, fixed, near)
     _check_finite(kinematics, p, t, q)

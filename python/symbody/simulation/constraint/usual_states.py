@@ -39,13 +39,11 @@ class UsualStates:
         q: the coordinates, shape (k, n_q).
         u: the speeds, shape (k, n).
         are_found: where they are known, shape (k,); elsewhere the case is not usual.
-        are_regular: where the constraints are independent, and leave a motion, shape (k,).
     """
 
     q: Array
     u: Array
     are_found: Flags
-    are_regular: Flags
 
 
 def usual_states(
@@ -61,18 +59,17 @@ def usual_states(
         guess: the values near which the others should be.
     """
     count, system = len(p), kinematics.system
-    nothing = np.zeros(count, dtype=bool)
     if not _may_be_usual(kinematics, fixed, guess):
         empty = (
             np.full((count, len(system.coordinates)), np.nan),
             np.full((count, len(system.speeds)), np.nan),
         )
-        return UsualStates(*empty, nothing, nothing)
+        return UsualStates(*empty, np.zeros(count, dtype=bool))
     with np.errstate(all="ignore"):
         q, are_closed = _positions(kinematics, p, t, fixed, guess)
         are_closed &= ~are_turned(kinematics, p, t, q)
-        u, are_kept, are_regular = _velocities(kinematics, p, t, q, fixed, guess)
-    return UsualStates(q, u, are_closed & are_kept, are_regular)
+        u, are_kept = _velocities(kinematics, p, t, q, fixed, guess)
+    return UsualStates(q, u, are_closed & are_kept)
 
 
 def _may_be_usual(kinematics: Kinematics, fixed: Mapping[Expr, Array], guess: Mapping[Expr, float]) -> bool:
@@ -187,8 +184,8 @@ def _velocities(
     q: Array,
     fixed: Mapping[Expr, Array],
     guess: Mapping[Expr, float],
-) -> tuple[Array, Flags, Flags]:
-    """Return the speeds nearest to their guess, where they satisfy the constraints, and where these are independent.
+) -> tuple[Array, Flags]:
+    """Return the speeds nearest to their guess, and where they satisfy the constraints, which are independent.
 
     Args:
         kinematics: the constraints and the kinematics.
@@ -210,7 +207,7 @@ def _velocities(
     if free.any():
         u[:, free] += _least_norm(A[:, :, free], b - (A * u[:, None, :]).sum(axis=2))
     are_kept = is_finite & (_violations(kinematics, p, t, q, (A, b, u)) <= EXACT).all(axis=1)
-    return u, are_kept, is_finite & _are_regular(kinematics, A)
+    return u, are_kept & _are_regular(kinematics, A)
 
 
 def _violations(

@@ -45,7 +45,7 @@ def initial_state(
 def initial_states(task: Task, parameters: Columns, initial: Columns, count: int) -> NDArray[np.float64]:
     """Return `initial_state` of k motions that need no further look, shape (k, model.width); NaN for the others.
 
-    These are free motions, and those with a usual state (`usual_states`) at which all constraints are independent.
+    These are free motions, and those with a usual state (`usual_states`).
 
     Args:
         task: the task.
@@ -67,7 +67,7 @@ def initial_states(task: Task, parameters: Columns, initial: Columns, count: int
     usual = usual_states(kinematics, p, float(task.instants[0]), initial, near)
     places = [names[name] for name in (*model.coordinates, *model.speeds)]
     states[:, places] = np.concatenate([usual.q, usual.u], axis=1)
-    states[~(usual.are_found & usual.are_regular & np.isfinite(p).all(axis=1))] = np.nan
+    states[~(usual.are_found & np.isfinite(p).all(axis=1))] = np.nan
     return states
 
 
