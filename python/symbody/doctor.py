@@ -25,6 +25,7 @@ EXTRAS = {
     "jax": "runs generated JAX code",
     "control": "takes linear models: to_control",
     "dask": "runs simulate_many on the workers of a cluster",
+    "study": "files of studies, and quantiles of many cases",
     "sundials": "the methods ida, ida2 and ida3 of simulate",
     "notebook": "Jupyter, which shows expressions, frames and equations as formulas",
 }

@@ -15,6 +15,7 @@ use pyo3::prelude::*;
 use symbody_integrate as native;
 
 use crate::deficiency::{Noted, take};
+use crate::session::check_deadline;
 
 /// The time between two checks of signals and progress.
 const LOOK: Duration = Duration::from_millis(50);
@@ -223,7 +224,7 @@ impl Look {
         Self { keep_going, last: Instant::now(), is_over: false, error: None }
     }
 
-    /// Ctrl-C ends the motion; the results so far are kept.
+    /// Ctrl-C ends the motion, and the results so far are kept; the end of a limit of time is an error.
     fn keeps_going(&mut self, progress: f64) -> bool {
         if self.is_over {
             return false;
@@ -233,6 +234,7 @@ impl Look {
         }
         let answer = Python::attach(|py| {
             py.check_signals()?;
+            check_deadline()?;
             self.keep_going.as_ref().map_or(Ok(true), |ask| ask.call1(py, (progress,))?.is_truthy(py))
         });
         self.last = Instant::now();

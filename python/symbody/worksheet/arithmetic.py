@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, Matrix, number
+from symbody.worksheet.complex_number import normal, root_of_negative
 from symbody.worksheet.naming import symbol
-from symbody.worksheet.numeric import power, quotient
+from symbody.worksheet.numeric import as_float, power, quotient
 from symbody.worksheet.print import text_of
 from symbody.worksheet.structure import Tree, tree_of
 from symbody.worksheet.value import (
@@ -30,7 +31,7 @@ from symbody.worksheet.value import (
 if TYPE_CHECKING:
     from symbody.worksheet.session import Session
 
-__all__ = ["binary", "identity", "matrix_product", "negated", "rebuilt", "scalar", "transposed"]
+__all__ = ["binary", "identity", "matrix_product", "negated", "raised", "rebuilt", "scalar", "transposed"]
 
 
 def scalar(session: Session, value: Value) -> Expr:
@@ -73,7 +74,7 @@ _SCALAR: dict[str, Callable[[Expr, Expr], Expr]] = {
 def binary(session: Session, operator: str, left: Value, right: Value) -> Value:
     """Return ``left operator right`` for one of ``+ - * / ^ . &*``."""
     if isinstance(left, Expr) and isinstance(right, Expr) and operator != "&*":
-        return _SCALAR[operator](left, right)
+        return raised(session, left, right) if operator == "^" else _combined(session, operator, left, right)
     if session.overload is not None:
         made = session.overload(session, operator, left, right)
         if made is not None:
@@ -86,6 +87,21 @@ def binary(session: Session, operator: str, left: Value, right: Value) -> Value:
     if operator == "." and _is_matrix(session, left, right):
         return _arrays(session, operator, session.resolve(left), session.resolve(right))
     return _SCALAR[operator](scalar(session, left), scalar(session, right))
+
+
+def _combined(session: Session, operator: str, left: Expr, right: Expr) -> Expr:
+    made = _SCALAR[operator](left, right)
+    return normal(made) if session.options.imaginary else made
+
+
+def raised(session: Session, base: Expr, exponent: Expr) -> Expr:
+    """Return a power of a scalar; the roots of negative numbers are complex."""
+    if base.is_constant and exponent.is_number and exponent.ratio[1] != 1:
+        known = as_float(base)
+        if known is not None and known < 0:
+            session.options.imaginary = True
+            return root_of_negative(base, exponent)
+    return _combined(session, "^", base, exponent)
 
 
 def _is_matrix(session: Session, left: Value, right: Value) -> bool:

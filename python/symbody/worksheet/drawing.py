@@ -7,14 +7,17 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-from numpy.typing import NDArray
-
+from symbody.deferred import Deferred
 from symbody.worksheet.session import Session
 from symbody.worksheet.value import Plot, Value
 
 if TYPE_CHECKING:
+    import numpy as np
     from matplotlib.axes import Axes
+    from numpy.typing import NDArray
+else:
+    np = Deferred("numpy")
+
 
 __all__ = ["Piece", "drawn", "pieces_of"]
 
@@ -50,8 +53,8 @@ def pieces_of(plot: Plot) -> list[Piece]:
 def drawn(session: Session, plot: Plot) -> str:
     """Draw into a new file of the output folder, and return what the sheet prints of it."""
     animated = plot.kind == "animation"
-    number = 1 + sum(1 for _ in session.folder.glob("plot*.*"))
-    path = session.folder / f"plot{number}.{'html' if animated else 'png'}"
+    session.drawings += 1
+    path = session.folder / f"plot{session.drawings}.{'html' if animated else 'png'}"
     session.folder.mkdir(parents=True, exist_ok=True)
     frames = [pieces_of(each) for each in plot.data] if animated else [pieces_of(plot)]
     options = dict(plot.options)

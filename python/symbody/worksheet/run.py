@@ -8,15 +8,18 @@ import time
 import warnings
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from symbody.errors import WorksheetError
-from symbody.worksheet.check import Verdict, verdicts
 from symbody.worksheet.interpret import Interpreter, Stop
 from symbody.worksheet.outcome import Outcome
 from symbody.worksheet.reading import located, names_in_code, read_source, statements
 from symbody.worksheet.session import Session
 from symbody.worksheet.source import Cell, Remark, SyntaxMistake
 from symbody.worksheet.syntax import Place, Statement
+
+if TYPE_CHECKING:
+    from symbody.worksheet.check import Verdict
 
 __all__ = ["Report", "outcomes", "run_file"]
 
@@ -107,6 +110,8 @@ def run_file(options: argparse.Namespace) -> int:
         status = INTERRUPTED
     progress.clear()
     if options.check:
+        from symbody.worksheet.check import verdicts  # noqa: PLC0415 - a second reader, for those who ask
+
         report.verdicts = verdicts(cells, done)
         _show_verdicts(report.verdicts, quiet=options.quiet)
     print(report)

@@ -7,7 +7,7 @@ marked by `small`. What comes back keeps the terms up to an order in all d toget
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from typing import TypeVar
 
 from symbody.errors import ModelNotice, WorksheetError
@@ -84,14 +84,15 @@ def linear_modeling(session: Session, *sets: Value) -> Value:
 def linearize(session: Session, value: Value, about: Value | None = None) -> Value:
     """linearize(e [, {x(t), ...}]): the first-order terms of an expression, an equation, a list, a set or a matrix."""
     modes = mechanics(session)
-    places = dict(_deviations(session, about, "linearize")) if about is not None else modes.small
+    kinds = ("symbol", "time_function", "application")
+    places = dict(_deviations(session, about, "linearize", kinds)) if about is not None else modes.small
     return _linear(session, session.current(value), places)
 
 
 def _linear(session: Session, value: Value, places: dict[Expr, Expr]) -> Value:
     match value:
         case Expr():
-            return taylor(value, places) if places else value
+            return _first_order(value, places) if places else value
         case Relation(operator, a, b):
             return Relation(operator, _linear(session, a, places), _linear(session, b, places))
         case Listed(items) | MapleSet(items) | Several(items):
@@ -104,7 +105,17 @@ def _linear(session: Session, value: Value, places: dict[Expr, Expr]) -> Value:
     )
 
 
-def _deviations(session: Session, value: Value, where: str) -> Iterable[tuple[Expr, Expr]]:
+def _first_order(value: Expr, places: dict[Expr, Expr]) -> Expr:
+    """Return the terms of first order; a function of another variable, ``phi(q)``, is a variable here."""
+    names = {x: symbol(f"_small{i}") for i, x in enumerate(places) if x.kind == "application"}
+    back = {name: x for x, name in names.items()}
+    at = {names.get(x, x): a for x, a in places.items()}
+    return taylor(value.subs(names), at).subs(back) if names else taylor(value, places)
+
+
+def _deviations(
+    session: Session, value: Value, where: str, kinds: Collection[str] = ("symbol", "time_function")
+) -> Iterable[tuple[Expr, Expr]]:
     """Return variables and the values from which they deviate; derivatives of functions are small with them."""
     items = value.items if isinstance(value, Listed | MapleSet | Several) else (value,)
     for item in items:
@@ -113,7 +124,7 @@ def _deviations(session: Session, value: Value, where: str) -> Iterable[tuple[Ex
             raise WorksheetError(f"{where}: expected variables, such as {{x(t), psi}}, or equations x(t) = a")
         if variable.is_number or (variable.kind == "time_function" and variable.order):
             continue
-        if variable.kind not in {"symbol", "time_function"}:
+        if variable.kind not in kinds:
             raise WorksheetError(
                 f"{where}: {session.text(variable)[:60]} is not a variable; expected names and functions of time"
             )

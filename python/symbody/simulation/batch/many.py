@@ -7,7 +7,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, field
 from math import inf
-from os import PathLike
 from pathlib import Path
 from time import monotonic
 
@@ -23,7 +22,7 @@ from symbody.simulation.integrate.task_of import task_of, warn_of_odd_values
 from symbody.simulation.terminal.interruption import Interruption
 from symbody.simulation.terminal.progress import progress_bar
 from symbody.symbolic import Expr, ExprLike
-from symbody.symbolic.given.arguments import described, with_known_names
+from symbody.symbolic.given.arguments import with_known_names
 
 from .case_check import check_cases
 from .cases import PLACE, Cases, Values, cases_of
@@ -31,7 +30,7 @@ from .problem_digest import problem_digest
 from .results_file import ResultsFile
 from .run_cases import empty_results
 from .runs import Runs
-from .workers import Part, core_count, run_by_executor, run_in_threads
+from .workers import Part, checked_workforce, core_count, run_by_executor, run_in_threads
 
 SAVE_EVERY = 10.0
 """The time between two saves, in s: an accident costs no more work than that."""
@@ -110,7 +109,7 @@ def simulate_many(
     >>> simulate_many(pendulum, {m: 1, g: 9.81, l: [0.5, 1.0, 2.0]}, {theta: 0.1}, t=(0, 2))
     Runs(3 cases, 1001 instants)
     """
-    workforce = _checked(executor, core_count() if threads is None else threads, path)
+    workforce = checked_workforce(PLACE, executor, core_count() if threads is None else threads, path)
     if sensitivities and not keep_states:
         raise ArgumentError(
             f"{PREFIX}keep_states=False, and sensitivities are those of states; leave one of them out"
@@ -150,19 +149,6 @@ def _warn(runs: Runs, *notices: str) -> None:
     texts = [PREFIX + notice.removeprefix(PREFIX) for notice in notices if notice]
     for text in (*texts, *notices_of_batch(runs.findings, PLACE)):
         notify(text)
-
-
-def _checked(executor: object, threads: object, path: object) -> tuple[Executor | None, int]:
-    if not isinstance(executor, Executor | None):
-        raise ArgumentError(
-            f"{PREFIX}executor={described(executor)}; expected an executor of concurrent.futures, such as "
-            "ProcessPoolExecutor(), dask's client.get_executor(), or None for threads of this process"
-        )
-    if not isinstance(path, str | PathLike | None):
-        raise ArgumentError(f"{PREFIX}path={described(path)}; expected a path, such as 'runs.npz'")
-    if not isinstance(threads, int) or threads < 1:
-        raise ArgumentError(f"{PREFIX}threads={described(threads)}; expected a whole number from 1")
-    return executor, threads
 
 
 def _results_so_far(file: ResultsFile | None, empty: Results) -> Results:

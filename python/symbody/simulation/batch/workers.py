@@ -6,15 +6,18 @@ import os
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, ProcessPoolExecutor, wait
 from math import inf
+from os import PathLike
 from time import monotonic
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from symbody.errors import SimulationError
+from symbody.errors import ArgumentError, SimulationError
 from symbody.simulation.batch.case_arrays import Results
 from symbody.simulation.integrate.task import Task
 from symbody.simulation.terminal.interruption import Interruption
+from symbody.symbolic.given.arguments import described
 
 from .cases import Cases
 from .parcel import Parcel
@@ -42,6 +45,32 @@ def core_count() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
+def checked_workforce(
+    place: str, executor: object, threads: object, path: object
+) -> tuple[Executor | None, int]:
+    """Return the executor, and the number of threads without one.
+
+    Args:
+        place: the function that the user called.
+        executor: the executor.
+        threads: the number of threads.
+        path: the path of a file for the results.
+
+    Raises:
+        ArgumentError: one of them has the wrong kind.
+    """
+    if not isinstance(executor, Executor | None):
+        raise ArgumentError(
+            f"{place}: executor={described(executor)}; expected an executor of concurrent.futures, such as "
+            "ProcessPoolExecutor(), dask's client.get_executor(), or None for threads of this process"
+        )
+    if not isinstance(path, str | PathLike | None):
+        raise ArgumentError(f"{place}: path={described(path)}; expected a path, such as 'runs.npz'")
+    if not isinstance(threads, int) or threads < 1:
+        raise ArgumentError(f"{place}: threads={described(threads)}; expected a whole number from 1")
+    return executor, threads
+
+
 def run_in_threads(
     task: Task,
     cases: Cases,
@@ -64,13 +93,13 @@ def run_in_threads(
     size, done = most if span == inf else min(most, 4 * threads), 0
     while done < len(indices) and keep_going(done):
         chosen, begin = indices[done : done + size], monotonic()
-        yield chosen, run_cases(task, cases.subset(chosen), threads, _counting_from(keep_going, done))
+        yield chosen, run_cases(task, cases.subset(chosen), threads, counting_from(keep_going, done))
         done += len(chosen)
         pace = span / max(monotonic() - begin, 1e-9)
         size = int(np.clip(size * pace, max(threads, size // 4), min(most, 4 * size)))
 
 
-def _counting_from(keep_going: Callable[[float], bool], past: int) -> Callable[[float], bool]:
+def counting_from(keep_going: Callable[[float], bool], past: int) -> Callable[[float], bool]:
     """Return a `keep_going` that adds the number of cases that are done already."""
     return lambda done: keep_going(past + done)
 
@@ -111,7 +140,7 @@ def run_by_executor(
         finally:
             if waiting:
                 flag.set()
-                _withdraw(waiting, executor)
+                withdraw(waiting, executor)
     if lost is not None and keep_going(done):
         raise _tasks_lost(lost) from lost
 
@@ -142,7 +171,7 @@ def _submitted(
         raise _tasks_lost(error) from error
 
 
-def _withdraw(waiting: Iterable[Future[Results]], executor: Executor) -> None:
+def withdraw(waiting: Iterable[Future[Any]], executor: Executor) -> None:
     """Cancel tasks, except those of a process pool: these see the flag and end when they start.
 
     If a worker dies after tasks were cancelled, such a pool fails on them and never ends its other workers (Python

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence as Items
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
-import numpy as np
-from numpy.typing import NDArray
-
+from symbody.deferred import Deferred
 from symbody.dynamics import Equations, equations_from_differential
 from symbody.errors import SymbodyError, WorksheetError
 from symbody.symbolic import Expr, free_symbols, substitute, t, time_derivative, time_function
@@ -17,9 +15,16 @@ from symbody.worksheet.numeric import as_float, decimal
 from symbody.worksheet.session import Command, Session
 from symbody.worksheet.value import Array, Builtin, Listed, MapleSet, Plot, Range, Relation, Sequence, Value
 
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+else:
+    np = Deferred("numpy")
+
+
 __all__ = ["COMMANDS", "PACKAGES", "NumericSolution"]
 
-Column = NDArray[np.float64]
+Column: TypeAlias = "NDArray[np.float64]"
 _POINTS = 200
 """Points of a curve, unless the sheet says how many."""
 

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
-import numpy as np
-from numpy.typing import NDArray
-
+from symbody.deferred import Deferred
 from symbody.errors import SymbodyError, WorksheetError
 from symbody.symbolic import Expr
 from symbody.worksheet.drawing import Piece, pieces_of
@@ -28,6 +27,13 @@ from symbody.worksheet.value import (
     String,
     Value,
 )
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+else:
+    np = Deferred("numpy")
+
 
 __all__ = ["COMMANDS", "PACKAGES"]
 
