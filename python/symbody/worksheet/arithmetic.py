@@ -31,7 +31,17 @@ from symbody.worksheet.value import (
 if TYPE_CHECKING:
     from symbody.worksheet.session import Session
 
-__all__ = ["binary", "identity", "matrix_product", "negated", "raised", "rebuilt", "scalar", "transposed"]
+__all__ = [
+    "binary",
+    "called_with",
+    "identity",
+    "matrix_product",
+    "negated",
+    "raised",
+    "rebuilt",
+    "scalar",
+    "transposed",
+]
 
 
 def scalar(session: Session, value: Value) -> Expr:
@@ -330,5 +340,13 @@ def _build(session: Session, tree: Tree, new: dict[Expr, Value], build: Callable
     if tree.kind == "power":
         return binary(session, "^", build(tree.parts[0]), build(tree.parts[1]))
     if tree.kind == "function":
-        return session.call(symbol(tree.name), tuple(build(part) for part in tree.parts))
+        return session.call(symbol(tree.name), called_with(tree, [build(part) for part in tree.parts]))
     return tree.value
+
+
+def called_with(tree: Tree, parts: list[Value]) -> tuple[Value, ...]:
+    """Return the arguments with which a function is called: those of piecewise have conditions before the values."""
+    if tree.name != "piecewise":
+        return tuple(parts)
+    pairs = [(Relation("<", number(0), parts[i + 1]), parts[i]) for i in range(0, len(parts) - 1, 2)]
+    return (*(each for pair in pairs for each in pair), parts[-1])

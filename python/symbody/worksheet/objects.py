@@ -12,12 +12,14 @@ from symbody.symbolic import Expr, Matrix, number, symbol
 from symbody.worksheet import frame_face
 from symbody.worksheet.mechanics import Mechanics, mechanics
 from symbody.worksheet.session import Session
-from symbody.worksheet.small_variables import entered, entered_frame, left, left_frame
+from symbody.worksheet.shortest import shortest
+from symbody.worksheet.small_variables import entered, entered_frame, left, left_frame, result
 from symbody.worksheet.value import Array, Listed, MapleSet, Reference, Table, Value
 from symbody.worksheet.value import Sequence as Several
 
 __all__ = [
     "Reader",
+    "computed",
     "described",
     "face_of",
     "fields_of",
@@ -97,7 +99,7 @@ def table_of_vector(session: Session, vector: Vector, frame: Value | None = None
     """
     modes = mechanics(session)
     shown = frame_face.ground_face(modes) if frame is None else frame
-    return made("VECTOR", frame=shown, comps=column(left(modes, vector.components), 0, modes))
+    return made("VECTOR", frame=shown, comps=column(result(modes, vector.components), 0, modes))
 
 
 # --- reading ---
@@ -299,6 +301,12 @@ def described(value: Value) -> str:
 
 
 # --- writing ---
+
+
+def computed(session: Session, kind: str, entries: Triple, frame: Value, **fields: Value | None) -> Table:
+    """Return an object that a command has found: its three entries are in a short form."""
+    x, y, z = shortest(entries)
+    return written(session, kind, (x, y, z), frame, **fields)
 
 
 def written(session: Session, kind: str, entries: Triple, frame: Value, **fields: Value | None) -> Table:

@@ -78,9 +78,16 @@ def _executed(number: int, cell: Cell, statement: Statement, interpreter: Interp
         warnings.simplefilter("always")
         try:
             interpreter.execute(statement)
+        except Stop:
+            raise
         except WorksheetError as reason:
             place = reason.place if isinstance(reason.place, Place) else statement.place
             error = located(cell, place, str(reason))
+        except Exception as fault:
+            text = (
+                f"a fault of symbody, {type(fault).__name__}: {str(fault)[:200]}; please report the statement"
+            )
+            error = located(cell, statement.place, text)
     notices = [*session.notices, *(str(warning.message) for warning in raised)]
     lines = tuple(session.lines)
     return Outcome(number, statement.place.line, statement, lines, error, tuple(dict.fromkeys(notices)))

@@ -15,12 +15,13 @@ from symbody.geometry import Frame
 from symbody.symbolic import Expr, number, small, substitute, symbol, taylor, time_derivative, truncated
 from symbody.worksheet.mechanics import Mechanics, mechanics
 from symbody.worksheet.session import Session
+from symbody.worksheet.shortest import shortest
 from symbody.worksheet.value import NULL, Array, Listed, MapleSet, Relation, Value
 from symbody.worksheet.value import Sequence as Several
 
 Kind = TypeVar("Kind")
 
-__all__ = ["entered", "entered_frame", "left", "left_frame", "linear_modeling", "linearize"]
+__all__ = ["entered", "entered_frame", "left", "left_frame", "linear_modeling", "linearize", "result"]
 
 
 def entered(modes: Mechanics, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
@@ -40,6 +41,11 @@ def left(modes: Mechanics, expressions: Sequence[Expr], order: int = 1) -> tuple
 def entered_frame(modes: Mechanics, frame: Frame) -> Frame:
     """Return a frame with the small variables marked."""
     return _quietly(lambda: frame.subs(_in(modes))) if modes.small else frame
+
+
+def result(modes: Mechanics, expressions: Sequence[Expr], order: int = 1) -> tuple[Expr, ...]:
+    """Return what a command has found, up to an order in the small variables, without marks, in a short form."""
+    return shortest(left(modes, expressions, order))
 
 
 def left_frame(modes: Mechanics, frame: Frame) -> Frame:

@@ -15,7 +15,7 @@ from symbody.symbolic import Expr, UndefinedFunction, number, t
 from symbody.symbolic.expression.traverse import post_order
 from symbody.worksheet.numeric import as_float, decimal
 
-__all__ = ["Tree", "leaves", "product_of", "sum_of", "tree_of", "walk"]
+__all__ = ["Tree", "is_negative", "leaves", "product_of", "sum_of", "tree_of", "walk"]
 
 _KEY_LENGTH = 120
 
@@ -271,7 +271,7 @@ def sum_of(parts: Iterable[Tree], value: Expr | None = None) -> Tree:
     if not terms:
         return tree_of(number(0))
     terms.sort(key=_term_order)
-    first = next((i for i, term in enumerate(terms) if not _is_negative(term) and not _is_imaginary(term)), 0)
+    first = next((i for i, term in enumerate(terms) if not is_negative(term) and not _is_imaginary(term)), 0)
     terms.insert(0, terms.pop(first))
     if value is None:
         value = reduce(add, (term.value for term in terms))
@@ -279,7 +279,8 @@ def sum_of(parts: Iterable[Tree], value: Expr | None = None) -> Tree:
     return Tree("sum", value, tuple(terms), key=key[:_KEY_LENGTH])
 
 
-def _is_negative(term: Tree) -> bool:
+def is_negative(term: Tree) -> bool:
+    """Whether the number of a term is negative."""
     return _coefficient(term).ratio[0] < 0
 
 

@@ -46,7 +46,7 @@ def core_count() -> int:
 
 
 def checked_workforce(
-    place: str, executor: object, threads: object, path: object
+    place: str, executor: object, threads: object, path: object, example: str = "runs.npz"
 ) -> tuple[Executor | None, int]:
     """Return the executor, and the number of threads without one.
 
@@ -55,6 +55,7 @@ def checked_workforce(
         executor: the executor.
         threads: the number of threads.
         path: the path of a file for the results.
+        example: the name of such a file, for messages.
 
     Raises:
         ArgumentError: one of them has the wrong kind.
@@ -65,7 +66,7 @@ def checked_workforce(
             "ProcessPoolExecutor(), dask's client.get_executor(), or None for threads of this process"
         )
     if not isinstance(path, str | PathLike | None):
-        raise ArgumentError(f"{place}: path={described(path)}; expected a path, such as 'runs.npz'")
+        raise ArgumentError(f"{place}: path={described(path)}; expected a path, such as {example!r}")
     if not isinstance(threads, int) or threads < 1:
         raise ArgumentError(f"{place}: threads={described(threads)}; expected a whole number from 1")
     return executor, threads

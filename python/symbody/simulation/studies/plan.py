@@ -89,7 +89,7 @@ def checked_measures(measures: object) -> dict[str, Measure]:
     for name, measure in given.items():
         if not isinstance(measure, Measure):
             raise ArgumentError(
-                f"{PLACE}, measures: {name!r} is {described(measure)}; expected a measure, such as "
+                f"{PLACE}, measures: {name}: {described(measure)}; expected a measure, such as "
                 "measures.maximum(x) or measures.final(x); expressions over time are outputs"
             )
     columns = [name + part for name, measure in given.items() for part in measure.parts]
@@ -134,4 +134,11 @@ def study_instants(t: ArrayLike, measures: Mapping[str, Measure], *, has_outputs
 
 def all_events(own: Sequence[Event], measures: Mapping[str, Measure]) -> list[Event]:
     """Return the events of the user, then those of the measures."""
-    return [*own, *(event for measure in measures.values() for event in measure.events)]
+    return [
+        *own,
+        *(
+            replace(event, name=f"of the measure {name!r}")
+            for name, measure in measures.items()
+            for event in measure.events
+        ),
+    ]

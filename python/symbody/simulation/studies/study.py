@@ -126,7 +126,9 @@ def study(
     >>> bool(abs(found["peak"] - 0.1 * cases[k] ** 0.5).max() < 1e-7)
     True
     """
-    workforce = checked_workforce(PLACE, executor, core_count() if threads is None else threads, path)
+    workforce = checked_workforce(
+        PLACE, executor, core_count() if threads is None else threads, path, "study.zarr"
+    )
     named = checked_measures(measures)
     given, own = given_outputs(outputs, PLACE), given_events(events, PLACE)
     kinds = checked_statistics((moments(), extremes()) if statistics is None else statistics)
@@ -161,7 +163,7 @@ def study(
         len(own),
     )
     _check_names(plan, all_cases, units)
-    check_observed(task.model, plan.with_names.outputs, task.events, PLACE)
+    check_observed(task.model, given, task.events, PLACE, _expressions(named))
     check_cases(plan.with_names, all_cases, PLACE)
     warn_of_odd_values(plan.with_names, all_cases.parameters, PLACE)
     size = _chunk_size(task.model.width * len(task.instants), all_cases.count, chunk)
@@ -267,6 +269,10 @@ def _file(path: Path, plan: Plan, cases: Cases, size: int, units: Mapping[str, s
     file = StudyFile(path, plan, cases, size, problem, units)
     file.open()
     return file
+
+
+def _expressions(measures: Mapping[str, Measure]) -> dict[str, Expr]:
+    return {name: measure.expression for name, measure in measures.items()}
 
 
 def _check_kept(

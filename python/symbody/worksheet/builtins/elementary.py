@@ -31,7 +31,7 @@ from symbody.symbolic import (
     tan,
     tanh,
 )
-from symbody.worksheet.arithmetic import raised, scalar
+from symbody.worksheet.arithmetic import called_with, raised, scalar
 from symbody.worksheet.closed_roots import root_number
 from symbody.worksheet.complex_number import as_complex, of_number
 from symbody.worksheet.naming import symbol
@@ -301,7 +301,9 @@ def _node_in_decimals(session: Session, node: Tree, parts: list[Expr], digits: i
         return total
     if node.kind == "function" and not (len(node.parts) == 1 and node.parts[0].kind == "name"):
         called = (
-            session.call(symbol(node.name), tuple(parts)) if not node.name.startswith("D[") else node.value
+            session.call(symbol(node.name), called_with(node, [*parts]))
+            if not node.name.startswith("D[")
+            else node.value
         )
         return called if isinstance(called, Expr) else node.value
     return node.value

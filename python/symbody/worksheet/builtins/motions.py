@@ -10,6 +10,7 @@ from symbody.deferred import Deferred
 from symbody.dynamics import Equations, equations_from_differential
 from symbody.errors import SymbodyError, WorksheetError
 from symbody.symbolic import Expr, free_symbols, substitute, t, time_derivative, time_function
+from symbody.worksheet.builtins.closed_motion import closed_solution
 from symbody.worksheet.drawing import Piece
 from symbody.worksheet.numeric import as_float, decimal
 from symbody.worksheet.session import Command, Session
@@ -85,7 +86,13 @@ def dsolve(session: Session, problem: Value, *arguments: Value) -> Value:
     }
     words = {str(each) for each in arguments if isinstance(each, Expr)} | {str(options.get("type", ""))}
     if "numeric" not in words:
-        raise WorksheetError("dsolve: only solutions in numbers are known; expected dsolve({..}, numeric)")
+        found = closed_solution(*_problem(session, problem))
+        if found is None:
+            raise WorksheetError(
+                "dsolve: no solution in closed form was found; expected dsolve({..}, numeric), or one linear equation "
+                "of one function"
+            )
+        return Relation("=", *found)
     for name in sorted(options.keys() - _KNOWN):
         session.notices.append(f"dsolve: the option {name} is not known, and is ignored")
     solution = _solution(session, problem)
@@ -160,6 +167,11 @@ def _number(session: Session, value: Value, what: str) -> float:
 
 def _solution(session: Session, problem: Value) -> NumericSolution:
     """Return the solution of equations and initial values in one set or list."""
+    return _made(session, *_problem(session, problem))
+
+
+def _problem(session: Session, problem: Value) -> tuple[list[Expr], dict[tuple[str, int], Expr], float]:
+    """Return equations as what is to be zero, initial values by function and order, and their time."""
     residuals: list[Expr] = []
     given: dict[tuple[str, int], Expr] = {}
     starts: set[float] = set()
@@ -181,7 +193,7 @@ def _solution(session: Session, problem: Value) -> NumericSolution:
     if len(starts) > 1:
         listed = ", ".join(f"{each:g}" for each in sorted(starts))
         raise WorksheetError(f"dsolve: initial values at several times, {listed}; expected one")
-    return _made(session, residuals, given, starts.pop() if starts else 0.0)
+    return residuals, given, starts.pop() if starts else 0.0
 
 
 def _initial(left: Expr) -> float | None:

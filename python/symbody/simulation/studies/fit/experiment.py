@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from symbody.errors import ArgumentError, ParameterError
 from symbody.simulation.given.real import is_real
 from symbody.symbolic import Expr, ExprLike
-from symbody.symbolic.given.arguments import brief, comparison_note, described
+from symbody.symbolic.given.arguments import brief, comparison_note, counted, described
 
 __all__ = ["Experiment", "Measurement"]
 
@@ -61,7 +61,8 @@ class Measurement:
         instants, numbers = _row(t, f"{place}, t"), _row(values, f"{place}, values")
         if len(instants) != len(numbers):
             raise ParameterError(
-                f"{place}: {len(numbers)} values at {len(instants)} instants; expected one for each"
+                f"{place}: {counted(len(numbers), 'value')} at {counted(len(instants), 'instant')}; "
+                "expected one for each"
             )
         vars(self).update(expression=expression, t=instants, values=numbers)
         vars(self)["deviation"] = None if deviation is None else _deviations(deviation, numbers, place)

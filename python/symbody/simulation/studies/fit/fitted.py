@@ -157,7 +157,7 @@ class Fit:
         count = len(self.problem.experiments)
         if isinstance(experiment, bool) or not isinstance(experiment, int) or not 0 <= experiment < count:
             raise ArgumentError(
-                f"{place}: {described(experiment)}; expected one of the {counted(count, 'experiment')}, from 0"
+                f"{place}: {described(experiment)}; expected the number of an experiment, from 0 to {count - 1}"
             )
         return experiment
 

@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from symbody.errors import ArgumentError, ParameterError
 from symbody.simulation.given.wording import joined_by_and
-from symbody.symbolic.given.arguments import described
+
+from .distribution import distribution_name
 
 __all__ = ["correlated_normal"]
 
@@ -34,7 +35,7 @@ def correlated_normal(names: tuple[Any, ...], given: Any, p: Array) -> Array:
     mean, covariance = (getattr(given, name, None) for name in ("mean", "cov"))
     if not isinstance(mean, np.ndarray) or not isinstance(covariance, np.ndarray):
         raise ArgumentError(
-            f"sample: the distribution of {listed} together: {described(given)}; expected "
+            f"sample: the distribution of {listed} together is {distribution_name(given)}; expected "
             "scipy.stats.multivariate_normal(mean, covariance)"
         )
     if len(mean) != len(names):

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from symbody.errors import ArgumentError, ParameterError
 from symbody.symbolic.given.arguments import described
 
-__all__ = ["FAMILIES", "Distribution", "Quantile", "quantile_function"]
+__all__ = ["FAMILIES", "Distribution", "Quantile", "distribution_name", "quantile_function"]
 
 Array = NDArray[np.float64]
 
@@ -119,11 +119,21 @@ def _numbers(values: object) -> Array | None:
     return array if np.isfinite(array).all() else None
 
 
+def distribution_name(given: object) -> str:
+    """Return what a frozen distribution of SciPy is called, with its arguments; of other values, their description."""
+    kind, arguments = getattr(given, "dist", None), getattr(given, "args", ())
+    name = getattr(kind, "name", None)
+    if name is None:
+        return f"a {type(given).__name__}" if " object at 0x" in repr(given) else described(given)
+    options = [f"{key}={value}" for key, value in getattr(given, "kwds", {}).items()]
+    return f"{name}({', '.join([*map(str, arguments), *options])})"
+
+
 def _checked(name: object, given: object, quantile: Quantile, p: Array) -> Array:
     values = np.asarray(quantile(p), dtype=np.float64)
     if values.shape != p.shape or not np.isfinite(values).all():
         raise ParameterError(
-            f"sample: the distribution of {name}, {described(given)}, has quantiles that are not finite numbers; "
-            "expected a distribution of one variable with valid parameters"
+            f"sample: the distribution of {name}, {distribution_name(given)}, has quantiles that are not finite "
+            "numbers; expected a distribution of one variable with valid parameters"
         )
     return values
