@@ -11,8 +11,8 @@ const MARGIN: f64 = 10.0;
 /// The fraction of the energies that rounding errors may change.
 const ROUNDING: f64 = 1e-11;
 /// A loss of more than this fraction of the energy that changes, or of this many relative tolerances, is always
-/// reported.
-const MOST: (f64, f64) = (0.1, 200.0);
+/// reported: errors may explain it, but the motion is wrong.
+const MOST: (f64, f64) = (0.01, 200.0);
 
 /// A violation of the balance of energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,9 +35,10 @@ pub struct Balance<'a> {
     /// The largest energy that changes, and the largest of all energies.
     moving: f64,
     largest: f64,
-    /// The largest change of the energy by errors of one tolerance in each entry of the state, and of one absolute
-    /// tolerance.
-    spread: (f64, f64),
+    /// The largest change of the energy by errors of one tolerance in each entry of the state.
+    spread: f64,
+    /// The changes by errors of one absolute tolerance.
+    spreads: Vec<f64>,
     /// The violations of the balance, and their instants.
     seen: Vec<(f64, f64)>,
     /// Instants and states whose energies are not evaluated yet, one after another: several at a time are quicker.
@@ -53,7 +54,8 @@ impl<'a> Balance<'a> {
             first_potential: 0.0,
             moving: 0.0,
             largest: 0.0,
-            spread: (0.0, 0.0),
+            spread: 0.0,
+            spreads: Vec::new(),
             seen: Vec::new(),
             pending: Vec::new(),
         };
@@ -112,9 +114,11 @@ impl<'a> Balance<'a> {
         self.widen(t, state, kinetic + potential);
         // Work and energies of springs are integrals, so their errors are those of the energy that changes.
         let Tolerances { relative, absolute, .. } = self.tolerances;
-        let least = self.spread.1 + if self.has_work(state) { absolute } else { 0.0 };
-        let each = self.spread.0.max(least).max(relative * self.moving);
-        // Motions as small as the absolute tolerances may lose all of the energy that changes.
+        let by_work = if self.has_work(state) { absolute } else { 0.0 };
+        let each = self.spread.max(by_work).max(relative * self.moving);
+        // Motions as small as the absolute tolerances may lose all of the energy that changes. The median leaves out a
+        // short time of large accelerations, at which one tolerance would be much energy.
+        let least = self.usual_spread() + by_work;
         let most = MOST.0.max(MOST.1 * relative) * self.moving + MARGIN * least;
         let explained = (MARGIN * (1.0 + errors) * each).min(most) + ROUNDING * self.largest;
         let &(t, _) = self.seen.iter().find(|(_, off)| *off > explained)?;
@@ -145,7 +149,7 @@ impl<'a> Balance<'a> {
         energies.map(|two| two.iter().all(|energy| energy.is_finite()).then_some(two)).collect()
     }
 
-    /// Update the largest change of the energy by errors of one tolerance in each entry.
+    /// Update the changes of the energy by errors of one tolerance in each entry.
     fn widen(&mut self, t: f64, state: &[f64], energy: f64) {
         let Tolerances { relative, absolute, controlled, .. } = self.tolerances;
         let mut rows = Vec::with_capacity(2 * controlled * (1 + state.len()));
@@ -164,6 +168,13 @@ impl<'a> Balance<'a> {
             .collect();
         let sum = |changes: &[f64]| changes.iter().fold(0.0, |sum, change| sum + change);
         let (both, least) = changes.split_at(changes.len() / 2);
-        self.spread = (self.spread.0.max(sum(both)), self.spread.1.max(sum(least)));
+        self.spread = self.spread.max(sum(both));
+        self.spreads.push(sum(least));
+    }
+
+    /// The median of the changes by errors of one absolute tolerance.
+    fn usual_spread(&mut self) -> f64 {
+        self.spreads.sort_by(f64::total_cmp);
+        self.spreads.get(self.spreads.len() / 2).copied().unwrap_or(0.0)
     }
 }

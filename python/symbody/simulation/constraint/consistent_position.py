@@ -234,12 +234,11 @@ def _unsatisfied(kinematics: Kinematics, p: Array, t: float, q: Array, fixed: Ma
             f"values that do: {near}; give these, or the coordinates as a guess, so that they are solved for"
         )
     opened = _open_loop(system, phi, sizes)
-    is_overdetermined = len(phi) > len(q)
-    if opened and is_overdetermined and _nearly_closes(q, phi, phi_q, sizes):
+    if opened and _nearly_closes(q, phi, phi_q, sizes) and _are_nearly_dependent(phi_q):
         nearest = listed_values(system.coordinates, dict(zip(system.coordinates, q, strict=True)))
         return (
-            f"the loop nearly closes at t = {t:g} s: at the nearest position, {nearest}, {opened}; it has more "
-            "constraints than coordinates, so that it closes with exact dimensions alone: give them with all digits, "
+            f"the loop nearly closes at t = {t:g} s: at the nearest position, {nearest}, {opened}; its constraints "
+            "nearly depend on each other, so that it closes with exact dimensions alone: give them with all digits, "
             "or as expressions such as pi/6, or let joints of the loop have more freedoms, such as spherical"
         )
     if opened and (against or not named):
@@ -278,6 +277,18 @@ def _unsatisfied(kinematics: Kinematics, p: Array, t: float, q: Array, fixed: Ma
 def _nearly_closes(q: Array, phi: Array, phi_q: Array, sizes: Array) -> bool:
     """Return whether constraints are violated by no more than what dimensions lose when they are printed."""
     return bool(np.all(np.abs(phi) <= _PRINTED * term_sizes(q, phi_q, sizes)))
+
+
+def _are_nearly_dependent(phi_q: Array) -> bool:
+    """Return whether gradients depend on each other up to what dimensions lose when they are printed."""
+    rows, columns = phi_q.shape
+    if rows > columns:
+        return True
+    directions = phi_q / np.maximum(np.linalg.norm(phi_q, axis=1, keepdims=True), np.finfo(float).tiny)
+    if not np.isfinite(directions).all():
+        return False
+    values = np.linalg.svd(directions, compute_uv=False)
+    return bool(values[-1] <= _PRINTED * values[0])
 
 
 def _open_loop(system: Variables, phi: Array, sizes: Array) -> str:
