@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from benchmarks.simulate import by_diffrax, by_jax, by_mujoco, by_scipy, by_symbody, report
+from benchmarks.simulate import by_diffrax, by_jax, by_mujoco, by_scipy, by_symbody, gpu, report
 from benchmarks.simulate.andrews import andrews
 from benchmarks.simulate.batches import arms, linkages, pendulums
 from benchmarks.simulate.contender import Contender, decades
@@ -20,6 +20,8 @@ from benchmarks.simulate.plot import write_plot
 from benchmarks.simulate.precision import Comparison, Curve, Effort, Point, compared, drift, reference
 from benchmarks.simulate.problem import Array, Problem
 from benchmarks.simulate.throughput import Batch, Manner, Rate, Throughput, measured
+from symbody.simulation.device import devices
+from tests.simulation.device_on_host import Host
 
 LOOK = Effort(rounds=1, seconds=1e-6)
 
@@ -202,3 +204,16 @@ def test_loops_are_counted_for_all_motions(pendulum: Problem) -> None:
 
 def test_decades() -> None:
     assert decades(5) == (1e-3, 1e-4, 1e-5)
+
+
+@pytest.mark.needs("g++")
+def test_the_table_of_a_graphics_processor(
+    pendulum: Problem, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """This processor stands in for one: the program for those who have one runs."""
+    host = Host(tmp_path)
+    monkeypatch.setitem(devices.DEVICES, "cuda", lambda: host)
+    two = [manner for manner in gpu.ours(pendulum) if manner.label.endswith(("tsit5", "of 64"))][:2]
+    head, _, *rows = gpu.lines(pendulum, two, 3, 1)
+    assert head.startswith("9 motions of 0.5 s")
+    assert [row.split("  ")[0] for row in rows] == [manner.label for manner in two]

@@ -13,13 +13,18 @@ from .panda import starts as arm_starts
 from .problem import Array, Problem
 from .throughput import TOLERANCES, Batch, Manner, by_simulate_many, loop_of_simulate, native, solve_ivp
 
+ERROR = 1e-6
+"""What each contender may miss at the end of a pendulum or a linkage, in rad or in lengths."""
+
 ANGLES = (0.1, 0.8)
 """From where the rods are let go, in rad: small to medium swings, none of which is chaotic."""
 
 CRANKS = (0.6, 2.5)
 """The angles at which cranks are let go, in rad."""
 
-PENDULUMS = "motions of the double pendulum over {duration:g} s, released from rest at a grid of angles, 0.1 to 0.8."
+PENDULUMS = (
+    "motions of the double pendulum over {duration:g} s, released from rest at a grid of angles, 0.1 to 0.8."
+)
 LINKAGES = (
     "motions of the slider-crank with spring and damper of SUNDIALS' examples over {duration:g} s, from crank angles "
     "between 0.6 and 2.5 rad. simulate_many gets these angles and solves for the other coordinates; its motions keep "
@@ -57,7 +62,7 @@ def pendulums(problem: Problem, side: int) -> Batch:
         ]
     if not by_diffrax.missing():
         manners.append(Manner("JAX, vmap of diffrax's Tsit5", by_diffrax.by_tsit5(problem), TOLERANCES[2:]))
-    return Batch(problem, starts(side), tuple(manners), 1e-6, PENDULUMS)
+    return Batch(problem, starts(side), tuple(manners), ERROR, PENDULUMS)
 
 
 def linkages(count: int, duration: float = 5.0) -> Batch:
@@ -66,7 +71,7 @@ def linkages(count: int, duration: float = 5.0) -> Batch:
     problem = Problem("slider-crank", newton_euler(model.system), model.parameters, model.initial, duration)
     states = _closed(problem, np.linspace(*CRANKS, count))
     manners = [*by_simulate_many(problem, given=1), loop_of_simulate(problem), solve_ivp(problem, "DOP853")]
-    return Batch(problem, states, tuple(manners), 1e-6, LINKAGES)
+    return Batch(problem, states, tuple(manners), ERROR, LINKAGES)
 
 
 def _closed(problem: Problem, cranks: Array) -> Array:

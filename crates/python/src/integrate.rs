@@ -45,6 +45,21 @@ type RunOfMany = (usize, Run, Vec<Noted>);
 /// runs with something to tell.
 type Runs = (Vec<u8>, Vec<RunOfMany>);
 
+/// The order, the number of stages, whether the error needs the rates at the end, the bound of stability, the instants of
+/// the stages, and the rows of weights: of the stages, of the errors, of the dense output.
+type Coefficients = (i32, usize, bool, f64, Vec<f64>, Rows, Rows, Rows);
+type Rows = Vec<Vec<(usize, f64)>>;
+
+/// Return the coefficients of an explicit method; `None` for others.
+#[pyfunction]
+fn tableau(method: &str) -> PyResult<Option<Coefficients>> {
+    let rows = |rows: &[native::Row]| rows.iter().map(|row| row.to_vec()).collect();
+    Ok(named(method)?.tableau().map(|own| {
+        let native::Tableau { order, stages, evaluates_end, stability, c, a, errors, dense } = *own;
+        (order, stages, evaluates_end, stability, c.to_vec(), rows(a), rows(errors), rows(dense))
+    }))
+}
+
 /// A system of equations as compiled code.
 #[pyclass(frozen)]
 pub struct Dynamics {
@@ -286,5 +301,6 @@ fn as_tuple(run: native::Run) -> Run {
 }
 
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<Dynamics>()
+    module.add_class::<Dynamics>()?;
+    module.add_function(wrap_pyfunction!(tableau, module)?)
 }

@@ -24,7 +24,7 @@ pub(crate) use control::{
 };
 pub use dop853::DOP853;
 pub use stages::Stages;
-pub use tableau::Tableau;
+pub use tableau::{Row, Tableau};
 pub use tsit5::TSIT5;
 
 /// If at most this fraction of an error is along the constraints, stages are projected onto them.

@@ -216,8 +216,10 @@ class _Run:
     def _most_in_flight(self) -> int:
         """Return how many chunks may be at the workers."""
         plan = self.plan
-        numbers = len(plan.columns) + len(plan.outputs) * len(plan.task.instants) * plan.keeps_histories
-        return int(np.clip(IN_FLIGHT // (8 * self.found.size * max(1, numbers)), 4, 256))
+        over_time, size = len(plan.outputs) * len(plan.task.instants), self.found.size
+        numbers = size * (len(plan.columns) + over_time * plan.keeps_histories)
+        numbers += over_time * sum(statistic.numbers for statistic in plan.statistics)
+        return int(np.clip(IN_FLIGHT // (8 * max(1, numbers)), 4, 1024))
 
     def _take(self, parts: Iterator[Finished]) -> str:
         """Take all chunks; if the executor fails, keep those that are there."""

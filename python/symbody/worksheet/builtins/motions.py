@@ -11,6 +11,7 @@ from symbody.dynamics import Equations, equations_from_differential
 from symbody.errors import SymbodyError, WorksheetError
 from symbody.symbolic import Expr, free_symbols, substitute, t, time_derivative, time_function
 from symbody.worksheet.builtins.closed_motion import closed_solution
+from symbody.worksheet.builtins.plot_options import plot_options, styled
 from symbody.worksheet.drawing import Piece
 from symbody.worksheet.numeric import as_float, decimal
 from symbody.worksheet.session import Command, Session
@@ -253,7 +254,7 @@ def odeplot(session: Session, solution: Value, what: Value | None = None, *optio
         if span is None
         else (_number(session, each, "odeplot") for each in (span.start, span.stop))
     )
-    named: dict[str, Value] = {str(each.left): each.right for each in options if isinstance(each, Relation)}
+    named = plot_options(session, list(options))
     count = int(_number(session, named["numpoints"], "odeplot")) if "numpoints" in named else _POINTS
     session.limits.check_items(count)
     times = np.linspace(first, last, max(count, 2))
@@ -261,7 +262,7 @@ def odeplot(session: Session, solution: Value, what: Value | None = None, *optio
     for axes in _axes(session, motion, what):
         columns = motion.rows(session, [*times], axes)
         curves.append(Piece("curve", columns, tuple(session.text(each) for each in axes)))
-    return Plot("curves", tuple(curves), tuple(named.items()))
+    return Plot("curves", tuple(styled(session, curves, named)), tuple(named.items()))
 
 
 def _axes(session: Session, motion: NumericSolution, what: Value | None) -> list[list[Expr]]:
