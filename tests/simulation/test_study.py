@@ -23,6 +23,7 @@ from symbody.simulation.batch import in_flight
 from symbody.simulation.batch.case_arrays import Status
 from symbody.simulation.studies import flight
 from symbody.simulation.studies.statistics.quantiles import EXACT
+from tests.repeated import repeated
 from tests.simulation.oscillator import OSCILLATOR, c, displacement, k, m, oscillators, u, x
 
 CASES = sample({k: ("uniform", 1, 4), c: ("uniform", 0.1, 0.3)}, 128, seed=1)
@@ -257,7 +258,7 @@ def test_a_worker_of_dask_that_is_killed_loses_nothing(tmp_path: Path) -> None:
     assert not len(found.not_run)
 
 
-@pytest.mark.slow
+@pytest.mark.repeated
 @pytest.mark.filterwarnings(r"ignore:.*fork\(\)")
 def test_a_pool_whose_worker_is_killed_keeps_what_is_done(tmp_path: Path) -> None:
     """Such a pool is broken for good: the chunks before are kept, and another call goes on."""
@@ -333,7 +334,7 @@ def stop_after(monkeypatch: pytest.MonkeyPatch, chunks: int) -> None:
     monkeypatch.setattr(flight, "run_chunk", run)
 
 
-@pytest.mark.parametrize("commit", [2, 16])
+@pytest.mark.parametrize("commit", [2, *repeated([16])])
 def test_a_study_is_continued(commit: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """After an accident, and once more; each chunk runs once. Nothing of the way is left in the file."""
     monkeypatch.setattr("symbody.simulation.studies.accumulation.COMMIT", commit)

@@ -24,8 +24,6 @@ __all__ = ["Ended", "name_left", "run_on_device"]
 
 Array = NDArray[np.float64]
 
-_ENDS = {Ending.COMPLETED: Status.COMPLETED, Ending.ENDED_BY_EVENT: Status.ENDED_BY_EVENT}
-
 
 class Ended(NamedTuple):
     """What remains to be done for cases that ran on a device.
@@ -60,7 +58,7 @@ def run_on_device(
         rows[:, place] = own.parameters[name]
     found = run_kernel(device, loaded, kernel, task.options, task.instants, rows, states[numbers], keep_going)
     over = np.flatnonzero(found.is_over)
-    are_recorded = _record_together(task, own, results, numbers, over, found)
+    are_recorded = _record_together(_Batch(task, own, numbers, found, over), results)
     alone = (
         (chosen[k], Integrated(task, own.parameters_of(k), _outcome_of(found, k, task)))
         for k in ([] if are_recorded else over.tolist())
@@ -72,33 +70,38 @@ def run_on_device(
 def name_left(results: Results, left: dict[int, str]) -> None:
     """Add a finding to cases that were left to this process, and were none the worse for what the device met."""
     for case, reason in left.items():
-        if results.status[case] in _ENDS.values() and not results.findings[case]:
+        is_well = results.status[case] in (Status.COMPLETED, Status.ENDED_BY_EVENT)
+        if is_well and not results.findings[case]:
             results.findings[case] = (Finding("left", reason),)
 
 
-def _record_together(
-    task: Task,
-    own: Cases,
-    results: Results,
-    numbers: NDArray[np.intp],
-    over: NDArray[np.intp],
-    found: Endings,
-) -> bool:
-    """Record motions that are over, all at once; return False if each of them must be looked at.
+class _Batch(NamedTuple):
+    """Motions that a device has integrated.
 
-    Args:
-        task: what the cases share.
-        own: the cases that were run.
-        results: where they are recorded.
-        numbers: their numbers in the results.
-        over: which of them are over.
+    Attributes:
+        task: what they share.
+        cases: their cases.
+        numbers: the numbers of these in the results.
         found: how they ended.
+        over: which of them ended without trouble.
     """
-    if needs_a_look(task) or not _put_outputs(task, own, results, numbers, over, found):
+
+    task: Task
+    cases: Cases
+    numbers: NDArray[np.intp]
+    found: Endings
+    over: NDArray[np.intp]
+
+
+def _record_together(batch: _Batch, results: Results) -> bool:
+    """Record the motions that are over, all at once; return False if each of them must be looked at."""
+    if needs_a_look(batch.task) or not _put_outputs(batch, results):
         return False
+    task, _, numbers, found, over = batch
     at, counts = numbers[over], found.counts[over]
     reached = counts[:, Column.REACHED]
-    results.status[at] = [_ENDS[Ending(status)] for status in counts[:, Column.STATUS].tolist()]
+    is_early = counts[:, Column.STATUS] == Ending.ENDED_BY_EVENT
+    results.status[at] = np.where(is_early, Status.ENDED_BY_EVENT, Status.COMPLETED)
     results.reached[at] = reached
     results.t_reached[at] = found.ends[over]
     results.counts[at] = np.column_stack(
@@ -123,32 +126,23 @@ def _known(values: Array, reached: NDArray[np.int64]) -> Array:
     return values
 
 
-def _put_outputs(
-    task: Task,
-    own: Cases,
-    results: Results,
-    numbers: NDArray[np.intp],
-    over: NDArray[np.intp],
-    found: Endings,
-) -> bool:
+def _put_outputs(batch: _Batch, results: Results) -> bool:
     """Evaluate the outputs of all motions together; return False if they meet a deficient linear system."""
+    task, cases, numbers, found, over = batch
     if not task.outputs or not len(over):
         return True
     instants, size = len(task.instants), len(task.model.state)
     states = found.states[over, :, :size].reshape(-1, size)
-    parameters = {name: np.repeat(values[over], instants) for name, values in own.parameters.items()}
+    parameters = {name: np.repeat(values[over], instants) for name, values in cases.parameters.items()}
     function = task.model.function(list(task.outputs.values()), tuple(parameters))
     with noting() as met:
-        values = np.array(
-            np.broadcast_arrays(
-                *function(np.tile(task.instants, len(over)), *states.T, *parameters.values()), states[:, 0]
-            )[:-1]
-        )
+        values = function(np.tile(task.instants, len(over)), *states.T, *parameters.values())
     if met:
         return False
-    along = np.moveaxis(values.reshape(-1, len(over), instants), 0, 1)
+    rows = [np.broadcast_to(row, len(states)).reshape(len(over), instants) for row in values]
     reached = found.counts[over, Column.REACHED]
-    results.outputs[numbers[over]] = np.moveaxis(_known(np.moveaxis(along, 1, 2).copy(), reached), 2, 1)
+    for output, row in enumerate(rows):
+        results.outputs[numbers[over], output] = _known(row.copy(), reached)
     return True
 
 

@@ -166,7 +166,8 @@ def study(
     check_observed(task.model, given, task.events, PLACE, _expressions(named))
     check_cases(plan.with_names, all_cases, PLACE)
     warn_of_odd_values(plan.with_names, all_cases.parameters, PLACE)
-    size = _chunk_size(task.model.width * len(task.instants), all_cases.count, chunk)
+    numbers = (len(task.instants) + task.trail) * (task.model.width + len(plan.expressions))
+    size = _chunk_size(numbers, all_cases.count, chunk)
     file = None if path is None else _file(Path(path), plan, all_cases, size, units or {})
     found = Accumulation.begun(plan, all_cases.count, size, file)
     reason = _Run(plan, all_cases, found).run_missing(*workforce, progress=progress)
@@ -242,7 +243,7 @@ def _chunk_size(row: int, count: int, given: object) -> int:
     """Return the number of cases of a chunk: it depends on the study alone, as merging in chunks does.
 
     Args:
-        row: the numbers of the states of one case.
+        row: the numbers of states and of values that one case needs.
         count: the number of cases.
         given: what the user asks for.
     """
