@@ -24,9 +24,10 @@ from symbody.simulation.integrate.task import Task
 from symbody.simulation.integrate.task_of import task_of
 
 from . import by_jax
+from .batches import ERROR, starts
 from .double_pendulum import double_pendulum
 from .problem import Array, Problem
-from .throughput import ERROR, Manner, starts
+from .throughput import Manner
 
 SAMPLE = 2000
 """The motions whose ends are compared with those of small tolerances."""

@@ -101,6 +101,11 @@ class Problem:
         """Return the constants of all functions for given parameters, one after another."""
         return np.concatenate([code.prepare(parameters[: len(code.parameters)]) for code in self.codes])
 
+    def constants_of_many(self, parameters: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the constants for k sets of parameters, in rows."""
+        parts = [code.prepare_many(parameters[:, : len(code.parameters)]) for code in self.codes]
+        return np.concatenate(parts, axis=1)
+
     @cached_property
     def native(self) -> Dynamics:
         """The functions, by their addresses."""
