@@ -78,14 +78,14 @@ def test_several_experiments_with_unknowns_of_their_own() -> None:
 
 
 def test_estimates_scatter_as_their_covariance_says() -> None:
-    """Twelve noises: the errors relative to the deviations are those of chi-squared with 60 degrees of freedom."""
+    """Six noises: the errors relative to the deviations are those of chi-squared with 30 degrees of freedom."""
     exact = np.array([4, 0.3, 0.01, 0.1, 0.2])
     total = 0.0
-    for seed in range(12):
+    for seed in range(6):
         found = both(seed)
         error = found.x - exact
         total += float(error @ np.linalg.solve(found.covariance, error))
-    assert 34 < total < 96
+    assert 13 < total < 60
 
 
 def test_unknown_deviations_come_from_the_residuals() -> None:

@@ -35,15 +35,15 @@ def test_the_function_of_ishigami() -> None:
     """Its values are integrated over a second; the indices are published in closed form [Sobol & Levitan 1999]."""
     y, p = functions_of_time("y"), symbols("p1 p2 p3")
     still = newton_euler(System([Body(translate(y, 0, 0), 1)], coordinates=[y]))
-    table = sample(dict.fromkeys(p, ("uniform", -np.pi, np.pi)), 1024, method="saltelli", seed=2)
+    table = sample(dict.fromkeys(p, ("uniform", -np.pi, np.pi)), 512, method="saltelli", seed=2)
     values = study(still, t=(0, 1), cases=table, measures={"f": measures.integral(ishigami(p))})["f"]
     found = sobol_indices(table, values, resamples=300)
     variance = a**2 / 8 + b * np.pi**4 / 5 + b**2 * np.pi**8 / 18 + 0.5
     first = np.array([0.5 * (1 + b * np.pi**4 / 5) ** 2, a**2 / 8, 0.0]) / variance
     both = b**2 * np.pi**8 * (1 / 18 - 1 / 50) / variance
     total = first + np.array([both, 0, both])
-    np.testing.assert_allclose(found.first, first, atol=0.03)
-    np.testing.assert_allclose(found.total, total, atol=0.03)
+    np.testing.assert_allclose(found.first, first, atol=0.04)
+    np.testing.assert_allclose(found.total, total, atol=0.04)
     for interval, exact in ((found.first_interval, first), (found.total_interval, total)):
         assert ((interval[:, 0] < exact) & (exact < interval[:, 1])).all()
     assert "p2" in found._repr_html_()

@@ -19,9 +19,11 @@ from scipy import stats
 
 from symbody import ModelNotice, Study, measures, sample, simulate_many, statistics, study, time_derivative
 from symbody.errors import ResultsError, SimulationError
+from symbody.simulation.batch import in_flight
 from symbody.simulation.batch.case_arrays import Status
 from symbody.simulation.studies import flight
 from symbody.simulation.studies.statistics.quantiles import EXACT
+from tests.repeated import repeated
 from tests.simulation.oscillator import OSCILLATOR, c, displacement, k, m, oscillators, u, x
 
 CASES = sample({k: ("uniform", 1, 4), c: ("uniform", 0.1, 0.3)}, 128, seed=1)
@@ -192,13 +194,13 @@ class Reversed(Executor):
 
 
 def at_each_wait(monkeypatch: pytest.MonkeyPatch, executor: Reversed) -> None:
-    real = flight.wait
+    real = in_flight.wait
 
     def wait(*given: Any, **options: Any) -> Any:
         executor.run_last()
         return real(*given, **options)
 
-    monkeypatch.setattr(flight, "wait", wait)
+    monkeypatch.setattr(in_flight, "wait", wait)
 
 
 def test_a_bounded_number_is_in_flight_in_any_order(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -240,7 +242,7 @@ def test_a_worker_of_dask_that_is_killed_loses_nothing(tmp_path: Path) -> None:
     with cluster, distributed.Client(cluster) as client, client.get_executor() as executor:
         victims = [worker.pid for worker in cluster.workers.values()]
 
-        def landed(flights: Any, real: Any = flight._Flight.landed) -> Any:
+        def landed(flights: Any, real: Any = in_flight.InFlight._landed) -> Any:
             for each in real(flights):
                 if not killed:
                     os.kill(victims[0], signal.SIGKILL)
@@ -248,7 +250,7 @@ def test_a_worker_of_dask_that_is_killed_loses_nothing(tmp_path: Path) -> None:
                 yield each
 
         with pytest.MonkeyPatch.context() as patch:
-            patch.setattr(flight._Flight, "landed", landed)
+            patch.setattr(in_flight.InFlight, "_landed", landed)
             found = kept(executor=executor, path=tmp_path / "study.zarr")
     assert killed
     assert real is flight.run_chunk
@@ -256,7 +258,7 @@ def test_a_worker_of_dask_that_is_killed_loses_nothing(tmp_path: Path) -> None:
     assert not len(found.not_run)
 
 
-@pytest.mark.slow
+@pytest.mark.repeated
 @pytest.mark.filterwarnings(r"ignore:.*fork\(\)")
 def test_a_pool_whose_worker_is_killed_keeps_what_is_done(tmp_path: Path) -> None:
     """Such a pool is broken for good: the chunks before are kept, and another call goes on."""
@@ -265,14 +267,14 @@ def test_a_pool_whose_worker_is_killed_keeps_what_is_done(tmp_path: Path) -> Non
         victim = executor.submit(os.getpid).result()
         chunks = iter(range(13))
 
-        def landed(flights: Any, real: Any = flight._Flight.landed) -> Any:
+        def landed(flights: Any, real: Any = in_flight.InFlight._landed) -> Any:
             for each in real(flights):
                 yield each
                 if next(chunks) == 0:
                     os.kill(victim, signal.SIGKILL)
 
         with pytest.MonkeyPatch.context() as patch:
-            patch.setattr(flight._Flight, "landed", landed)
+            patch.setattr(in_flight.InFlight, "_landed", landed)
             patch.setattr("symbody.simulation.studies.study.IN_FLIGHT", 1)
             with pytest.warns(
                 ModelNotice, match=r"motions were not run \(tasks of the executor failed \(BrokenProcess"
@@ -332,7 +334,7 @@ def stop_after(monkeypatch: pytest.MonkeyPatch, chunks: int) -> None:
     monkeypatch.setattr(flight, "run_chunk", run)
 
 
-@pytest.mark.parametrize("commit", [2, 16])
+@pytest.mark.parametrize("commit", [2, *repeated([16])])
 def test_a_study_is_continued(commit: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """After an accident, and once more; each chunk runs once. Nothing of the way is left in the file."""
     monkeypatch.setattr("symbody.simulation.studies.accumulation.COMMIT", commit)

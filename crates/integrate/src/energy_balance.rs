@@ -5,7 +5,7 @@ use crate::machine_code::BoundCode;
 use crate::tolerances::Tolerances;
 
 /// The number of steps between two checks of the energy, and of checks between two updates of the effect of errors.
-const LOOK: (usize, usize) = (4, 8);
+pub const LOOK: (usize, usize) = (4, 8);
 /// A safety factor on the imbalance that the errors of the steps explain, because these are estimates.
 const MARGIN: f64 = 10.0;
 /// The fraction of the energies that rounding errors may change.
@@ -41,6 +41,8 @@ pub struct Balance<'a> {
     spreads: Vec<f64>,
     /// The violations of the balance, and their instants.
     seen: Vec<(f64, f64)>,
+    /// Instants and states whose energies are not evaluated yet, one after another: several at a time are quicker.
+    pending: Vec<f64>,
 }
 
 impl<'a> Balance<'a> {
@@ -55,12 +57,13 @@ impl<'a> Balance<'a> {
             spread: 0.0,
             spreads: Vec::new(),
             seen: Vec::new(),
+            pending: Vec::new(),
         };
-        if let Some([kinetic, potential]) = new.at(t, state) {
+        new.look(t, state);
+        if let Some([kinetic, potential]) = new.energies_of(&new.pending)[..].first().copied().flatten() {
             new.first = kinetic + potential - new.work(state);
             new.first_potential = potential;
         }
-        new.look(t, state);
         new
     }
 
@@ -72,22 +75,41 @@ impl<'a> Balance<'a> {
     }
 
     fn look(&mut self, t: f64, state: &[f64]) {
-        let Some([kinetic, potential]) = self.at(t, state) else { return };
-        let work = self.work(state);
-        for energy in [kinetic, potential - self.first_potential, work] {
-            self.moving = self.moving.max(energy.abs());
+        if self.energies.is_none() {
+            return;
         }
-        self.largest = self.largest.max(kinetic.abs() + potential.abs());
-        if self.seen.len() % LOOK.1 == 0 {
-            self.widen(t, state, kinetic + potential);
+        self.pending.push(t);
+        self.pending.extend_from_slice(state);
+        if self.pending.len() == LOOK.1 * (1 + state.len()) {
+            self.evaluate(state.len());
         }
-        self.seen.push((t, (kinetic + potential - work - self.first).abs()));
+    }
+
+    /// Check the balance at the pending states.
+    fn evaluate(&mut self, width: usize) {
+        let rows = std::mem::take(&mut self.pending);
+        for (row, energies) in rows.chunks(1 + width).zip(self.energies_of(&rows)) {
+            let (t, state) = (row[0], &row[1..]);
+            let Some([kinetic, potential]) = energies else { continue };
+            let work = self.work(state);
+            for energy in [kinetic, potential - self.first_potential, work] {
+                self.moving = self.moving.max(energy.abs());
+            }
+            self.largest = self.largest.max(kinetic.abs() + potential.abs());
+            if self.seen.len() % LOOK.1 == 0 {
+                self.widen(t, state, kinetic + potential);
+            }
+            self.seen.push((t, (kinetic + potential - work - self.first).abs()));
+        }
+        self.pending = rows;
+        self.pending.clear();
     }
 
     /// The violation until the end of a motion, if it exceeds what the errors of its steps explain. Their sum is in
     /// tolerances.
     pub fn imbalance(&mut self, t: f64, state: &[f64], errors: f64) -> Option<Imbalance> {
         self.look(t, state);
+        self.evaluate(state.len());
         let [kinetic, potential] = self.at(t, state)?;
         self.widen(t, state, kinetic + potential);
         // Work and energies of springs are integrals, so their errors are those of the energy that changes.
@@ -114,35 +136,45 @@ impl<'a> Balance<'a> {
     }
 
     fn at(&self, t: f64, state: &[f64]) -> Option<[f64; 2]> {
-        let mut energies = [0.0; 2];
-        self.energies?.call(t, state, &mut energies);
-        energies.iter().all(|energy| energy.is_finite()).then_some(energies)
+        let row: Vec<f64> = std::iter::once(t).chain(state.iter().copied()).collect();
+        self.energies_of(&row).first().copied().flatten()
+    }
+
+    /// The energies at states, where they are finite: rows of an instant and a state.
+    fn energies_of(&self, rows: &[f64]) -> Vec<Option<[f64; 2]>> {
+        let Some(code) = self.energies.filter(|_| !rows.is_empty()) else { return Vec::new() };
+        let mut values = vec![0.0; rows.len() / code.inputs() * 2];
+        code.call_rows(rows, &mut values);
+        let energies = values.chunks(2).map(|energies| [energies[0], energies[1]]);
+        energies.map(|two| two.iter().all(|energy| energy.is_finite()).then_some(two)).collect()
     }
 
     /// Update the changes of the energy by errors of one tolerance in each entry.
     fn widen(&mut self, t: f64, state: &[f64], energy: f64) {
-        let Tolerances { relative, absolute, .. } = self.tolerances;
-        let both = self.changed(t, state, energy, |x| absolute + relative * x.abs());
-        self.spread = self.spread.max(both);
-        self.spreads.push(self.changed(t, state, energy, |_| absolute));
+        let Tolerances { relative, absolute, controlled, .. } = self.tolerances;
+        let mut rows = Vec::with_capacity(2 * controlled * (1 + state.len()));
+        for relative in [relative, 0.0] {
+            for i in 0..controlled {
+                let row = rows.len() + 1;
+                rows.push(t);
+                rows.extend_from_slice(state);
+                rows[row + i] = state[i] + (absolute + relative * state[i].abs());
+            }
+        }
+        let changes: Vec<f64> = self
+            .energies_of(&rows)
+            .into_iter()
+            .map(|near| near.map_or(0.0, |[kinetic, potential]| (kinetic + potential - energy).abs()))
+            .collect();
+        let sum = |changes: &[f64]| changes.iter().fold(0.0, |sum, change| sum + change);
+        let (both, least) = changes.split_at(changes.len() / 2);
+        self.spread = self.spread.max(sum(both));
+        self.spreads.push(sum(least));
     }
 
     /// The median of the changes by errors of one absolute tolerance.
     fn usual_spread(&mut self) -> f64 {
         self.spreads.sort_by(f64::total_cmp);
         self.spreads.get(self.spreads.len() / 2).copied().unwrap_or(0.0)
-    }
-
-    /// The sum of the changes of the energy by an error in each entry.
-    fn changed(&self, t: f64, state: &[f64], energy: f64, error: impl Fn(f64) -> f64) -> f64 {
-        let mut near = state.to_vec();
-        let mut sum = 0.0;
-        for i in 0..self.tolerances.controlled {
-            near[i] = state[i] + error(state[i]);
-            let changed = self.at(t, &near);
-            sum += changed.map_or(0.0, |[kinetic, potential]| (kinetic + potential - energy).abs());
-            near[i] = state[i];
-        }
-        sum
     }
 }

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 from symbody.dynamics import Equations
 from symbody.errors import ArgumentError, ResultsError, SimulationError, notify
 from symbody.simulation.batch.case_arrays import Results
+from symbody.simulation.device.devices import on_device
 from symbody.simulation.given.event import Event
 from symbody.simulation.integrate.notices import notices_of_batch
 from symbody.simulation.integrate.task import Task
@@ -61,6 +62,7 @@ def simulate_many(
     sensitivities: Sequence[Expr] | None = None,
     executor: Executor | None = None,
     threads: int | None = None,
+    device: str | None = None,
     path: str | os.PathLike[str] | None = None,
     progress: bool | None = None,
     keep_states: bool = True,
@@ -93,6 +95,8 @@ def simulate_many(
         executor: an executor whose workers run the motions: one of `concurrent.futures`, or dask's
             ``client.get_executor()``. By default, native threads of this process run them.
         threads: the number of these threads; by default one for each core.
+        device: ``"cuda"`` for a graphics processor of NVIDIA (``pip install "symbody[cuda]"``): one motion a thread, by
+            an explicit method. Motions that meet trouble there are integrated by threads of this process.
         path: a file ``.npz`` for the results, which is updated regularly. If it exists, only missing cases are run.
         progress: whether to show a progress bar; by default if messages go to a terminal.
         keep_states: whether the states are results, or only the outputs, which need less memory.
@@ -133,6 +137,11 @@ def simulate_many(
         where=PLACE,
     )
     check_cases(task, all_cases)
+    if device is not None and executor is not None:
+        raise SimulationError(
+            f"{PREFIX}device={device!r} and an executor; give one of them: the device is fed by this process"
+        )
+    task = on_device(task, device, PLACE)
     warn_of_odd_values(task, all_cases.parameters, PLACE)
     file = None if path is None else ResultsFile(Path(path), problem_digest(task, all_cases))
     results = _results_so_far(file, empty_results(task, all_cases.count))

@@ -20,7 +20,16 @@ from .least_norm import least_norm
 from .open_loop import open_joints
 from .opposite_axes import check_senses
 
-__all__ = ["EXACT", "ROUNDED", "Positions", "listed_values", "positions", "starting_points", "term_sizes"]
+__all__ = [
+    "EXACT",
+    "ROUNDED",
+    "Positions",
+    "listed_values",
+    "positions",
+    "starting_points",
+    "term_sizes",
+    "term_sizes_of_many",
+]
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -31,7 +40,8 @@ ROUNDED = 1e-6
 """The relative violation, as of numbers with seven digits, up to which given values are corrected as well."""
 _PRINTED = 1e-4
 """The relative violation that rounded dimensions explain."""
-_APPROACHES = 60
+APPROACHES = 60
+"""The most steps to the position nearest to the guess."""
 _NAMED = 4
 _LISTED = 12
 
@@ -166,13 +176,20 @@ def term_sizes(q: Array, phi_q: Array, sizes: Array) -> Array:
     return np.where(np.isfinite(scale) & (scale > 0), scale, 1.0)
 
 
+def term_sizes_of_many(q: Array, phi_q: Array, sizes: Array) -> Array:
+    """Return `term_sizes` at k positions: of coordinates (n, k), slopes (m, n, k) and sizes (m, k)."""
+    of_coordinates = (np.abs(phi_q) * np.maximum(np.abs(q), 1)).sum(axis=1)
+    scale = np.maximum(sizes, 1e-3 * of_coordinates)
+    return np.where(np.isfinite(scale) & (scale > 0), scale, 1.0)
+
+
 def _nearest(problem: Positions, start: Array, found: Array, is_free: Flags) -> Array:
     """Return the solution nearest to the start, by descent from a solution that was found.
 
     Each step projects the difference to the start onto the tangent space, and then returns to the constraints.
     """
     share = 1.0
-    for _ in range(_APPROACHES):
+    for _ in range(APPROACHES):
         _, J = problem.linearization(found, is_free)
         _, tangents = least_norm(J, np.zeros(len(J)))
         back = np.zeros_like(found)

@@ -224,6 +224,12 @@ def _jumps(motion: Integrated) -> Iterable[Finding]:
     return [] if found is None or found.jump is None else [Finding("jump", found.jump[1], t=found.jump[0])]
 
 
+def _left_by_device(motion: Integrated) -> Iterable[Finding]:
+    """Return why a device did not integrate a motion; a failure says more."""
+    outcome = motion.outcome
+    return [Finding("left", outcome.left)] if outcome.left and outcome.failure is None else []
+
+
 ROWS: dict[str, _Row] = {
     "deficient": _Row(_deficiencies, "{subject}"),
     "overconstrained": _Row(
@@ -296,6 +302,10 @@ ROWS: dict[str, _Row] = {
         "the rates jump at t = {t:.6g} s, where {subject} passes zero, and the sensitivities jump there, too: after it "
         "they are not known, NaN; replace the jump by a smooth law, such as tanh(v/v0) for sign(v)",
     ),
+    "left": _Row(
+        _left_by_device,
+        "not the device, but a thread of this process integrated the motion: {subject}",
+    ),
     "stiff": _Row(
         _stiffness,
         "stability, not accuracy, limits the step size: the equations are stiff; method='bdf' may be faster",
@@ -320,7 +330,7 @@ def notices_of_motion(findings: Iterable[Finding], where: str = "simulate") -> l
     return [f"{where}: {_sentence(finding)}" for finding in findings]
 
 
-def notices_of_batch(findings: Sequence[Iterable[Finding]], where: str) -> list[str]:
+def notices_of_batch(findings: Sequence[Sequence[Finding]], where: str) -> list[str]:
     """Return a message for each kind and subject of findings, with the number of cases that have it.
 
     Args:
@@ -329,7 +339,8 @@ def notices_of_batch(findings: Sequence[Iterable[Finding]], where: str) -> list[
     """
     tally = Tally()
     for case, found in enumerate(findings):
-        tally.add(case, found)
+        if found:
+            tally.add(case, found)
     return tally.notices(len(findings), where)
 
 

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, wait
-from dataclasses import dataclass, field
+from concurrent.futures import Executor, Future
 
 import numpy as np
 
-from symbody.errors import SimulationError, SymbodyError
 from symbody.simulation.batch.cases import Cases
+from symbody.simulation.batch.in_flight import INTERRUPTED, InFlight
 from symbody.simulation.batch.parcel import Parcel
 from symbody.simulation.batch.stop_flag import StopFlag
-from symbody.simulation.batch.workers import counting_from, withdraw
+from symbody.simulation.batch.workers import counting_from
 from symbody.simulation.terminal.interruption import Interruption
 
 from .chunk import Chunk, run_chunk
@@ -22,12 +21,6 @@ __all__ = ["Finished", "run_by_executor", "run_in_threads"]
 
 Finished = tuple[int, Chunk]
 """The number of a chunk, and its results."""
-
-TRIES = 3
-"""How often a chunk is given to an executor whose workers lose it."""
-
-LOOK = 0.1
-"""The time between two checks for Ctrl-C, in s."""
 
 KeepGoing = Callable[[float], bool]
 
@@ -62,43 +55,6 @@ def run_in_threads(
         yield number, chunk
 
 
-@dataclass(eq=False)
-class _Flight:
-    """Chunks at the workers of an executor."""
-
-    executor: Executor
-    parcel: Parcel[Plan]
-    cases: Cases
-    size: int
-    flag: StopFlag = field(default_factory=StopFlag)
-    waiting: dict[Future[Chunk | None], int] = field(default_factory=dict)
-    tries: dict[int, int] = field(default_factory=dict)
-
-    def submit(self, number: int) -> None:
-        self.tries[number] = self.tries.get(number, 0) + 1
-        part = chunk_of(self.cases, number, self.size)
-        try:
-            future = self.executor.submit(_run, self.parcel, part, number * self.size, self.flag)
-        except Exception as error:
-            raise _lost(error) from error
-        self.waiting[future] = number
-
-    def landed(self) -> Iterator[Finished]:
-        """Yield the chunks that have been finished; give those that workers lost to others."""
-        ready, _ = wait(self.waiting, timeout=LOOK, return_when=FIRST_COMPLETED)
-        for future in sorted(ready, key=lambda one: self.waiting[one]):
-            number, error = self.waiting.pop(future), future.exception()
-            if error is None:
-                chunk = future.result()
-                if chunk is None:
-                    raise _lost(KeyboardInterrupt("a worker was interrupted"))
-                yield number, chunk
-            elif isinstance(error, BrokenExecutor | SymbodyError) or self.tries[number] >= TRIES:
-                raise _lost(error) from error
-            else:
-                self.submit(number)
-
-
 def run_by_executor(
     plan: Plan,
     cases: Cases,
@@ -122,22 +78,27 @@ def run_by_executor(
         keep_going: called some times a second with the number of finished cases; False ends all of them.
 
     Raises:
-        SimulationError: the executor is broken, or its workers lost a chunk several times.
+        SimulationError: the executor is broken, or its workers lost a chunk for good.
     """
-    flight = _Flight(executor, Parcel(plan), cases, size)
-    queue, done = list(numbers)[::-1], 0
-    with flight.parcel.open_here():
-        try:
-            while (queue or flight.waiting) and keep_going(done):
-                while queue and len(flight.waiting) < most and queue[-1] <= oldest() + most:
-                    flight.submit(queue.pop())
-                for number, chunk in flight.landed():
-                    done += len(chunk.status)
-                    yield number, chunk
-        finally:
-            if flight.waiting:
-                flight.flag.set()
-                withdraw(flight.waiting, executor)
+    parcel, flag, done = Parcel(plan), StopFlag(), 0
+
+    def begin(number: int) -> Future[Chunk | None]:
+        return executor.submit(_run, parcel, chunk_of(cases, number, size), number * size, flag)
+
+    def goes_on() -> bool:
+        return keep_going(done)
+
+    def may_begin(number: int) -> bool:
+        return number <= oldest() + most
+
+    flight = InFlight(PLACE, executor, begin, most, flag)
+    with parcel.open_here():
+        for number, chunk in flight.results(numbers, goes_on, may_begin):
+            if chunk is None:
+                flight.lost = INTERRUPTED
+            else:
+                done += len(chunk.status)
+                yield number, chunk
 
 
 def _run(parcel: Parcel[Plan], cases: Cases, first: int, flag: StopFlag) -> Chunk | None:
@@ -150,10 +111,3 @@ def _run(parcel: Parcel[Plan], cases: Cases, first: int, flag: StopFlag) -> Chun
         return run_chunk(
             parcel.content, cases, first, 1, lambda _: not (interruption.is_asked_for or flag.is_set())
         )
-
-
-def _lost(error: BaseException) -> SimulationError:
-    return SimulationError(
-        f"{PLACE}: tasks of the executor failed ({type(error).__name__}: {error}); expected an executor whose workers "
-        "can import symbody and keep running"
-    )

@@ -166,7 +166,8 @@ def study(
     check_observed(task.model, given, task.events, PLACE, _expressions(named))
     check_cases(plan.with_names, all_cases, PLACE)
     warn_of_odd_values(plan.with_names, all_cases.parameters, PLACE)
-    size = _chunk_size(task.model.width * len(task.instants), all_cases.count, chunk)
+    numbers = (len(task.instants) + task.trail) * (task.model.width + len(plan.expressions))
+    size = _chunk_size(numbers, all_cases.count, chunk)
     file = None if path is None else _file(Path(path), plan, all_cases, size, units or {})
     found = Accumulation.begun(plan, all_cases.count, size, file)
     reason = _Run(plan, all_cases, found).run_missing(*workforce, progress=progress)
@@ -216,8 +217,10 @@ class _Run:
     def _most_in_flight(self) -> int:
         """Return how many chunks may be at the workers."""
         plan = self.plan
-        numbers = len(plan.columns) + len(plan.outputs) * len(plan.task.instants) * plan.keeps_histories
-        return int(np.clip(IN_FLIGHT // (8 * self.found.size * max(1, numbers)), 4, 256))
+        over_time, size = len(plan.outputs) * len(plan.task.instants), self.found.size
+        numbers = size * (len(plan.columns) + over_time * plan.keeps_histories)
+        numbers += over_time * sum(statistic.numbers for statistic in plan.statistics)
+        return int(np.clip(IN_FLIGHT // (8 * max(1, numbers)), 4, 1024))
 
     def _take(self, parts: Iterator[Finished]) -> str:
         """Take all chunks; if the executor fails, keep those that are there."""
@@ -240,7 +243,7 @@ def _chunk_size(row: int, count: int, given: object) -> int:
     """Return the number of cases of a chunk: it depends on the study alone, as merging in chunks does.
 
     Args:
-        row: the numbers of the states of one case.
+        row: the numbers of states and of values that one case needs.
         count: the number of cases.
         given: what the user asks for.
     """

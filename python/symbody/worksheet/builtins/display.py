@@ -162,6 +162,16 @@ def nothing(session: Session, *arguments: Value) -> Value:
     return NULL
 
 
+def first(session: Session, value: Value, *options: Value) -> Value:
+    """evala(e): e, which is simplified where it has to be."""
+    return value
+
+
+def last(session: Session, *arguments: Value) -> Value:
+    """timelimit(seconds, e): e; a statement has its own limit."""
+    return arguments[-1] if arguments else NULL
+
+
 def forbidden(session: Session, *arguments: Value) -> Value:
     """Refuse to run commands of the system."""
     raise WorksheetError("a worksheet can't run commands of the system")
@@ -178,6 +188,8 @@ def version(session: Session, *arguments: Value) -> Value:
 
 
 COMMANDS: dict[str, Command] = {
+    "evala": first,
+    "timelimit": last,
     "print": print_values,
     "lprint": lprint,
     "interface": interface,

@@ -146,6 +146,8 @@ def opened(tokens: Sequence[Token], index: int) -> int:
     kind = tokens[index].type
     if kind in _CLOSE:
         return -1
+    if kind == "NAME" and tokens[index] == "module":  # which isn't read, but has an end
+        kind = "PROC" if index + 1 < len(tokens) and tokens[index + 1].type == "LPAR" else kind
     return int(kind in _OPEN and not (index and tokens[index - 1].type == "END"))
 
 

@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 
 from lark import Token
 
+from symbody.worksheet.reading.block_remark import without_block_remarks
 from symbody.worksheet.reading.builder import one_place
 from symbody.worksheet.reading.mistake import mistake
 from symbody.worksheet.reading.parse import (
@@ -36,7 +37,7 @@ def statements(cell: Cell, used: Collection[str] = ()) -> Iterator[Statement | R
     The end of the cell ends a statement. Behind a mistake, reading goes on with the next statement. ``used`` are the
     names in the code of the whole sheet (`names_in_code`); words that are not among them can be remarks.
     """
-    lines = [tokens_of(line) for line in cell.input]
+    lines = [tokens_of(line) for line in without_block_remarks(cell.input)]
     used = used or used_names(lines)
     tokens = [token for line in lines for token in line]
     if tokens and tokens[-1].type not in TERMINATORS:
@@ -68,7 +69,7 @@ def statements(cell: Cell, used: Collection[str] = ()) -> Iterator[Statement | R
 
 def names_in_code(cells: Iterable[Cell]) -> frozenset[str]:
     """Return the names that occur in the code of a sheet."""
-    return used_names(tokens_of(line) for cell in cells for line in cell.input)
+    return used_names(tokens_of(line) for cell in cells for line in without_block_remarks(cell.input))
 
 
 def is_open(lines: Sequence[Line]) -> bool:

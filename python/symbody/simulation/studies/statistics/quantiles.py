@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial as partial_of
-from typing import Any, final
+from typing import Any, ClassVar, final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,6 +35,7 @@ class Quantiles(Statistic):
         probabilities: the probabilities of the quantiles.
     """
 
+    numbers: ClassVar[int] = 2 * _CENTROIDS
     probabilities: tuple[float, ...]
 
     def of(self, values: Array, first: int) -> Partial:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, TypeAlias
+from typing import Any, ClassVar, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +21,9 @@ Partial: TypeAlias = Mapping[str, NDArray[Any]]
 @dataclass(frozen=True)
 class Statistic(ABC):
     """A statistic of q outputs at N instants over any number of cases, whose partial results can be merged."""
+
+    numbers: ClassVar[int] = 4
+    """About how many numbers a partial result has for each output and instant."""
 
     @abstractmethod
     def of(self, values: Array, first: int) -> Partial:
