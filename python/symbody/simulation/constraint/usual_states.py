@@ -119,6 +119,15 @@ class _Positions:
 
     @classmethod
     def at(cls, kinematics: Kinematics, p: Array, t: float, q: Array, free: Flags) -> _Positions:
+        """Return the equations with the sizes of their terms at the start.
+
+        Args:
+            kinematics: the coordinates and constraints.
+            p: the values of the parameters, a row for each case.
+            t: the time.
+            q: the coordinates at the start, a row for each case.
+            free: which coordinates are not given.
+        """
         _, phi_q, sizes = kinematics.position_of_many(t, q.T, p.T)
         return cls(kinematics, p, t, term_sizes_of_many(q.T, phi_q, sizes).T, free)
 
