@@ -135,7 +135,7 @@ class Reader:
         """Return an expression with the small variables marked."""
         found = self.session.current(value)
         if not isinstance(found, Expr):
-            raise WorksheetError(f"{self.where}: a {described(found)}; expected an expression")
+            raise WorksheetError(f"{self.where}: {described(found)}; expected an expression")
         return entered(self.modes, (found,))[0]
 
     def triple(self, values: Sequence[Value]) -> Triple:
@@ -153,7 +153,7 @@ class Reader:
         table = self.session.resolve(value)
         if isinstance(table, Table) and kind_of(table) in kinds:
             return table
-        raise WorksheetError(f"{self.where}: a {described(table)}; expected a {' or a '.join(kinds)}")
+        raise WorksheetError(f"{self.where}: {described(table)}; expected a {' or a '.join(kinds)}")
 
     def frame(self, value: Value) -> Frame:
         """Return the frame of a matrix, or of an object that has one."""
@@ -292,12 +292,13 @@ _WORDS: dict[type, str] = {
 
 
 def described(value: Value) -> str:
-    """Return what a value is, in a word."""
+    """Return what a value is, in a word with its article."""
     if isinstance(value, Table):
-        return kind_of(value) or "table"
+        return f"a {kind_of(value) or 'table'}"
     if isinstance(value, Expr):
-        return f"expression, {str(value)[:60]}"
-    return _WORDS.get(type(value), type(value).__name__.lower())
+        return f"an expression, {str(value)[:60]}"
+    word = _WORDS.get(type(value), type(value).__name__.lower())
+    return f"an {word}" if word[0] in "aeiou" else f"a {word}"
 
 
 # --- writing ---

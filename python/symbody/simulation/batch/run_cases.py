@@ -22,7 +22,6 @@ from symbody.simulation.integrate.without_redundant import without_redundant
 from symbody.symbolic.numeric.deficiency import noting
 
 from .cases import Cases
-from .device_cases import name_left, run_on_device
 
 __all__ = ["empty_results", "run_cases"]
 
@@ -56,15 +55,8 @@ def run_cases(task: Task, cases: Cases, threads: int = 1, keep_going: KeepGoing 
     def goes_on(done: float) -> bool:
         return keep_going(finished + done)
 
-    for each, asked in _grouped(tasks).items():
-        chosen, ended = asked, None
-        if each.device is not None:
-            ended = run_on_device(each, cases, asked, states, results, goes_on)
-            chosen = [*ended.left]
-            for case, on_device in ended.alone:
-                _record(results, case, on_device)
-            finished += len(asked) - len(chosen)
-        parameters = cases.subset(np.array(chosen, dtype=np.intp)).parameters
+    for each, chosen in _grouped(tasks).items():
+        parameters = cases.subset(np.array(chosen)).parameters
         starts = states[chosen]
         if each.variation is not None:
             starts = np.array(
@@ -75,7 +67,7 @@ def run_cases(task: Task, cases: Cases, threads: int = 1, keep_going: KeepGoing 
             )
         motions = run_motions(each, parameters, starts, threads, goes_on)
         unremarkable = unremarkable_motions(motions)
-        places = np.array(chosen, dtype=np.intp)
+        places = np.array(chosen)
         _record_unremarkable(results, places, motions, unremarkable)
         for place, motion in motions.among(np.flatnonzero(~unremarkable).tolist()):
             if motion is not None:
@@ -84,8 +76,6 @@ def run_cases(task: Task, cases: Cases, threads: int = 1, keep_going: KeepGoing 
             for place, motion in motions.among(np.flatnonzero(unremarkable).tolist()):
                 if motion is not None:
                     _put_outputs_and_findings(results, chosen[place], motion)
-        if ended is not None:
-            name_left(results, ended.left)
         finished += len(chosen)
     return results
 

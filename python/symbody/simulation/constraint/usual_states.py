@@ -84,7 +84,15 @@ def _may_be_usual(kinematics: Kinematics, fixed: Mapping[Expr, Array], guess: Ma
 def _positions(
     kinematics: Kinematics, p: Array, t: float, fixed: Mapping[Expr, Array], guess: Mapping[Expr, float]
 ) -> tuple[Array, Flags]:
-    """Return the coordinates nearest to their guess, and where they satisfy the constraints."""
+    """Return the coordinates nearest to their guess, and where they satisfy the constraints.
+
+    Args:
+        kinematics: the coordinates and constraints.
+        p: the values of the parameters, a row for each case.
+        t: the time.
+        fixed: coordinates that are given, a value for each case.
+        guess: where to look for the others.
+    """
     coordinates, neutral = kinematics.system.coordinates, neutral_position(kinematics.system)
     start = np.empty((len(p), len(coordinates)))
     for place, (name, zero) in enumerate(zip(coordinates, neutral, strict=True)):

@@ -12,8 +12,9 @@ from symbody.simulation.integrate.methods import methods_that
 from symbody.simulation.integrate.task import Task
 
 from .cuda import cuda
-from .device import Device, Loaded
-from .kernel_text import Kernel, kernel_of
+from .device import Device
+from .integrate import Prepared, method_on_device
+from .kernel_text import kernel_of
 
 __all__ = ["DEVICES", "on_device", "prepared"]
 
@@ -40,7 +41,7 @@ def on_device(task: Task, name: object, where: str) -> Task:
             f"{where}: device={name!r}; expected {known}, or None for threads of this process"
         )
     _check_abilities(task, f"{where}: device={name!r}")
-    found = replace(task, device=name)
+    found = replace(task, device=name, method=method_on_device(task.method, prepared))
     try:
         prepared(found)
     except ProgramError as error:
@@ -51,7 +52,7 @@ def on_device(task: Task, name: object, where: str) -> Task:
 
 
 @lru_cache(maxsize=4)
-def prepared(task: Task) -> tuple[Device, Kernel, Loaded]:
+def prepared(task: Task) -> Prepared:
     """Return the device of a task, and its kernel there."""
     assert task.device is not None, "the task is for a device"
     device, kernel = DEVICES[task.device](), kernel_of(task)

@@ -26,14 +26,12 @@ from .kinematics_at import kinematics_at
 from .methods import DEFAULT, methods_that
 from .outcome import FailureKind
 from .pole_at_start import pole_at_start
-from .task import Task
 
 __all__ = [
     "Finding",
     "Tally",
     "deficiency_findings",
     "findings_of",
-    "needs_a_look",
     "notices_of_batch",
     "notices_of_motion",
 ]
@@ -226,9 +224,10 @@ def _jumps(motion: Integrated) -> Iterable[Finding]:
     return [] if found is None or found.jump is None else [Finding("jump", found.jump[1], t=found.jump[0])]
 
 
-def _none(_motion: Integrated) -> Iterable[Finding]:
-    """Return nothing: who integrates a batch knows which motions a device left."""
-    return []
+def _left_by_device(motion: Integrated) -> Iterable[Finding]:
+    """Return why a device did not integrate a motion; a failure says more."""
+    outcome = motion.outcome
+    return [Finding("left", outcome.left)] if outcome.left and outcome.failure is None else []
 
 
 ROWS: dict[str, _Row] = {
@@ -304,7 +303,7 @@ ROWS: dict[str, _Row] = {
         "they are not known, NaN; replace the jump by a smooth law, such as tanh(v/v0) for sign(v)",
     ),
     "left": _Row(
-        _none,
+        _left_by_device,
         "not the device, but a thread of this process integrated the motion: {subject}",
     ),
     "stiff": _Row(
@@ -313,19 +312,6 @@ ROWS: dict[str, _Row] = {
     ),
 }
 """How each kind of finding is made and worded, in the order in which findings are reported."""
-
-
-def needs_a_look(task: Task) -> bool:
-    """Whether motions must be looked at one by one to know their findings: for constraints, and limits of joints."""
-    model = task.model
-    system = model.system
-    return (
-        bool(model.constraints)
-        or bool(system.eliminated_constraints)
-        or system.has_quasi_velocities
-        or any(joint.limits for joint in getattr(system, "joints", ()))
-        or any(getattr(load, "jumping", None) is not None for load in getattr(system, "loads", ()))
-    )
 
 
 def deficiency_findings(deficiencies: Iterable[Deficiency], model: Model) -> tuple[Finding, ...]:
@@ -344,7 +330,7 @@ def notices_of_motion(findings: Iterable[Finding], where: str = "simulate") -> l
     return [f"{where}: {_sentence(finding)}" for finding in findings]
 
 
-def notices_of_batch(findings: Sequence[Iterable[Finding]], where: str) -> list[str]:
+def notices_of_batch(findings: Sequence[Sequence[Finding]], where: str) -> list[str]:
     """Return a message for each kind and subject of findings, with the number of cases that have it.
 
     Args:
@@ -353,7 +339,8 @@ def notices_of_batch(findings: Sequence[Iterable[Finding]], where: str) -> list[
     """
     tally = Tally()
     for case, found in enumerate(findings):
-        tally.add(case, found)
+        if found:
+            tally.add(case, found)
     return tally.notices(len(findings), where)
 
 

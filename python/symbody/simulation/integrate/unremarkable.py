@@ -122,6 +122,7 @@ MAY_HAVE: dict[str, Callable[[Motions], Flags]] = {
     "limits": _limits,
     "half turn": _half_turns,
     "jump": _never,
+    "left": _never,
     "stiff": _stiffness,
 }
 """Where motions whose outcome has nothing to tell may have a finding of each kind: for each, or for all."""

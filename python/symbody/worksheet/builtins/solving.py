@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from symbody.errors import SymbodyError, WorksheetError
-from symbody.symbolic import Expr
+from symbody.symbolic import Expr, factor_terms
 from symbody.symbolic.roots.solutions import solutions as all_solutions
 from symbody.worksheet.arithmetic import scalar
 from symbody.worksheet.closed_roots import closed_roots, is_complex, numeric_roots, polynomial_in, roots_of
@@ -82,7 +82,12 @@ def solutions(session: Session, residuals: list[Expr], unknowns: list[Expr]) -> 
             raise
         session.options.imaginary |= is_complex(roots)
         return [{unknowns[0]: root} for root in roots]
-    return [{each: solution.get(each, each) for each in unknowns} for solution in found]
+    return [{each: _factored(solution.get(each, each)) for each in unknowns} for solution in found]
+
+
+def _factored(value: Expr) -> Expr:
+    """Return a solution with common factors before its sums, as Maple's solve does: a quotient by one cancels it."""
+    return factor_terms(value) if value.kind in ("sum", "product") else value
 
 
 def solve(session: Session, equations: Value, unknowns: Value | None = None, *options: Value) -> Value:

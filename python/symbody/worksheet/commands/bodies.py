@@ -141,7 +141,7 @@ def _body(reader: Reader, value: Value) -> Value:
     found = reader.session.resolve(value)
     if kind_of(found) == "BODY" or frame_face.is_frame(found):
         return value
-    raise WorksheetError(f"{reader.where}: a {described(found)}; expected a body on which it acts")
+    raise WorksheetError(f"{reader.where}: {described(found)}; expected a body on which it acts")
 
 
 def _reacting(reader: Reader, rest: tuple[Value, ...]) -> Value | None:

@@ -61,7 +61,7 @@ def _options(reader: Reader, options: tuple[Value, ...]) -> tuple[Frame | None, 
         elif kind_of(found) in {"POINT", "BODY"}:
             about = reader.point(option)
         elif not (isinstance(found, Boolean) or found == Sequence(()) or isinstance(found, Expr)):
-            raise WorksheetError(f"{reader.where}: a {described(found)}; expected a point or a frame")
+            raise WorksheetError(f"{reader.where}: {described(found)}; expected a point or a frame")
     return axes, shown, about
 
 
@@ -79,9 +79,7 @@ def generalized_force(session: Session, loads: Value, variables: Value) -> Value
 def _coordinate(reader: Reader, value: Value) -> Expr:
     """Return a coordinate with its mark, if it is small."""
     if not isinstance(value, Expr) or value.is_number:
-        raise WorksheetError(
-            f"{reader.where}: a {described(value)}; expected a coordinate, such as q or x(t)"
-        )
+        raise WorksheetError(f"{reader.where}: {described(value)}; expected a coordinate, such as q or x(t)")
     return small(value) if value in mechanics(reader.session).small else value
 
 
