@@ -221,7 +221,15 @@ def _velocities(
 def _violations(
     kinematics: Kinematics, p: Array, t: float, q: Array, equations: tuple[Array, Array, Array]
 ) -> Array:
-    """Return the residuals of ``A u = b`` relative to the sizes of their terms, shape (k, m)."""
+    """Return the residuals of ``A u = b`` relative to the sizes of their terms, shape (k, m).
+
+    Args:
+        kinematics: the coordinates and constraints.
+        p: the values of the parameters, a row for each case.
+        t: the time.
+        q: the coordinates, a row for each case.
+        equations: A, b and u.
+    """
     A, b, u = equations
     sizes = kinematics.position_of_many(t, q.T, p.T)[2].T
     usual = np.zeros(b.shape)

@@ -145,6 +145,15 @@ def _integral_of(sympy: Any, value: Any, variable: Any, bounds: list[Any]) -> An
 
 
 def _limit_of(sympy: Any, value: Any, variable: Any, bounds: list[Any], *, side: str) -> Any:
+    """Return the limit of an expression.
+
+    Args:
+        sympy: the module.
+        value: the expression.
+        variable: its variable.
+        bounds: the place.
+        side: from where the variable comes, "+", "-" or "+-"; infinite places have one side.
+    """
     return sympy.limit(value, variable, bounds[0], side if bounds[0].is_finite else "+")
 
 
