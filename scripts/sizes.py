@@ -24,6 +24,9 @@ LONG_FILE, LONG_FUNCTION, MANY_PARAMETERS = 500, 50, 8
 MOST = 10
 """The number of files and functions that are listed at most, even if more are large."""
 
+MOST_WIDE = 30
+"""The number of functions of many parameters that are listed at most."""
+
 Definition = ast.FunctionDef | ast.AsyncFunctionDef
 
 
@@ -107,8 +110,8 @@ def report(files: Sequence[File]) -> str:
             f"functions: {len(long_functions)} of more than {LONG_FUNCTION} lines; the largest {MOST}:",
             *(f"  {one.lines:5} {one.place}" for one in _by_size(functions)[:MOST]),
             "",
-            f"parameters: {len(wide)} functions of {MANY_PARAMETERS} and more:",
-            *(f"  {one.parameters:5} {one.place}" for one in wide),
+            f"parameters: {len(wide)} functions of {MANY_PARAMETERS} and more; the first {MOST_WIDE}:",
+            *(f"  {one.parameters:5} {one.place}" for one in wide[:MOST_WIDE]),
         ]
     )
 

@@ -23,6 +23,7 @@ from tests.symbolic.hostile_values import Function, Hostile, Value, functions
 LEFT_OUT = {
     "Expr.to_sympy": "it is SymPy that hangs there, evaluating towers of powers",
     "Dynamics": "it calls machine code at addresses that nobody can check; its other arguments have a test",
+    "limit_time": "later calls would end by the limit, and say nothing of themselves; it has a test of its own",
 }
 """What is not called, and why: a class with all its methods, or one method."""
 

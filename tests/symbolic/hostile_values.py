@@ -258,6 +258,7 @@ MAKERS: dict[str, Callable[[Hostile], Value]] = {
     "None": Hostile.anything,
     "bool": Hostile.truth,
     "float": Hostile.double,
+    "float | None": Hostile.double,
     "int": Hostile.integer,
     "int | None": Hostile.integer,
     "str": Hostile.word,

@@ -18,7 +18,7 @@ import pytest
 
 from symbody.symbolic import _core
 from tests.repeated import repeated
-from tests.symbolic.hostile_values import MAKERS, functions
+from tests.symbolic.hostile_values import DOUBLES, MAKERS, NOT_FINITE, functions
 
 CALLS = 10_000
 
@@ -45,6 +45,15 @@ def test_all_functions_are_called() -> None:
     assert {f.name for f in listed if not f.owner} | {"Expr", "Tape", "Dynamics"} == set(_core.__all__)
     drawn = [parameter.annotation for f in listed if f.owner != "Dynamics" for parameter in f.parameters]
     assert set(drawn) == set(MAKERS)
+
+
+@pytest.mark.parametrize("seconds", [*DOUBLES, *NOT_FINITE, None])
+def test_any_limit_of_time_is_taken_back(seconds: float | None) -> None:
+    """The other calls of the core have none: a limit would end them."""
+    _core.limit_time(seconds)
+    _core.limit_time(None)
+    assert _core.limit_time(None) is None
+    assert _core.number(1) == 1
 
 
 CODE = (0, 2, 3, None)
