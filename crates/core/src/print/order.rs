@@ -126,9 +126,8 @@ impl Motion {
             _ => None,
         };
         let rates = term.factors.iter().filter_map(|factor| known(factor, true));
-        let mut places: Vec<usize> = rates
-            .flat_map(|(index, e)| std::iter::repeat_n(index, e.min(2).unsigned_abs() as usize))
-            .collect();
+        let mut places: Vec<usize> =
+            rates.flat_map(|(index, e)| std::iter::repeat_n(index, if e > 1 { 2 } else { 1 })).collect();
         if places.is_empty() && term.factors.iter().any(|factor| known(factor, false).is_some()) {
             let (moving, others): (Vec<&Factor>, Vec<&Factor>) =
                 term.factors.iter().partition(|factor| known(factor, false).is_some_and(|(_, e)| e == 1));

@@ -33,8 +33,7 @@ impl Graph {
         for id in self.post_order_where(&[root], |id| !known.contains_key(&id)) {
             let length = match self.view(id) {
                 View::Number(_) => 0,
-                View::Symbol(name, _) => name.chars().count(),
-                View::TimeFunction(name, ..) => name.chars().count(),
+                View::Symbol(name, _) | View::TimeFunction(name, ..) => name.chars().count(),
                 View::Scale(_, child) => known[&child],
                 View::Sum(terms) => {
                     let inner: usize = terms.iter().map(|(_, term)| known[&term]).sum();
