@@ -120,7 +120,7 @@ class Tape:
         return self.emit("-", 0.0, operand)
 
     def absorb_signs(self) -> None:
-        """Change the sign of sums that are used for their opposites alone, where a subtraction turns round at no cost."""
+        """Turn round the sums that are used for their opposites alone: a subtraction among their terms does it."""
         needed = self._needed()
         self._uses = Counter(each for slot in needed for each in self.instructions[slot].operands)
         self._uses.update(self.outputs)
