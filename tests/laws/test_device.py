@@ -39,8 +39,11 @@ from symbody import (
 )
 from symbody.models import ClassicSystem
 from symbody.simulation.batch.case_arrays import Status
+from symbody.simulation.batch.cases import cases_of
+from symbody.simulation.batch.run_cases import run_cases
 from symbody.simulation.batch.runs import Runs
 from symbody.simulation.device import devices, run_kernel
+from symbody.simulation.integrate.task_of import task_of
 from tests.laws.test_energy_drift import tree
 from tests.simulation.device_on_host import Host
 
@@ -179,3 +182,18 @@ def test_more_events_than_a_device_keeps(host: Host, monkeypatch: pytest.MonkeyP
     np.testing.assert_array_equal(native.states, on_device.states)
     assert [[found.kind for found in case] for case in on_device.findings] == [["left"]] * 4
     assert all(len(case) > 3 for case in on_device.results.occurrences)
+
+
+def test_an_interrupted_batch_keeps_what_is_done(host: Host) -> None:
+    model = models.n_pendulum(2)
+    equations, instants = newton_euler(model.system), np.linspace(0, 0.4, 5)
+    cases = cases_of(varied(model, 3), model.initial)
+    given = {"rtol": 1e-6, "atol": 1e-8, "method": "dop853", "max_step": np.inf, "constraints": "projection"}
+    unused = dict.fromkeys(("inputs", "outputs", "events", "guess"))
+    task = task_of(equations, cases.parameters, instants, **given, **unused)
+    results = run_cases(devices.on_device(task, "cuda", "test"), cases, keep_going=lambda done: done < 4)
+    done = np.setdiff1d(np.arange(CASES), results.missing)
+    assert 4 <= len(done) < CASES
+    whole = run_cases(task, cases)
+    np.testing.assert_array_equal(results.states[done], whole.states[done])
+    assert np.isnan(results.states[results.missing]).all()
