@@ -24,6 +24,7 @@ impl Graph {
     /// The content of a node, without the primes that are squares in a field; `None` if it is one.
     pub(super) fn numeric_content(&self, id: Id, f: &Field) -> Option<Content> {
         let least = f.least_non_square();
+        let (id, _) = self.representative_up_to_sign(id);
         if let Some(known) = self.lanes.borrow().content(id, least) {
             return known.clone();
         }

@@ -184,7 +184,7 @@ impl Graph {
 
     /// The nodes below a node and itself, children first, if they are not many.
     pub(super) fn short_order(&self, roots: &[Id]) -> Option<Vec<Id>> {
-        let order = self.post_order(roots);
+        let order = self.post_order_by(roots, |id, out| self.push_parts(id, out), |_| true);
         (order.len() <= MOST_NODES).then_some(order)
     }
 
@@ -230,12 +230,14 @@ impl Graph {
                 })
             }
             View::Product(factors) => factors.iter().try_fold(f.one(), |product, (base, exponent)| {
-                let (value, exponent) = (values.get(&base)?, self.get_number(exponent));
+                let exponent = self.get_number(exponent);
+                let base = if exponent.is_integer() { base } else { self.representative(base) };
+                let value = values.get(&base)?;
                 let is_pole = value.is_zero() && exponent.is_negative();
                 (!is_pole).then(|| f.mul(&product, &self.power_of(base, value, exponent, f)))
             }),
             View::Function(function, args) => {
-                let args: Vec<Id> = args.iter().collect();
+                let args: Vec<Id> = self.represented(args).collect();
                 self.function_at(function, &args, point, values, field)
             }
             View::LinearSystem { .. } | View::Solution(..) => None,

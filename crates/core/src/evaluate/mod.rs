@@ -26,6 +26,7 @@ mod monomial;
 mod negative_base;
 mod node;
 mod pending;
+mod representative;
 mod rotation;
 mod same;
 mod sign_degree;

@@ -13,6 +13,7 @@ use super::classes::Classes;
 use super::function::Function;
 use super::lanes::{Lanes, draw_pi, draw_symbol, draw_time, draw_time_function, drawn};
 use super::node::{Assumption, Factors, Flags, Id, Ids, Kind, NumberId, Terms, View};
+use super::representatives::Representatives;
 
 /// One row of the table.
 #[derive(Clone, Copy, Debug)]
@@ -72,6 +73,8 @@ pub struct Graph {
     pub(crate) plain_values: FxHashMap<Element, NumberId>,
     /// Values in the fields of all lanes, as far as they were asked for; a cache, derived from the graph alone.
     pub(crate) lanes: RefCell<Lanes>,
+    /// Which nodes stand for others where functions are evaluated.
+    pub(crate) representatives: RefCell<Representatives>,
     /// Values of solutions of linear systems; a cache, derived from the graph alone.
     pub(crate) solutions: FxHashMap<Id, Vec<Element>>,
     /// The classes of the derivation in progress, if there is one.
@@ -416,6 +419,7 @@ impl Graph {
             + self.values.capacity() * size_of::<Element>()
             + self.words.capacity() * size_of::<u32>()
             + self.index.capacity() * 8 * (size_of::<u32>() + 1) / 7
+            + self.representatives.borrow().bytes()
     }
 }
 

@@ -16,6 +16,16 @@ impl Graph {
 
     /// Like [`Self::post_order`], without nodes that fail the test and nodes that are reached only through these.
     pub(crate) fn post_order_where(&self, roots: &[Id], enter: impl Fn(Id) -> bool) -> Vec<Id> {
+        self.post_order_by(roots, |id, out| self.push_children(id, out), enter)
+    }
+
+    /// The same for the nodes that are reached by `push_parts`, which appends what comes before a node.
+    pub(crate) fn post_order_by(
+        &self,
+        roots: &[Id],
+        push_parts: impl Fn(Id, &mut Vec<Id>),
+        enter: impl Fn(Id) -> bool,
+    ) -> Vec<Id> {
         let mut seen: FxHashSet<Id> = FxHashSet::default();
         let mut order = Vec::new();
         let mut stack: Vec<(Id, bool)> = Vec::new();
@@ -35,7 +45,7 @@ impl Graph {
                 }
                 stack.push((id, true));
                 children.clear();
-                self.push_children(id, &mut children);
+                push_parts(id, &mut children);
                 stack.extend(
                     children.iter().rev().filter(|&&child| enter(child)).map(|&child| (child, false)),
                 );
