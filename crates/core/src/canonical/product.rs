@@ -76,13 +76,14 @@ impl Graph {
     }
 
     /// Whether the rules that made a product have kept the value: those of roots inside roots, which may be complex in
-    /// some lanes, need not.
+    /// some lanes, need not, nor those of roots of exponentials, whose arguments may be known in other forms.
     fn keeps_value(&self, factors: &[Factor], product: Id) -> bool {
-        let is_root_of_root = |&(base, exponent): &Factor| {
-            self.flags(base).has(Flags::BRANCH)
-                && (!self.get_number(exponent).is_integer() || self.is_root_of_root(base))
+        let is_doubtful = |&(base, exponent): &Factor| {
+            let is_root = !self.get_number(exponent).is_integer();
+            is_root && self.kind(base) == Kind::Function(Function::Exp)
+                || self.flags(base).has(Flags::BRANCH) && (is_root || self.is_root_of_root(base))
         };
-        !factors.iter().any(is_root_of_root)
+        !factors.iter().any(is_doubtful)
             || self.product_fingerprint(factors) == self.value(product)
                 && self.agrees(Pending::Product(factors), product, false)
     }

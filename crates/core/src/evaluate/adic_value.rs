@@ -6,6 +6,7 @@
 use rustc_hash::FxHashMap;
 
 use crate::graph::{Atom, Function, Graph, Id, View};
+use crate::interrupt::tick;
 use crate::value::{Adic, Adics, Key, Number};
 
 use super::adic_point::AdicPoint;
@@ -52,6 +53,7 @@ impl Graph {
     pub(super) fn adic_values(&self, order: &[Id], at: &AdicPoint<'_>) -> Values {
         let mut values = Values::default();
         for &node in order {
+            tick();
             let value = self.adic_value(node, &values, at);
             values.insert(node, value);
         }

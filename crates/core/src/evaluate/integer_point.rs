@@ -8,6 +8,7 @@
 use rustc_hash::FxHashMap;
 
 use crate::graph::{Assumption, Atom, Function, Generator, Graph, Id, View};
+use crate::interrupt::tick;
 use crate::value::{Element, Field, FieldId, Key, Number, Quadratic, fingerprint, prime_factors};
 
 use super::logarithm_part::Part;
@@ -122,7 +123,7 @@ impl Rationals {
     /// The value of a node if it is rational, and any number if it is not.
     pub(super) fn guess(&self, id: Id) -> Option<Number> {
         let element = self.element(id)?;
-        element.to_simple_rational().or_else(|| element.to_rational(104))
+        element.to_simple_rational().or_else(|| element.to_rational_of_short_form())
     }
 
     fn element(&self, id: Id) -> Option<Element> {
@@ -192,6 +193,7 @@ impl Graph {
     fn values_at(&self, order: &[Id], point: IntegerPoint<'_>, field: FieldId) -> Values {
         let mut values = Values::default();
         for &id in order {
+            tick();
             // A pole does no harm inside functions that do not ask for its value.
             if let Some(value) = self.value_at(id, point, &values, field) {
                 values.insert(id, value);

@@ -3,7 +3,9 @@
 use num_bigint::BigInt;
 use std::sync::Arc;
 
-use crate::graph::{Assumption, Column, Content, Flags, Function, Graph, Id, Ids, Kind, NumberId, View, leaf_in};
+use crate::graph::{
+    Assumption, Column, Content, Flags, Function, Graph, Id, Ids, Kind, NumberId, View, leaf_in,
+};
 use crate::interrupt::tick;
 use crate::value::{
     Element, Field, FieldId, Key, LARGEST_SQUARE, Number, Quadratic, fingerprint, in_hash_lane, prime_factors,
@@ -83,7 +85,12 @@ impl Graph {
             View::Scale(factor, child) => self.column_of_sum([(factor, child)].into_iter(), point),
             View::Product(factors) => self
                 .column_of_product(factors.iter().map(|(base, e)| (base, self.get_number(e).clone())), point),
-            _ => FieldId::others(point).map(|field| self.evaluate(view, id, field)).collect(),
+            _ => FieldId::others(point)
+                .map(|field| {
+                    tick();
+                    self.evaluate(view, id, field)
+                })
+                .collect(),
         }
     }
 
@@ -118,6 +125,7 @@ impl Graph {
             for (product, (field, value)) in
                 products.iter_mut().zip(FieldId::others(point).zip(column.iter()))
             {
+                tick();
                 let f = field.field();
                 let power = if exponent.is_one() { value } else { &self.power_in(base, &exponent, field) };
                 *product = f.mul(product, power);
@@ -195,8 +203,7 @@ impl Graph {
     }
 
     fn opaque_in(&self, key: Key, args: impl Iterator<Item = Id>, field: FieldId) -> Quadratic {
-        let values: Vec<Quadratic> =
-            args.map(|arg| self.value_in(self.representative(arg), field)).collect();
+        let values: Vec<Quadratic> = args.map(|arg| self.value_in(self.representative(arg), field)).collect();
         field.field().opaque(key, &values.iter().collect::<Vec<_>>())
     }
 

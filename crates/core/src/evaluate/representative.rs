@@ -78,3 +78,47 @@ impl Graph {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::error::Error;
+    use crate::graph::{Assumption, Function, NumberId};
+    use crate::value::Number;
+
+    /// sin(2 x) and 2 sin(x) cos(x).
+    fn double_angle(g: &mut Graph) -> Result<[Id; 2], Error> {
+        let x = g.symbol("x", Assumption::Real);
+        let two = g.number_id(&Number::integer(2));
+        let twice = g.scale(two, x);
+        let one = g.apply(Function::Sin, &[twice])?;
+        let [sin, cos] = [g.apply(Function::Sin, &[x])?, g.apply(Function::Cos, &[x])?];
+        let product = g.mul(sin, cos)?;
+        Ok([one, g.scale(two, product)])
+    }
+
+    #[test]
+    fn equal_nodes_stay_equal_at_every_depth() -> Result<(), Error> {
+        for order in [[0, 1], [1, 0]] {
+            let g = &mut Graph::new();
+            let forms = double_angle(g)?;
+            let mut nested = order.map(|k| forms[k]);
+            for function in [Function::Sin, Function::Exp, Function::Abs, Function::Cos, Function::Tanh] {
+                nested = [g.apply(function, &[nested[0]])?, g.apply(function, &[nested[1]])?];
+                assert!(g.equal(nested[0], nested[1]), "{function:?}");
+            }
+        }
+        Ok(())
+    }
+
+    #[test]
+    fn opposite_nodes_are_of_one_class() -> Result<(), Error> {
+        let g = &mut Graph::new();
+        let [one, two] = double_angle(g)?;
+        let opposite = g.scale(NumberId::MINUS_ONE, two);
+        assert_eq!(g.representative_up_to_sign(opposite), (opposite, false));
+        assert_eq!(g.representative_up_to_sign(one), (opposite, true));
+        assert_eq!(g.representative(one), g.representative(two));
+        Ok(())
+    }
+}
