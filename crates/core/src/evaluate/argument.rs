@@ -235,7 +235,7 @@ impl Graph {
     fn atoms(&self, argument: Id, of_exponential: bool) -> Vec<Atom> {
         let mut atoms: Vec<Atom> = Vec::new();
         let enter = |id| self.flags(id).has(Flags::INVERSE);
-        for id in self.post_order_by(&[argument], |id, out| self.push_parts(id, out), enter) {
+        for id in self.parts_first(&[argument], enter) {
             let mut found = Vec::new();
             let argument = |args: Ids<'_>, place| self.representative(args.get(place));
             match self.view(id) {

@@ -185,7 +185,7 @@ impl Graph {
 
     /// The nodes below a node and itself, children first, if they are not many.
     pub(super) fn short_order(&self, roots: &[Id]) -> Option<Vec<Id>> {
-        let order = self.post_order_by(roots, |id, out| self.push_parts(id, out), |_| true);
+        let order = self.parts_first(roots, |_| true);
         (order.len() <= MOST_NODES).then_some(order)
     }
 

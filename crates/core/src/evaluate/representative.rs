@@ -10,7 +10,7 @@
 //!
 //! A node enters its class after all nodes below it, so a representative never is evaluated by way of itself.
 
-use crate::graph::{Graph, Id, Ids, Standing, View};
+use crate::graph::{Graph, Id, Ids, Standing, View, children_first};
 
 impl Graph {
     /// The node that stands for all nodes of the value of this one.
@@ -20,14 +20,14 @@ impl Graph {
 
     /// The node that stands for all nodes of the value of this one, or of the opposite value, and whether its value is
     /// the opposite one.
-    pub(crate) fn representative_up_to_sign(&self, id: Id) -> (Id, bool) {
+    pub(super) fn representative_up_to_sign(&self, id: Id) -> (Id, bool) {
         let Standing { first, is_opposite, .. } = self.standing(id);
         (first, is_opposite)
     }
 
     /// The nodes from whose values that of a node is found: those that stand for the arguments of functions and for the
     /// bases of roots, and other children.
-    pub(crate) fn push_parts(&self, id: Id, out: &mut Vec<Id>) {
+    pub(super) fn push_parts(&self, id: Id, out: &mut Vec<Id>) {
         match self.view(id) {
             View::Application { args, .. } | View::Function(_, args) => out.extend(self.represented(args)),
             View::Product(factors) => out.extend(factors.iter().map(|(base, exponent)| {
@@ -35,6 +35,11 @@ impl Graph {
             })),
             _ => self.push_children(id, out),
         }
+    }
+
+    /// The parts below the roots, parts before what is made of them, each once, without nodes that fail the test.
+    pub(super) fn parts_first(&self, roots: &[Id], enter: impl Fn(Id) -> bool) -> Vec<Id> {
+        children_first(roots, |id, out| self.push_parts(id, out), enter)
     }
 
     /// The nodes that stand for the arguments of a function.

@@ -30,3 +30,4 @@ pub(crate) use node::{Flags, Kind};
 pub(crate) use representatives::Standing;
 pub use table::{Graph, LARGEST_ORDER};
 pub(crate) use table::{LONGEST, check_order, word};
+pub(crate) use traverse::children_first;

@@ -81,7 +81,7 @@ impl FieldId {
 
     /// Whether this field begins a lane, at any of its points.
     pub(crate) fn is_first(self) -> bool {
-        self.index.is_multiple_of(FIELDS_OF_A_LANE_WORD)
+        self.index % FIELDS_OF_A_LANE_WORD == 0
     }
 
     /// Which of the hash lanes this field begins, if it begins one.
