@@ -92,6 +92,7 @@ bench: $(STAMPS)/build $(STAMPS)/bench  ## measure against the rivals (a quarter
 	$(BIN)/python -m benchmarks.linear.run
 	$(BIN)/python -m benchmarks.sensitivity.run
 	$(BIN)/python -m benchmarks.worksheet.run
+	$(BIN)/python -m benchmarks.models.run
 
 docs: $(STAMPS)/build $(STAMPS)/docs $(STAMPS)/develop  ## check the documents, write the API reference into site/
 	$(PYTEST) tests/test_documents.py

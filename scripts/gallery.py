@@ -53,7 +53,8 @@ model of your own, copy the function: it is short. [Extending](extending.md#a-mo
 
 This page is written by `python -m scripts.gallery`.
 
-Below, `size` counts the operations that one evaluation takes: of the residuals, then of the accelerations.
+Below, `size` counts the operations that one evaluation takes: of the residuals, then of the accelerations. The times of
+derivations and motions are measured in [docs/benchmarks/models.md](benchmarks/models.md).
 
 ```python
 def size(model):

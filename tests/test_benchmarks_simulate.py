@@ -11,14 +11,17 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from benchmarks.simulate import by_jax, by_scipy, by_symbody, report
+from benchmarks.simulate import by_diffrax, by_jax, by_mujoco, by_scipy, by_symbody, gpu, report
 from benchmarks.simulate.andrews import andrews
+from benchmarks.simulate.batches import arms, linkages, pendulums
 from benchmarks.simulate.contender import Contender, decades
 from benchmarks.simulate.double_pendulum import double_pendulum
 from benchmarks.simulate.plot import write_plot
 from benchmarks.simulate.precision import Comparison, Curve, Effort, Point, compared, drift, reference
 from benchmarks.simulate.problem import Array, Problem
-from benchmarks.simulate.throughput import ERROR, Manner, Rate, Throughput, manners, measured, starts
+from benchmarks.simulate.throughput import Batch, Manner, Rate, Throughput, measured
+from symbody.simulation.device import devices
+from tests.simulation.device_on_host import Host
 
 LOOK = Effort(rounds=1, seconds=1e-6)
 
@@ -154,34 +157,63 @@ def test_quick_tables_and_plot(pendulum: Problem, mechanism: Problem, tmp_path: 
 def test_many_motions_agree(pendulum: Problem, monkeypatch: pytest.MonkeyPatch) -> None:
     """JAX compiles for seconds: it has a test of its own."""
     monkeypatch.setattr(by_jax, "missing", lambda: "JAX (pip: jax)")
-    found = measured(pendulum, side=3, sample=2, rounds=1)
+    found = measured(pendulums(pendulum, side=3), sample=2, rounds=1)
     assert found.check < 1e-9
-    assert all(rate.error <= ERROR for rate in found.rates)
+    assert all(rate.error <= found.batch.error for rate in found.rates)
     assert [rate.runs for rate in found.rates if rate.manner.is_loop] == [2, 2, 2]
     assert "**JAX (pip: jax) is missing.**" in report.throughput(found)
 
 
+def test_linkages_agree() -> None:
+    found = measured(linkages(4, 0.1), sample=2, rounds=1)
+    assert found.check < 1e-9
+    assert all(rate.error <= found.batch.error for rate in found.rates)
+
+
+@pytest.mark.skipif(bool(by_mujoco.missing()), reason=by_mujoco.missing())
+def test_mujoco_integrates_the_same_arms() -> None:
+    batch = arms(3, 0.1)
+    own, *_, mujoco = batch.manners
+    ends, found = own.many(batch.states, 1e-12), mujoco.many(batch.states, 200)
+    assert found[:, :7] == pytest.approx(ends[:, :7], abs=1e-9)
+
+
 @pytest.mark.slow
-@pytest.mark.skipif(bool(by_jax.missing()), reason=by_jax.missing())
+@pytest.mark.skipif(bool(by_diffrax.missing()), reason=by_diffrax.missing())
 def test_jax_integrates_the_same_motions(pendulum: Problem) -> None:
-    states = starts(3)
-    own, *_, odeint, runge_kutta = manners(pendulum)
-    ends = own.many(states, 1e-12)
-    assert odeint.many(states, 1e-9) == pytest.approx(ends, abs=1e-7)
-    assert runge_kutta.many(states, 80) == pytest.approx(ends, abs=1e-6)
+    batch = pendulums(pendulum, 3)
+    own, *_, odeint, runge_kutta, diffrax = batch.manners
+    ends = own.many(batch.states, 1e-12)
+    assert odeint.many(batch.states, 1e-9) == pytest.approx(ends, abs=1e-7)
+    assert runge_kutta.many(batch.states, 80) == pytest.approx(ends, abs=1e-6)
+    assert diffrax.many(batch.states, 1e-9) == pytest.approx(ends, abs=1e-7)
 
 
-def test_loops_are_counted_for_all_motions() -> None:
+def test_loops_are_counted_for_all_motions(pendulum: Problem) -> None:
     def many(states: Array, _setting: float) -> Array:
         return states
 
     looping = Manner("Python loop of solve_ivp, LSODA", many, (), is_loop=True)
     loop = Rate(looping, 1e-8, 1e-7, 50, 0.5, [0.5, 0.4, 0.9], [0.3])
     own = Rate(Manner("symbody, simulate_many", many, ()), 1e-8, 1e-7, 10_000, 0.5, [1.0, 3.0, 2.0], [3.5])
-    text = report.throughput(Throughput(10_000, 10.0, (own, loop), 1e-12))
+    batch = Batch(pendulum, np.zeros((10_000, 4)), (), 1e-6, "motions over {duration:g} s.")
+    text = report.throughput(Throughput(batch, (own, loop), 1e-12))
     assert "| Python loop of solve_ivp, LSODA | 1e-08 | 1e-07 | 50 | 0.50 | 100 | 60 | 100 | 1.0 |" in text
     assert "| symbody, simulate_many | 1e-08 | 1e-07 | 10000 | 0.50 | 2 | 3.5 | 5000 | 50.0 |" in text
 
 
 def test_decades() -> None:
     assert decades(5) == (1e-3, 1e-4, 1e-5)
+
+
+@pytest.mark.needs("g++")
+def test_the_table_of_a_graphics_processor(
+    pendulum: Problem, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """This processor stands in for one: the program for those who have one runs."""
+    host = Host(tmp_path)
+    monkeypatch.setitem(devices.DEVICES, "cuda", lambda: host)
+    two = [manner for manner in gpu.ours(pendulum) if manner.label.endswith(("tsit5", "of 64"))][:2]
+    head, _, *rows = gpu.lines(pendulum, two, 3, 1)
+    assert head.startswith("9 motions of 0.5 s")
+    assert [row.split("  ")[0] for row in rows] == [manner.label for manner in two]

@@ -531,10 +531,10 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     ),
     (
         errors.LoadError,
-        lambda: magic_formula({"FNOMIN": 4000, "UNLOADED_RADIUS": 0.3, "QSY3": 0.1}),
+        lambda: magic_formula({"FNOMIN": 4000, "UNLOADED_RADIUS": 0.3, "LMUV": 0.1}),
         (
-            "magic_formula: QSY3 = 0.1 belongs to an effect that the law doesn't have, such as that of speed on "
-            "rolling resistance; leave it out to do without"
+            "magic_formula: LMUV = 0.1 belongs to an effect that the law doesn't have, such as that of speed on "
+            "friction; leave it out to do without"
         ),
     ),
     (
@@ -1254,10 +1254,10 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     ),
     (
         errors.JointError,
-        lambda: meshed(gear, revolute("Q", ground, B, axis="X", at=(3, 0, 0)), 1, 2),
+        lambda: meshed(gear, revolute("Q", ground, B, axis="X", at=(3, a, 0)), 1, 2),
         (
-            "gear G: the axes of revolute P and revolute Q aren't parallel with one sense; expected wheels in a "
-            "plane: turn their places on the carrier"
+            "gear G: the axes of revolute P and revolute Q are neither parallel nor meet; expected wheels in a plane, "
+            "or bevel gears, whose axes meet in one point"
         ),
     ),
     (

@@ -49,6 +49,28 @@ TAKES_SYMBOLS = (
 )
 
 MISTAKES: list[tuple[Callable[[], object], str]] = [
+    (
+        lambda: sb.magic_formula(TIRE | {"QSY3": 0.1}),
+        (
+            "magic_formula: LONGVL missing; expected the speed, in m/s, to which the coefficients QSY3 and QSY4 of "
+            "rolling resistance are relative"
+        ),
+    ),
+    (
+        lambda: sb.magic_formula(TIRE | {"QSY3": 0.1, "LONGVL": 16.7})(N, 0.1),
+        (
+            "magic_formula: no speed, on which the rolling resistance depends by QSY3 and QSY4; expected law(load, "
+            "kappa, lateral_slip, camber, speed=v); a tire gives its own"
+        ),
+    ),
+    (
+        lambda: tire(sb.linear_tire(cornering=C), road=sb.rotate("Y", psi)),
+        (
+            'tire_kinematics: the road = rotate("Y", psi) turns, and its normal z with it, against carrier = '
+            'translate(x, y, R) * rotate("Z", psi); expected a road whose x-y plane stays below the wheel: the surface '
+            "of a drum is that of a link without mass that slides there, coupled to the drum by a rack"
+        ),
+    ),
     (lambda: damped(-1), f"spring: damping = -1; {NOT_NEGATIVE}"),
     (
         lambda: sb.torsion_spring(x, k, damping=-0.5, on=block),

@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 
 from symbody import (
+    Frame,
     Link,
     ModelNotice,
     Motion,
@@ -51,6 +52,11 @@ pin = revolute("A", ground, a)
 
 def swing() -> Motion:
     return simulate(newton_euler(assemble([pin]).system()), t=(0, 1))
+
+
+def meshed(at: Frame) -> object:
+    P, Q = revolute("P", ground, a), revolute("Q", ground, b, at=at)
+    return assemble([P, Q, gear("G", P, Q, 0.1, 0.2)])
 
 
 def gears(distance: float) -> object:
@@ -233,6 +239,30 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         (
             "reaction: a is the name of a joint and of a body; expected the joint itself, or the body's link, or names "
             "of their own"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: meshed(translate(0, 0.1, 0) * rotate("Y", pi / 2)),
+        (
+            "gear G: the axes of revolute P and revolute Q are neither parallel nor meet; expected wheels in a plane, "
+            "or bevel gears, whose axes meet in one point"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: meshed(rotate("Y", pi / 2) * translate(0, 0, -0.1)),
+        (
+            "gear G: the axis of revolute Q points from its place to the point where the axes meet; expected an axis "
+            "that points from there to the wheel: turn the place by half a turn"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: meshed(translate(0.3, 0, 0) * rotate("Y", pi)),
+        (
+            "gear G: the axes of revolute P and revolute Q are parallel, but opposite; expected one sense: turn the "
+            "place of one of them on the carrier by half a turn"
         ),
     ),
     (

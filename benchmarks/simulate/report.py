@@ -10,9 +10,9 @@ from statistics import median
 from textwrap import fill
 
 from ..evaluate.report import _met, _version
-from . import by_jax, by_scipy, by_symbody
+from . import by_diffrax, by_mujoco, by_scipy, by_symbody
 from .precision import ERRORS, Comparison, Curve, Effort
-from .throughput import ANGLES, ERROR, Rate, Throughput
+from .throughput import Rate, Throughput
 
 BOUND = 20.0
 """How many times longer solve_ivp's best method must take, at least."""
@@ -23,7 +23,7 @@ SHOWN = (1e-4, 1e-6, 1e-8, 1e-10, 1e-12)
 WIDTH = 120
 """Of lines of text."""
 
-PACKAGES = ("symbody", "scipy", "numpy", "llvmlite", "scikit-sundae", "jax")
+PACKAGES = ("symbody", "scipy", "numpy", "llvmlite", "scikit-sundae", "jax", "diffrax", "mujoco")
 
 INTRODUCTION = """\
 # Simulating
@@ -53,13 +53,21 @@ Versions: {versions}; Python {python}, {cores} cores.
 
 
 MANY = """\
-{runs} motions of the double pendulum over {duration:g} s, released from rest at a grid of angles from {low:g} to
-{high:g} rad. Each contender uses the loosest setting whose largest error at the end is at most {error:.0e} rad. The
-reference is symbody's dop853 at 1e-13, from which solve_ivp's Radau at 1e-11 differs by {check:.0e} rad on three of
-them. Loops in Python are measured on a sample and scaled to all motions. JAX runs the function that `generate` writes
-for it, with all motions in one call, 64 bits, and as many threads as it chooses. *First* is the first call with the
-setting, in which JAX compiles.
+## Many motions
+
+Each contender uses the loosest setting whose largest error at the end is at most that of the table. The reference is
+symbody's dop853 at 1e-13. Loops in Python are measured on a sample and scaled to all motions. JAX runs the function
+that `generate` writes for it, with all motions in one call, 64 bits, and as many threads as it chooses. *First* is the
+first call with the setting, in which JAX compiles. *Motions*: how many motions were measured. *Of processors*: the
+time of all threads together; other programs ran on the machine{load}. *Over loop*: motions per second, relative to the
+fastest loop of solve_ivp.
 """
+
+
+def many_motions() -> str:
+    """Say how many motions were measured."""
+    average = f" (load average {os.getloadavg()[1]:.1f})" if hasattr(os, "getloadavg") else ""
+    return MANY.format(load=average)
 
 
 def introduction(effort: Effort, calls: dict[str, float]) -> str:
@@ -176,31 +184,29 @@ def _row(curve: Curve, tolerances: Sequence[float], *, has_drift: bool) -> str:
 
 
 def throughput(found: Throughput) -> str:
-    """Return the table of many motions."""
-    low, high = ANGLES
-    sentence = MANY.format(
-        runs=found.runs, duration=found.duration, low=low, high=high, error=ERROR, check=found.check
+    """Return the table of many motions of a system."""
+    batch, name = found.batch, found.batch.problem.name
+    sentence = (
+        f"{len(batch.states)} {batch.text.format(duration=batch.problem.duration)} Errors: at most {batch.error:.0e}; "
+        f"solve_ivp's Radau at 1e-11 differs from the reference by {found.check:.0e} on three of them."
     )
     head = [
         "| many motions | setting | error | motions | first s | s for all | of processors | per second | over loop |",
         "|---|---|---:|---:|---:|---:|---:|---:|---:|",
     ]
-    loop = max((r for r in found.rates if "solve_ivp" in r.manner.label), key=lambda r: r.per_second)
-    rows = [_rate(rate, found.runs, loop) for rate in found.rates]
-    lacking = [f"**{by_jax.missing()} is missing.**", ""] if by_jax.missing() else []
-    text = (
-        "*Motions*: how many motions were measured. *Of processors*: processor time of all threads together; other "
-        "programs ran on the machine. *Over loop*: motions per second, relative to the faster loop of solve_ivp."
-    )
-    return "\n".join(
-        ["## Many motions", "", fill(sentence, WIDTH), "", *lacking, *head, *rows, "", fill(text, WIDTH), ""]
-    )
+    loops = [rate for rate in found.rates if "solve_ivp" in rate.manner.label]
+    loop = max(loops, key=lambda rate: rate.per_second, default=None)
+    rows = [_rate(rate, len(batch.states), loop) for rate in found.rates]
+    missing = dict.fromkeys(filter(None, (by_diffrax.missing(), by_mujoco.missing())))
+    lacking = [f"**{', '.join(missing)} is missing.**", ""] if missing else []
+    return "\n".join([f"### {name}", "", fill(sentence, WIDTH), "", *lacking, *head, *rows, ""])
 
 
-def _rate(rate: Rate, runs: int, loop: Rate) -> str:
+def _rate(rate: Rate, runs: int, loop: Rate | None) -> str:
     setting = f"{rate.setting:.0f} steps" if rate.manner.unit == "steps" else f"{rate.setting:.0e}"
     seconds, work = (median(times) / rate.runs * runs for times in (rate.times, rate.work))
+    over = "–" if loop is None else f"{rate.per_second / loop.per_second:.1f}"
     return (
         f"| {rate.manner.label} | {setting} | {rate.error:.0e} | {rate.runs} | {rate.first:.2f} "
-        f"| {seconds:.3g} | {work:.3g} | {rate.per_second:.0f} | {rate.per_second / loop.per_second:.1f} |"
+        f"| {seconds:.3g} | {work:.3g} | {rate.per_second:.0f} | {over} |"
     )

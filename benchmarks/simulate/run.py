@@ -1,8 +1,9 @@
-"""Measure simulations beside SciPy's solve_ivp and JAX.
+"""Measure simulations beside SciPy's solve_ivp, JAX and MuJoCo.
 
-    python -m benchmarks.simulate.run [--quick] [--rounds N]
+    python -m benchmarks.simulate.run [--quick] [--only many] [--rounds N]
 
-A full run takes some minutes and writes docs/benchmarks/simulate.md and .svg; with --quick the tables are printed.
+A full run takes some minutes and writes docs/benchmarks/simulate.md and .svg; with --quick the tables are printed. With
+--only many, the tables of many motions are measured, and replace those on the page.
 """
 
 from __future__ import annotations
@@ -13,11 +14,12 @@ from time import process_time
 from ..page import FOLDER, write_page
 from . import by_scipy, report
 from .andrews import andrews
+from .batches import arms, linkages, pendulums
 from .double_pendulum import double_pendulum
 from .plot import write_plot
 from .precision import Comparison, Effort, compared
 from .problem import Problem
-from .throughput import measured
+from .throughput import Batch, measured
 
 CALLS = 20_000
 """Calls of the rates whose time is taken together."""
@@ -32,9 +34,17 @@ def main() -> None:
         "--quick", action="store_true", help="a short motion, few tolerances, one round: seconds"
     )
     parser.add_argument("--rounds", type=int, default=9, help="trials of each contender (default 9)")
+    parser.add_argument("--only", choices=["many"], help="measure this part of the page alone")
     arguments = parser.parse_args()
     if arguments.quick:
         print(quick())
+        return
+    if arguments.only:
+        page = (FOLDER / "simulate.md").read_text(encoding="utf-8")
+        kept = page[: page.index(report.many_motions().partition("\n")[0])]
+        write_page(
+            "simulate.md", kept + many(batches_of(double_pendulum()), 50, max(3, arguments.rounds // 3))
+        )
         return
     text, comparisons = full(arguments.rounds)
     write_plot(comparisons, FOLDER / "simulate.svg")
@@ -46,25 +56,37 @@ def quick() -> str:
     effort, tolerances = Effort(1, 0.001), (1e-4, 1e-6, 1e-8)
     problems = [double_pendulum(0.5), andrews()]
     comparisons = [compared(problem, effort, tolerances) for problem in problems]
-    return tables(effort, comparisons, measured(problems[0], side=3, sample=2, rounds=1))
+    few = [pendulums(problems[0], 3), linkages(4, 0.1), arms(4, 0.1)]
+    return tables(effort, comparisons, many(few, sample=2, rounds=1))
 
 
 def full(rounds: int) -> tuple[str, list[Comparison]]:
     """Return all tables, and what the plot shows."""
     effort, problems = Effort(rounds, 0.02), [double_pendulum(), andrews()]
     comparisons = [compared(problem, effort) for problem in problems]
-    many = measured(problems[0], side=100, sample=50, rounds=max(3, rounds // 3))
-    return tables(effort, comparisons, many), comparisons
+    text = many(batches_of(problems[0]), sample=50, rounds=max(3, rounds // 3))
+    return tables(effort, comparisons, text), comparisons
 
 
-def tables(effort: Effort, comparisons: list[Comparison], many: report.Throughput) -> str:
+def batches_of(pendulum: Problem) -> list[Batch]:
+    """Return the batches of a full run."""
+    return [pendulums(pendulum, 100), linkages(10_000), arms(1000)]
+
+
+def many(batches: list[Batch], sample: int, rounds: int) -> str:
+    """Return the tables of many motions."""
+    found = [measured(batch, sample, rounds) for batch in batches]
+    return "\n".join([report.many_motions(), *map(report.throughput, found)])
+
+
+def tables(effort: Effort, comparisons: list[Comparison], throughput: str) -> str:
     """Return the report."""
     calls = {found.problem.name: _call(found.problem) for found in comparisons}
     return "\n".join(
         [
             report.introduction(effort, calls),
             *map(report.comparison, comparisons),
-            report.throughput(many),
+            throughput,
         ]
     )
 

@@ -1,4 +1,4 @@
-"""Throughput: many motions of a double pendulum, by what a user would write with each tool, at equal accuracy."""
+"""Throughput: many motions of a system, by what a user would write with each tool, at equal accuracy."""
 
 from __future__ import annotations
 
@@ -15,14 +15,11 @@ from symbody import simulate, simulate_many
 from symbody.simulation.given.options import Options
 from symbody.simulation.integrate.native import problem_of, run_many
 
-from . import by_jax, by_scipy
+from . import by_scipy
 from .problem import Array, Problem
 
-ERROR = 1e-6
-"""What each contender may miss at the end, in rad."""
-
-ANGLES = (0.1, 0.8)
-"""From where the rods are let go, in rad: small to medium swings, none of which is chaotic."""
+TOLERANCES = tuple(float(f"{digit}e-{k}") for k in range(5, 13) for digit in (3, 1))
+"""The tolerances to try."""
 
 Many = Callable[[Array, float], Array]
 """Takes a row for each initial state and a setting; returns a row for each end."""
@@ -76,64 +73,45 @@ class Rate:
 
 
 @dataclass(frozen=True)
-class Throughput:
-    """What was measured of many motions: how many, the rates, and how far the reference is from SciPy's."""
+class Batch:
+    """Many motions of a system, and the ways to run them.
 
-    runs: int
-    duration: float
+    Attributes:
+        problem: the system.
+        states: the initial states, a row each.
+        manners: the ways; the first one is symbody's.
+        error: what each contender may miss at the end, in rad or in lengths.
+        text: what the report says of the motions.
+    """
+
+    problem: Problem
+    states: Array
+    manners: tuple[Manner, ...]
+    error: float
+    text: str
+
+
+@dataclass(frozen=True)
+class Throughput:
+    """What was measured of many motions: the rates, and how far the reference is from SciPy's."""
+
+    batch: Batch
     rates: tuple[Rate, ...]
     check: float
 
 
-def starts(side: int, size: int = 4) -> Array:
-    """Return initial states at rest, from a square grid of angles."""
-    angles = np.linspace(*ANGLES, side)
-    states = np.zeros((side * side, size))
-    states[:, :2] = np.stack(np.meshgrid(angles, angles, indexing="ij"), axis=-1).reshape(-1, 2)
-    return states
-
-
-def manners(problem: Problem) -> list[Manner]:
-    """Return all ways that this machine has."""
-    tolerances = tuple(float(f"{digit}e-{k}") for k in range(5, 13) for digit in (3, 1))
-    found = [
-        Manner(f"symbody, simulate_many, {method}, {threads} thread{'s' * (threads > 1)}", many, tolerances)
-        for method in ("dop853", "tsit5")
-        for threads in (1, 2)
-        for many in [partial(_simulate_many, problem, method, threads)]
-    ]
-    found.append(Manner("of which the native integrator, dop853, 1 thread", _native(problem), tolerances))
-    found.append(Manner("Python loop of simulate", partial(_simulate, problem), tolerances, is_loop=True))
-    given = by_scipy.rates(problem), by_scipy.jacobian(problem)
-    found += [
-        Manner(
-            f"Python loop of solve_ivp, {method}",
-            partial(_solve_ivp, problem, method, *given),
-            tolerances,
-            is_loop=True,
-        )
-        for method in ("DOP853", "LSODA")
-    ]
-    if not by_jax.missing():
-        steps = tuple(float(round(8 * problem.duration * 1.1**k) * 10) for k in range(12))
-        found += [
-            Manner("JAX, vmap of odeint", by_jax.by_odeint(problem), tolerances[4:]),
-            Manner("JAX, vmap of RK4 in lax.scan", by_jax.by_runge_kutta(problem), steps, "steps"),
-        ]
-    return found
-
-
-def measured(problem: Problem, side: int, sample: int, rounds: int) -> Throughput:
-    """Return the rates of all manners over a grid of initial angles; of loops over a sample of it."""
-    states = starts(side)
-    ends = _simulate_many(problem, "dop853", 1, states, 1e-13)
+def measured(batch: Batch, sample: int, rounds: int) -> Throughput:
+    """Return the rates of all manners over all motions; of loops over a sample of them."""
+    problem, states, n = batch.problem, batch.states, batch.problem.size
+    ends = batch.manners[0].many(states, 1e-13)[:, :n]
     some = np.random.default_rng(7).choice(len(states), min(sample, len(states)), replace=False)
-    given, few = (by_scipy.rates(problem), by_scipy.jacobian(problem)), some[:3]
-    check = _error(_solve_ivp(problem, "Radau", *given, states[few], 1e-11), ends[few])
+    few = some[:3]
+    by_radau = solve_ivp(problem, "Radau").many(states[few], 1e-11)
+    check = float(np.abs(by_radau[:, :n] - ends[few]).max())
     found = []
-    for manner in manners(problem):
+    for manner in batch.manners:
         chosen = some if manner.is_loop else np.arange(len(states))
-        found.append((_tuned(manner, states[chosen], ends[chosen]), states[chosen]))
+        found.append((_tuned(manner, states[chosen], ends[chosen], batch.error), states[chosen]))
         print(".", end="", file=sys.stderr, flush=True)
     for _ in range(rounds):
         for rate, own in found:
@@ -141,24 +119,20 @@ def measured(problem: Problem, side: int, sample: int, rounds: int) -> Throughpu
             rate.manner.many(own, rate.setting)
             rate.times.append(perf_counter() - wall)
             rate.work.append(process_time() - work)
-    print(" many motions", file=sys.stderr)
-    return Throughput(len(states), problem.duration, tuple(rate for rate, _ in found), check)
+    print(f" many motions: {problem.name}", file=sys.stderr)
+    return Throughput(batch, tuple(rate for rate, _ in found), check)
 
 
-def _tuned(manner: Manner, states: Array, ends: Array) -> Rate:
+def _tuned(manner: Manner, states: Array, ends: Array, bound: float) -> Rate:
     """Return a manner with the first setting whose ends are close enough."""
     for setting in manner.settings:
         begin = perf_counter()
         found = manner.many(states, setting)
         first = perf_counter() - begin
-        error = _error(found, ends)
-        if error <= ERROR:
+        error = float(np.abs(found[:, : ends.shape[1]] - ends).max())
+        if error <= bound:
             return Rate(manner, setting, error, len(states), first)
-    raise RuntimeError(f"{manner.label}: no setting reaches an error of {ERROR}")
-
-
-def _error(found: Array, ends: Array) -> float:
-    return float(np.abs(found[:, :2] - ends[:, :2]).max())
+    raise RuntimeError(f"{manner.label}: no setting reaches an error of {bound}")
 
 
 def _instants(problem: Problem) -> Array:
@@ -166,13 +140,49 @@ def _instants(problem: Problem) -> Array:
     return np.linspace(0, problem.duration, 3)
 
 
-def _simulate_many(problem: Problem, method: str, threads: int, states: Array, tolerance: float) -> Array:
+def by_simulate_many(problem: Problem, *, given: int | None = None) -> list[Manner]:
+    """Return `simulate_many` by both explicit methods, in one thread and two.
+
+    Args:
+        problem: the system.
+        given: how many coordinates are given, if the others follow from constraints; all states by default.
+    """
+    return [
+        Manner(f"symbody, simulate_many, {method}, {threads} thread{'s' * (threads > 1)}", many, TOLERANCES)
+        for method in ("dop853", "tsit5")
+        for threads in (1, 2)
+        for many in [partial(_simulate_many, problem, method, threads, given)]
+    ]
+
+
+def solve_ivp(problem: Problem, method: str) -> Manner:
+    """Return a loop of solve_ivp."""
+    functions = by_scipy.rates(problem), by_scipy.jacobian(problem)
+    many = partial(_solve_ivp, problem, method, *functions)
+    return Manner(f"Python loop of solve_ivp, {method}", many, TOLERANCES, is_loop=True)
+
+
+def loop_of_simulate(problem: Problem) -> Manner:
+    """Return a loop of `simulate`."""
+    return Manner("Python loop of simulate", partial(_simulate, problem), TOLERANCES, is_loop=True)
+
+
+def native(problem: Problem) -> Manner:
+    """Return the integration alone, with one set of parameters."""
+    return Manner("of which the native integrator, dop853, 1 thread", _native(problem), TOLERANCES)
+
+
+def _simulate_many(
+    problem: Problem, method: str, threads: int, given: int | None, states: Array, tolerance: float
+) -> Array:
+    names, count = problem.model.state, len(problem.model.state) if given is None else given
     runs = simulate_many(
         problem.equations,
         problem.parameters,
-        dict(zip(problem.model.state, states.T, strict=True)),
+        dict(zip(names[:count], states.T[:count], strict=True)),
         _instants(problem),
         method=method,
+        guess=dict(problem.initial) if count < len(names) else None,
         rtol=tolerance,
         atol=tolerance,
         threads=threads,

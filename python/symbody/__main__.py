@@ -5,9 +5,9 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Sequence
-from importlib.metadata import version
+from pathlib import Path
 
-from symbody.worksheet.command_line import add_convert_options, add_run_options
+import symbody
 
 COMMANDS = {
     "version": "print the version",
@@ -28,8 +28,8 @@ def main(words: Sequence[str] | None = None) -> int:
     parser = _parser()
     given = parser.parse_args(words)
     command = given.command
-    if command == "version":
-        print(f"symbody {version('symbody')}")
+    if given.version or command == "version":
+        print(f"symbody {symbody.__version__}")
     elif command == "doctor":
         return _doctor()
     elif command == "run":
@@ -52,7 +52,7 @@ def _parser() -> argparse.ArgumentParser:
         epilog=EPILOG,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    parser.add_argument("--version", action="version", version=f"symbody {version('symbody')}")
+    parser.add_argument("--version", action="store_true", help=COMMANDS["version"])
     commands = parser.add_subparsers(dest="command", title="commands", metavar="command")
     for name, purpose in COMMANDS.items():
         command = commands.add_parser(name, help=purpose, description=f"{purpose[0].upper()}{purpose[1:]}.")
@@ -61,6 +61,29 @@ def _parser() -> argparse.ArgumentParser:
         elif name == "convert":
             add_convert_options(command)
     return parser
+
+
+def add_run_options(parser: argparse.ArgumentParser) -> None:
+    """Add what ``symbody run`` takes."""
+    parser.add_argument(
+        "file", type=Path, help="the worksheet: a text export, .mpl, .txt, .mw, or a saved session"
+    )
+    parser.add_argument(
+        "--out", type=Path, metavar="DIR", help="where files are written (default: SHEET_out)"
+    )
+    parser.add_argument("--check", action="store_true", help="compare with the output that the file contains")
+    parser.add_argument("--quiet", action="store_true", help="print errors and the last line only")
+    parser.add_argument("--verbose", action="store_true", help="show what was taken for remarks")
+    parser.add_argument("--width", type=int, metavar="N", help="cut printed lines to N characters")
+    parser.add_argument(
+        "--any-folder", action="store_true", help="allow the sheet to read and write outside of its folders"
+    )
+
+
+def add_convert_options(parser: argparse.ArgumentParser) -> None:
+    """Add what ``symbody convert`` takes."""
+    parser.add_argument("file", type=Path, help="the worksheet")
+    parser.add_argument("program", type=Path, help="the Python program to be written, such as model.py")
 
 
 def _doctor() -> int:

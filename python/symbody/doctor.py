@@ -25,10 +25,12 @@ EXTRAS = {
     "jax": "runs generated JAX code",
     "control": "takes linear models: to_control",
     "dask": "runs simulate_many on the workers of a cluster",
+    "cuda": "simulate_many(device='cuda'), on a graphics processor of NVIDIA",
+    "study": "files of studies, and quantiles of many cases",
     "sundials": "the methods ida, ida2 and ida3 of simulate",
     "notebook": "Jupyter, which shows expressions, frames and equations as formulas",
 }
-"""The purpose of each extra; ``all`` is all of them."""
+"""The purpose of each extra; ``all`` is all of them but cuda."""
 
 MODULES = {
     "llvmlite": "llvmlite.binding",
@@ -36,6 +38,9 @@ MODULES = {
     "scipy": "scipy.spatial.transform",
     "dask": "dask.distributed",
     "scikit-sundae": "sksundae.ida",
+    "cupy-cuda12x": "cupy",
+    "nvidia-cuda-nvrtc-cu12": "nvidia.cuda_nvrtc",
+    "nvidia-cuda-runtime-cu12": "nvidia.cuda_runtime",
 }
 """The module of a package that symbody loads, where it has another name: the part with libraries in it."""
 

@@ -8,6 +8,32 @@ import inspect
 import warnings
 from types import FrameType
 
+__all__ = [
+    "ArgumentError",
+    "BodyError",
+    "CodegenError",
+    "ConstraintError",
+    "DivisionByZeroError",
+    "ExpressionError",
+    "FrameError",
+    "JointError",
+    "LoadError",
+    "ModelError",
+    "ModelNotice",
+    "ParameterError",
+    "ParseError",
+    "PictureError",
+    "ProgramError",
+    "ReportError",
+    "ResultsError",
+    "SimulationError",
+    "SymbodyError",
+    "ViewError",
+    "WorksheetError",
+    "notify",
+    "user_frame",
+]
+
 
 class SymbodyError(Exception):
     """The base class of all errors that symbody raises.

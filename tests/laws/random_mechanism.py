@@ -26,6 +26,7 @@ from symbody import (
     gear,
     ground,
     number,
+    pi,
     planar,
     point_on_curve,
     prismatic,
@@ -88,6 +89,9 @@ KINDS: dict[str, Make] = {
 MESHES = ("gear", "rack")
 """Kinds that couple two joints."""
 
+COUPLINGS = (*MESHES, "bevel")
+"""The same, with gears whose axes meet."""
+
 
 @dataclass
 class RandomMechanism:
@@ -122,7 +126,7 @@ def random_mechanism(
         members.append(link)
     tree = assemble(joints)
     position = {q: round(draw.uniform(0.3, 1.2), 3) for q in tree.coordinates}
-    if closing in MESHES:
+    if closing in COUPLINGS:
         joints += _meshing(draw, closing, members[-1])
         position |= {q: 0.3 for q in assemble(joints).coordinates if q not in position}
     elif closing is not None:
@@ -130,19 +134,23 @@ def random_mechanism(
     made = assemble(joints)
     if closing == "rack":
         position[functions_of_time("s_B")] = -0.6
-    if closing == "gear":
-        position[functions_of_time("phi_B")] = 0.6
+    if closing in ("gear", "bevel"):
+        position[functions_of_time("phi_B")] = 0.6 if closing == "gear" else -0.6
     return RandomMechanism(made, position)
 
 
 def _meshing(draw: Random, kind: str, carrier: Link) -> list[Joint]:
-    """Return two joints on a carrier, and the mesh of their children, at angles 0.3 and 0.6 or a shift of -0.6."""
+    """Return two joints on a carrier, and the mesh of their children, at angles 0.3 and 0.6 or -0.6 (or shifted)."""
     place = _place(draw)
     first = revolute("A", carrier, _link(draw, "pinion"), at=place, to=_place(draw))
     if kind == "rack":
         at = place * translate(number("0.7"), 2, 0)
         second = prismatic("B", carrier, _link(draw, "bar"), at=at, to=_place(draw), axis="X")
         return [first, second, rack("G", first, second, 2)]
+    if kind == "bevel":
+        at = place * rotate("X", number("2/3") * pi) * translate(0, 0, 2)
+        second = revolute("B", carrier, _link(draw, "bevel"), at=at, to=_place(draw))
+        return [first, second, gear("G", first, second, 2, 1)]
     at = place * translate(0, -1, 0)
     second = revolute("B", carrier, _link(draw, "ring"), at=at, to=_place(draw))
     return [first, second, gear("G", first, second, 2, 1, internal=True)]

@@ -34,12 +34,12 @@ from symbody import (
 from symbody.geometry import angular_velocity
 from symbody.multibody.joint.placed_joint import PlacedJoint
 from symbody.symbolic import free_symbols
-from tests.laws.random_mechanism import KINDS, MESHES, RandomMechanism, random_mechanism
+from tests.laws.random_mechanism import COUPLINGS, KINDS, MESHES, RandomMechanism, random_mechanism
 from tests.repeated import repeated
 
 FORMS = [
     *((kind, "tree") for kind in KINDS),
-    *((kind, "loop") for kind in (*KINDS, *MESHES) if kind != "free"),
+    *((kind, "loop") for kind in (*KINDS, *COUPLINGS) if kind != "free"),
 ]
 CASES = [
     *((*form, 0) for form in FORMS),

@@ -26,10 +26,13 @@ from symbody import (
     models,
     newton_euler,
     rotate,
+    simulate,
     simulate_many,
     sqrt,
     symbols,
     t,
+    time_derivative,
+    translate,
 )
 from symbody.codegen.llvm.jit import lanes
 from symbody.models import ClassicSystem
@@ -93,6 +96,27 @@ def test_models(name: str, method: str, monkeypatch: pytest.MonkeyPatch) -> None
     assert_same(*in_both_ways(monkeypatch, equations, varied(model, 3), model.initial, instants, **options))
 
 
+@pytest.mark.parametrize("name", ["four_bar", "slider_crank", "rolling_disc"])
+def test_initial_states_are_those_of_motions_alone(name: str) -> None:
+    """Constraints determine each of them, and where a bar is too long there is none."""
+    model: ClassicSystem = getattr(models, name)()
+    equations, first = newton_euler(model.system), next(iter(model.initial))
+    guess = {**{q: value for q, value in model.initial.items() if q != first}, **model.guess}
+    starts = model.initial[first] + np.random.default_rng(8).uniform(-0.2, 0.2, CASES)
+    parameters = varied(model, 4)
+    if name == "four_bar":
+        parameters = {**parameters, next(iter(model.parameters)): np.where(np.arange(CASES) == 7, 1e3, 1.0)}
+    options: dict[str, Any] = {"t": (0, 1e-3), "guess": guess, "rtol": 1e-5, "atol": 1e-5, "progress": False}
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ModelNotice)
+        runs = simulate_many(equations, parameters, {first: starts}, **options)
+        assert [one.index for one in runs.failures] == ([7] if name == "four_bar" else [])
+        for case in np.flatnonzero(runs.completed):
+            own = {key: np.broadcast_to(value, CASES)[case] for key, value in parameters.items()}
+            alone = simulate(equations, own, {first: starts[case]}, **options)
+            np.testing.assert_array_equal(runs.states[case], alone.states)
+
+
 @pytest.mark.parametrize("seed", range(3))
 def test_random_trees_with_events(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Some motions end at an event, each at an instant of its own, and their lanes take the next ones."""
@@ -118,3 +142,37 @@ def test_one_that_fails_fails_alone(monkeypatch: pytest.MonkeyPatch) -> None:
     alone, together = in_both_ways(monkeypatch, lagrange_equations(system), *given, (0, 3), rtol=1e-8)
     assert_same(alone, together)
     assert [one.index for one in together.failures] == [4]
+
+
+def test_one_on_a_circle_that_fails_fails_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The wind ends in one of them; each of its neighbours on the constraint is the motion alone."""
+    (x, y), (m, l, c) = functions_of_time("x y"), symbols("m l c")
+    bob = Body(translate(x, y, 0), m)
+    wind = Force(ground, sqrt(c - t), 0, 0, at=center_of_mass(bob), on=bob)
+    constraint = x**2 + y**2 - l**2
+    gravity = Vector(ground, 0, -9.81, 0)
+    system = System([bob], [wind], coordinates=[x, y], constraints=[constraint], gravity=gravity)
+    ends = np.full(CASES, 10.0)
+    ends[4] = 0.2
+    parameters = {m: 1.0, l: np.linspace(0.5, 1.5, CASES), c: ends}
+    given = newton_euler(system), parameters, {x: np.linspace(0.1, 0.4, CASES)}, (0, 0.5)
+    alone, together = in_both_ways(monkeypatch, *given, guess={y: -1.0}, rtol=1e-6, threads=1)
+    assert_same(alone, together)
+    assert [one.index for one in together.failures] == [4]
+
+
+@pytest.mark.parametrize("method", ["dop853", "tsit5"])
+def test_many_instants_and_work(method: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """States are read within nearly every step, and the work of the drag is an integral along the motion."""
+    (x, theta), (m, l, b) = functions_of_time("x theta"), symbols("m l b")
+    cart = Body(translate(x, 0, 0), m)
+    bob = Body(Point(translate(x, 0, 0) * rotate("Z", theta), 0, -l, 0), m)
+    drag = Force(ground, -b * time_derivative(x), 0, 0, at=center_of_mass(cart), on=cart)
+    system = System([cart, bob], [drag], coordinates=[x, theta], gravity=Vector(ground, 0, -9.81, 0))
+    given = {m: 1.0, l: 0.7, b: np.linspace(0, 1, CASES)}, {theta: np.linspace(0.5, 1.5, CASES)}
+    options: dict[str, Any] = {"method": method, "rtol": 1e-7, "threads": 1}
+    alone, together = in_both_ways(
+        monkeypatch, newton_euler(system), *given, np.linspace(0, 2, 301), **options
+    )
+    assert_same(alone, together)
+    assert alone.states.shape[-1] == 4 < alone.task.model.width

@@ -26,6 +26,7 @@ from symbody import (
     sin,
     time_derivative,
 )
+from symbody import t as time
 from symbody.models import ClassicSystem
 from tests.models.classics import BALANCING, CLASSICS, ELBOW, ELBOW_WEIGHT
 from tests.page.classic import Classic
@@ -292,6 +293,27 @@ def test_momentum_of_the_snakeboard() -> None:
     inputs = {model["Mr"]: 0.05, model["Ms"]: -0.002}
     motion = simulate(newton_euler(model.system), model.parameters, start, (0, 0.5), inputs=inputs, **TIGHT)
     assert_allclose(motion[time_derivative(p)], motion[rate], rtol=1e-6, atol=1e-8)
+
+
+def test_the_snakeboard_goes_along_a_circle_by_the_turns_of_its_rotor() -> None:
+    """At rest and with fixed axles p is zero: by a turn psi, the heading changes by -Jr sin(phi)^2 psi/(m l^2).
+
+    The way is ``-Jr sin(2 phi) psi/(2 m l)``, whatever the torque was.
+    """
+    model = models.snakeboard()
+    m, _, Jr, _, l = (model.parameters[model[name]] for name in ("m", "J", "Jr", "Jw", "l"))
+    x, y, theta, psi, phi = model.system.coordinates
+    inputs = {model["Mr"]: 0.02 + 0.1 * sin(3 * time) * cos(time), model["Ms"]: 0.0}
+    start = {**dict.fromkeys(map(time_derivative, model.system.coordinates), 0.0), theta: 0.3, phi: 0.4}
+    motion = simulate(newton_euler(model.system), model.parameters, start, (0, 12), inputs=inputs, **TIGHT)
+    turned = motion[psi] - motion[psi][0]
+    assert np.abs(turned).max() > 2 * np.pi
+    assert_allclose(motion[phi], 0.4, atol=1e-9)
+    assert_allclose(motion[theta] - 0.3, -Jr / (m * l**2) * np.sin(0.4) ** 2 * turned, atol=1e-8)
+    radius, way = l / np.tan(0.4), -Jr * np.sin(0.8) / (2 * m * l) * turned
+    heading = 0.3 + way / radius
+    assert_allclose(motion[x] - motion[x][0], radius * (np.sin(heading) - np.sin(0.3)), atol=1e-8)
+    assert_allclose(motion[y] - motion[y][0], radius * (np.cos(0.3) - np.cos(heading)), atol=1e-8)
 
 
 def test_balancing_robot() -> None:

@@ -9,9 +9,11 @@ from symbody import (
     Link,
     Mechanism,
     ModelNotice,
+    Torque,
     Vector,
     assemble,
     cylindrical,
+    equilibrium,
     free,
     friction,
     functions_of_time,
@@ -168,6 +170,20 @@ def test_a_spring_that_is_wound_up_counts_all_turns() -> None:
     wound = simulate(equations, {}, {state: 14.0}, t=(0, 0.5), rtol=1e-10, atol=1e-12)
     near = 14 - 4 * np.pi  # two turns before, which the state tells, and the pin does not
     np.testing.assert_allclose(wound[coil["angle"]], -near * np.cos(4 * wound.t), atol=1e-5)
+
+
+@pytest.mark.parametrize("near", [0.0, 5.0, 30.0])
+def test_a_spring_that_is_wound_up_has_an_equilibrium(near: float) -> None:
+    rotor = Link("rotor", 2.0, 1.0, 1.0, 0.5)
+    made = assemble([free("F", ground, rotor, axes="ZXY"), revolute("J", ground, rotor, loop=True)])
+    load = Torque(ground, 0, 0, 4.0, on=made.body(rotor))
+    pin = made.joint("J").freedom()
+    coil = torsion_spring(pin, 8.0, free_angle=14, on=made.body(rotor), all_turns=True, name="coil")
+    (state,) = coil.states
+    found = equilibrium(newton_euler(made.system([coil, load])), {}, guess={state: near})
+    assert found[state] == pytest.approx(14.5)
+    assert found[made.coordinates[3]] % (2 * np.pi) == pytest.approx(14.5 % (2 * np.pi))
+    np.testing.assert_allclose(found.eigenvalues, [-4j, 4j, -1], atol=1e-9)
 
 
 def test_all_turns_of_a_coordinate_need_no_state() -> None:

@@ -34,7 +34,10 @@ from symbody import (
     functions_of_time,
     gear,
     ground,
+    motor,
     newton_euler,
+    origin,
+    pi,
     planar,
     point_on_curve,
     prismatic,
@@ -256,6 +259,56 @@ def test_a_planetary_gear_turns_as_willis_says() -> None:
     assert motion.energy_drift < 1e-9
     teeth = [motion.evaluate(reaction(equations, name).force.components) for name in ("G1", "G2")]
     assert all(np.abs(each).max() < 1e-9 for each in teeth)  # nothing accelerates
+
+
+def test_bevel_gears_touch_where_their_pitch_circles_do() -> None:
+    """Both wheels have one velocity at the pitch point: r from one axis, R from the other."""
+    pinion, wheel, beta = Link("pinion", 1), Link("wheel", 1), symbols("beta")
+    A = revolute("A", ground, pinion, at=(0, 0, c), coordinate=p)
+    B = revolute("B", ground, wheel, at=rotate("X", beta) * translate(0, 0, 2 * c), coordinate=q)
+    made = assemble([A, B, gear("G", A, B, r, R)])
+    (mesh,) = made.constraints
+    assert mesh.condition == r * p + R * q
+    (closure,) = made.joint("G").closures
+    at = closure.at.projected(ground)
+    one, two = (velocity_at(at, made.frame(link)) for link in (pinion, wheel))
+    assert (two - one).projected(ground).components == (
+        closure.force * time_derivative(mesh.condition)
+    ).projected(ground).components
+    for link, radius in ((pinion, r), (wheel, R)):
+        x_, y_, _ = project(at - origin(made.frame(link)), made.frame(link)).components
+        assert x_**2 + y_**2 == radius**2
+
+
+def test_a_differential_shares_the_speed_of_its_carrier() -> None:
+    """``w_left + w_right = 2 w_carrier``; without losses, both sides have half of the torque."""
+    carrier, planet = (
+        Link("carrier", 1, 0.2, 0.2, 0.2),
+        Link("planet", 0.5, 0.02, 0.02, 0.01, center=(0, 0, 0.1)),
+    )
+    sides = [Link(name, 1, Iz=0.1) for name in ("left", "right")]
+    C = revolute("C", ground, carrier, axis="X")
+    P = revolute("P", carrier, planet)
+    joints = [C, P]
+    for side, turned in zip(sides, (1, -1), strict=True):
+        joints += [revolute(side.name, carrier, side, at=rotate("Y", turned * pi / 2))]
+        joints += [gear(f"{side.name}_teeth", joints[-1], P, 0.1, 0.05)]
+    made = assemble(joints)
+    drive = motor(C.coordinate, 3, on=made.body(carrier))
+    equations = newton_euler(made.system([drive]))
+    left = made.joint("left").joint.coordinate
+    motion = simulate(
+        equations, {}, {time_derivative(C.coordinate): 2.0, time_derivative(left): 3.0}, t=(0, 1)
+    )
+    one, two = (angular_velocity(made.frame(side)).projected(ground).components[0] for side in sides)
+    np.testing.assert_allclose(motion[one + two], 2 * motion[time_derivative(C.coordinate)], atol=1e-12)
+    assert motion.energy_drift < 1e-7
+    forces = [
+        reaction(equations, f"{side.name}_teeth", on=side, frame=made.frame(carrier)).force for side in sides
+    ]
+    along = [motion.evaluate(force.components)[1] for force in forces]
+    for force, rate in zip(along, (one, two), strict=True):  # at z = 0.1, about x
+        np.testing.assert_allclose(-0.1 * force, motion[0.1 * time_derivative(rate)], atol=1e-9)
 
 
 def test_gears_couple_joints_that_close_loops_in_the_plane() -> None:

@@ -499,6 +499,19 @@ def test_rolling_resistance_takes_energy_in_both_directions(speed: float) -> Non
     assert (energy[-1] < energy[0] - 10) if speed else (energy[-1] == 0)
 
 
+def test_rolling_resistance_grows_with_the_speed() -> None:
+    """``-My = R0 N (QSY1 + QSY3 |VS|/V0)``; the wheel is held at a steady slip of zero."""
+    place, turn = functions_of_time("place turn")
+    hub_frame = translate(place, 0, 0.3)
+    rolling = Body(hub_frame * rotate("Y", turn), 20, 1, 1, 1, name="rolling")
+    law = magic_formula(ROLLING | {"QSY3": 0.01, "LONGVL": 10})
+    resisted = tire(rolling, 0.3, law, load=200, carrier=hub_frame)
+    for ahead in (20.0, -40.0):
+        values = {time_derivative(place): ahead, time_derivative(turn): ahead / 0.3}
+        moment = 0.3 * 200 * (0.02 + 0.01 * abs(ahead) / 10)
+        assert resisted["My"].evaluate(values) == pytest.approx(-np.sign(ahead) * moment)
+
+
 def test_a_load_that_pulls_gives_no_forces() -> None:
     law = magic_formula(ROLLING)
     assert law(-100, 0.1, 0.1).longitudinal.is_zero

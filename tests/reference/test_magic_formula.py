@@ -12,7 +12,7 @@ import pytest
 from symbody import lambdify, magic_formula, symbols
 
 SETS: dict[str, Any] = json.loads((Path(__file__).parent / "magic_formula.json").read_text(encoding="utf-8"))
-N, kappa, slip, camber, pressure = symbols("N kappa slip camber pressure")
+N, kappa, slip, camber, pressure, speed = symbols("N kappa slip camber pressure speed")
 
 
 def rows(name: str) -> dict[str, np.ndarray]:
@@ -43,6 +43,14 @@ def test_forces_and_moments_are_those_of_mfeval(name: str) -> None:
         np.testing.assert_allclose(My, at["My"], rtol=1e-12)
     as_in_the_book = at["Mzr"] * (np.cos(at["alpha"]) / np.cos(np.tan(at["alpha"])) - 1)
     np.testing.assert_allclose(Mz, at["Mz"] + as_in_the_book, rtol=1e-6, atol=1e-6)
+
+
+def test_rolling_resistance_at_speeds_is_that_of_mfeval() -> None:
+    given, at = SETS["rolling resistance"], rows("rolling resistance")
+    law = magic_formula(given["coefficients"], version=given["version"], pressure=pressure)
+    f = lambdify([N, camber, speed, pressure], [law(N, 0, 0, camber, speed=speed).rolling])
+    (found,) = f(at["load"], at["camber"], at["speed"], at["pressure"])
+    np.testing.assert_allclose(found, at["My"], rtol=1e-9)
 
 
 def test_relaxation_lengths_are_those_of_mfeval() -> None:

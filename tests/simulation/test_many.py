@@ -226,9 +226,15 @@ class Lossy(Executor):
         return future
 
 
-def test_what_workers_lose_is_listed_and_the_rest_kept() -> None:
+def test_what_workers_lose_is_run_again() -> None:
+    executor = Lossy(lambda task: task in {1, 4, 6})
+    assert same(six(executor=executor), REFERENCE)
+    assert executor.count == 9
+
+
+def test_what_workers_lose_again_and_again_is_listed_and_the_rest_kept() -> None:
     with pytest.warns(ModelNotice) as notices:
-        runs = six(executor=Lossy(lambda task: task in {1, 4}))
+        runs = six(executor=Lossy(lambda task: task in {1, 4} or task > 5))
     (notice,) = notices
     assert str(notice.message) == (
         "simulate_many: 2 of 6 motions were not run (tasks of the executor failed (MemoryError: worker lost); expected "
@@ -369,7 +375,7 @@ def test_an_unfinished_file_is_completed(tmp_path: Path, monkeypatch: pytest.Mon
     with pytest.warns(
         ModelNotice, match="2 of 6 motions were not run .* the same call goes on with the rest"
     ):
-        six(path=file, executor=Lossy(lambda task: task in {1, 4}))
+        six(path=file, executor=Lossy(lambda task: task in {1, 4} or task > 5))
     counts = counted(monkeypatch)
     assert same(six(path=file), REFERENCE)
     assert counts == [2]

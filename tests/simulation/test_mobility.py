@@ -14,13 +14,16 @@ from symbody import (
     Frame,
     Link,
     Mechanism,
+    ModelNotice,
     System,
     assemble,
     functions_of_time,
     ground,
     mobility,
+    newton_euler,
     revolute,
     rotate,
+    simulate,
     symbols,
     time_derivative,
     translate,
@@ -160,8 +163,27 @@ def test_a_loop_that_closes_but_for_rounding_is_named() -> None:
     with pytest.raises(
         ConstraintError,
         match=r"the loop nearly closes at t = 0 s: .* the sides of revolute D on three and ground stay \d.\d+e-\d+ "
-        r"apart and are turned by \d.\d+e-\d+ rad; it has more constraints than coordinates, so that it closes with "
+        r"apart and are turned by \d.\d+e-\d+ rad; its constraints nearly depend on each other, so that it closes with "
         r"exact dimensions alone: give them with all digits, or as expressions such as pi/6, or let joints of the loop "
         r"have more freedoms, such as spherical",
     ):
         mobility(system, {}, {phi: 0.5})
+
+
+def test_cranks_in_a_row_that_close_but_for_rounding_are_named() -> None:
+    """Four conditions on four coordinates, one of which is given: the third crank is redundant."""
+    cranks = [Link(f"crank{k}", 1.0, Iz=0.1) for k in range(3)]
+    bar = Link("bar", 2.0, Iz=0.3)
+    joints = [
+        revolute(f"A{k}", ground, crank, at=(k / 3, 0, 0)) for k, crank in zip((0, 1, 3), cranks, strict=True)
+    ]
+    joints += [revolute("B0", cranks[0], bar, at=(0.2, 0, 0))]
+    for crank, place in zip(cranks[1:], (0.333333, 1), strict=True):
+        joints.append(revolute(f"B_{crank.name}", crank, bar, at=(0.2, 0, 0), to=(place, 0, 0), loop=True))
+    with pytest.warns(ModelNotice, match="leave no motion at almost every position"):
+        equations = newton_euler(assemble(joints).system())
+    first, second, third, tilt = equations.coordinates
+    with pytest.raises(
+        ConstraintError, match=r"the loop nearly closes .* its constraints nearly depend on each other"
+    ):
+        simulate(equations, {}, {first: 0.5}, t=(0, 1), guess={second: 0.5, third: 0.5, tilt: -0.5})

@@ -237,3 +237,19 @@ def test_limits_that_turn_out_reversed_are_reported():
         "simulate: the limits of revolute A have the least value above the largest one, so that no position is within "
         "them"
     )
+
+
+@pytest.mark.parametrize(("crown", "falls"), [(0, True), (0.1, True), (0.3, False)])
+def test_a_wheel_that_rolls_stops_where_it_lies_flat(crown: float, falls: bool):
+    """A ball leans as far as it likes."""
+    wheel = rolling("K", ground, LINK, radius=0.3, crown=crown)
+    equations = newton_euler(assemble([wheel]).system(gravity=Vector(ground, 0, 0, -9.81)))
+    lean = wheel.coordinates[3]
+    start = {lean: 1.4, time_derivative(lean): 2.0}
+    if not falls:
+        simulate(equations, {}, start, t=(0, 0.3))
+        return
+    with pytest.warns(ModelNotice, match=r"rolling K \(theta\) is beyond its limit by up to"):
+        simulate(equations, {}, start, t=(0, 0.3))
+    (end,) = simulate(equations, {}, start, t=(0, 0.3), events=stops(equations)).events
+    assert (end.event.name, end.state[lean]) == ("K.theta.upper", pytest.approx(np.pi / 2))

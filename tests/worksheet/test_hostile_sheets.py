@@ -43,5 +43,6 @@ def test_random_sheets(seed: int, tmp_path: Path) -> None:
             continue
         done = list(outcomes(cells, Interpreter(session)))
         assert all(outcome.error == "" or "line" in outcome.error for outcome in done)
+        assert not [outcome.error for outcome in done if "a fault of symbody" in outcome.error]
         verdicts(cells, done)
     assert {file.name for file in tmp_path.iterdir()} <= {"out"}

@@ -1,5 +1,10 @@
 """Nothing hangs: time, depth and size are limited, and the next statement runs."""
 
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
 import pytest
 
 from symbody.errors import WorksheetError
@@ -41,6 +46,40 @@ def test_a_loop_without_end_is_stopped() -> None:
     lines, errors = run("do k := 1 od: 5;", None, interpreter)
     assert lines == ["5"]
     assert errors == ["the statement ran for more than 0.2 s; it was stopped, and the next statement runs"]
+
+
+@pytest.mark.parametrize(
+    "long",
+    ["expand((1+x+y+z+u+v)^90):", "diff(sin(x*y)*exp(x^2)/(1+x^4), x$150):"],
+)
+def test_one_long_operation_is_stopped(long: str) -> None:
+    interpreter = Interpreter()
+    interpreter.session.limits.seconds = 0.1
+    lines, errors = run(f"{long} 5;", None, interpreter)
+    assert lines == ["5"]
+    assert errors == ["the statement ran for more than 0.1 s; it was stopped, and the next statement runs"]
+
+
+def test_a_long_motion_is_stopped() -> None:
+    interpreter = Interpreter()
+    sheet = "s := dsolve({diff(x(t),t) = cos(1000*t)*x(t), x(0) = 1}, numeric):"
+    assert run(f"{sheet} s(0.1):", None, interpreter) == ([], [])
+    interpreter.session.limits.seconds = 0.3
+    _, errors = run("s(10^6):", None, interpreter)
+    assert errors == ["the statement ran for more than 0.3 s; it was stopped, and the next statement runs"]
+
+
+def test_what_is_done_is_kept_when_a_run_is_interrupted(tmp_path: Path) -> None:
+    (tmp_path / "sheet.mpl").write_text("x := 1;\nprint(begun);\nexpand((1+a+b+c+d+e)^200):\ny := 2;\n")
+    command = [sys.executable, "-u", "-m", "symbody", "run", str(tmp_path / "sheet.mpl")]
+    child = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    assert child.stdout is not None
+    assert [child.stdout.readline(), child.stdout.readline()] == ["x := 1\n", "begun\n"]
+    child.send_signal(signal.SIGINT)
+    lines, errors = child.communicate(timeout=60)
+    assert lines == "2 statements, 0 failed, 0 compared, 0 different, 0 not comparable\n"
+    assert "interrupted: what was printed and written so far is kept" in errors
+    assert child.returncode == 130
 
 
 def test_an_error_has_a_place() -> None:

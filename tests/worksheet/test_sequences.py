@@ -58,8 +58,8 @@ CASES = {
         ["[a, b, b]", "{a, b, c}", "{a}", "{b}"],
     ),
     "a sum of a name": (
-        "sum(k,k=1..n);",
-        ["sum(k,k = 1 .. n)"],
+        "sum(k,k=1..n); sum(q[k],k=1..n);",
+        ["1/2*n^2+1/2*n", "sum(q[k],k = 1 .. n)"],
     ),
 }
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from symbody.worksheet.command_line import add_run_options
+from symbody.__main__ import add_run_options
 from symbody.worksheet.run import run_file
 
 INVALID = Path(__file__).parent / "invalid"

@@ -14,7 +14,8 @@ from pathlib import Path
 import pytest
 
 from symbody.symbolic import Expr
-from symbody.worksheet.check import verdicts
+from symbody.worksheet.check import verdict, verdicts
+from symbody.worksheet.check.align import aligned
 from symbody.worksheet.check.printed import functions_in, printed, value_of
 from symbody.worksheet.interpret import Interpreter
 from symbody.worksheet.outcome import Outcome
@@ -67,6 +68,33 @@ def test_nothing_differs_from_what_maple_printed(seed: str, compared: int) -> No
         verdict.reason.partition(", which")[0] for verdict in judged if verdict.kind == "not comparable"
     }
     assert reasons <= {"cut before anything complete", "a count of operations"}
+
+
+@pytest.mark.parametrize("seed", [NEWTON, TRIFILAR])
+def test_complete_results_are_no_longer_than_those_of_maple(seed: str) -> None:
+    """Of an output that was cut, nobody knows the length."""
+    cells, found, _ = ran(seed)
+    blocks = [
+        block
+        for block in verdict._blocks(cells)
+        if not verdict.is_picture(block.text) and "..." not in block.text
+    ]
+    partners = aligned(blocks, list(verdict._outputs(found)))
+    pairs = [
+        (block.text, ours.text) for block, ours in zip(blocks, partners, strict=True) if ours is not None
+    ]
+    assert len(pairs) >= 12
+    assert [ours for maple, ours in pairs if _length(ours) > _length(maple) and _is_same(maple, ours)] == []
+
+
+def _length(text: str) -> int:
+    return len("".join(text.split()))
+
+
+def _is_same(maple: str, ours: str) -> bool:
+    """Whether outputs are the same result: sets have another order."""
+    heads = [text.partition("=")[0].strip() for text in (maple, ours)]
+    return heads[0] == heads[1] and not maple.lstrip()[0].isdigit()
 
 
 #: For each result that was printed in full: the sheet, the beginning of what symbody prints, how many of those to pass

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from symbody.__main__ import add_run_options
 from symbody.worksheet import builtins
-from symbody.worksheet.command_line import add_run_options
 from symbody.worksheet.mbsymba import COMMANDS, describe
 from symbody.worksheet.run import run_file
 

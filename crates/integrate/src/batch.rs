@@ -83,7 +83,9 @@ pub fn integrate_many<N: Clone + PartialEq + Send>(
                 let Some(tableau) = tableau else { return take(None, &RefCell::default()) };
                 let noted: Vec<RefCell<Vec<N>>> = vec![RefCell::default(); lanes];
                 let job = |lane: &Lane| take(Some(lane), &noted[lane.number()]);
-                run_crew(lanes, dynamics, tableau, &job, &mut |lane| keep(&noted[lane], notes()));
+                run_crew(lanes, dynamics, (tableau, tolerances), &job, &mut |lane| {
+                    keep(&noted[lane], notes());
+                });
             });
         }
         drop(working);

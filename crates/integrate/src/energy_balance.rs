@@ -5,14 +5,14 @@ use crate::machine_code::BoundCode;
 use crate::tolerances::Tolerances;
 
 /// The number of steps between two checks of the energy, and of checks between two updates of the effect of errors.
-const LOOK: (usize, usize) = (4, 8);
+pub const LOOK: (usize, usize) = (4, 8);
 /// A safety factor on the imbalance that the errors of the steps explain, because these are estimates.
 const MARGIN: f64 = 10.0;
 /// The fraction of the energies that rounding errors may change.
 const ROUNDING: f64 = 1e-11;
 /// A loss of more than this fraction of the energy that changes, or of this many relative tolerances, is always
-/// reported.
-const MOST: (f64, f64) = (0.1, 200.0);
+/// reported: errors may explain it, but the motion is wrong.
+const MOST: (f64, f64) = (0.01, 200.0);
 
 /// A violation of the balance of energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,11 +35,14 @@ pub struct Balance<'a> {
     /// The largest energy that changes, and the largest of all energies.
     moving: f64,
     largest: f64,
-    /// The largest change of the energy by errors of one tolerance in each entry of the state, and of one absolute
-    /// tolerance.
-    spread: (f64, f64),
+    /// The largest change of the energy by errors of one tolerance in each entry of the state.
+    spread: f64,
+    /// The changes by errors of one absolute tolerance.
+    spreads: Vec<f64>,
     /// The violations of the balance, and their instants.
     seen: Vec<(f64, f64)>,
+    /// Instants and states whose energies are not evaluated yet, one after another: several at a time are quicker.
+    pending: Vec<f64>,
 }
 
 impl<'a> Balance<'a> {
@@ -51,14 +54,16 @@ impl<'a> Balance<'a> {
             first_potential: 0.0,
             moving: 0.0,
             largest: 0.0,
-            spread: (0.0, 0.0),
+            spread: 0.0,
+            spreads: Vec::new(),
             seen: Vec::new(),
+            pending: Vec::new(),
         };
-        if let Some([kinetic, potential]) = new.at(t, state) {
+        new.look(t, state);
+        if let Some([kinetic, potential]) = new.energies_of(&new.pending)[..].first().copied().flatten() {
             new.first = kinetic + potential - new.work(state);
             new.first_potential = potential;
         }
-        new.look(t, state);
         new
     }
 
@@ -70,29 +75,50 @@ impl<'a> Balance<'a> {
     }
 
     fn look(&mut self, t: f64, state: &[f64]) {
-        let Some([kinetic, potential]) = self.at(t, state) else { return };
-        let work = self.work(state);
-        for energy in [kinetic, potential - self.first_potential, work] {
-            self.moving = self.moving.max(energy.abs());
+        if self.energies.is_none() {
+            return;
         }
-        self.largest = self.largest.max(kinetic.abs() + potential.abs());
-        if self.seen.len() % LOOK.1 == 0 {
-            self.widen(t, state, kinetic + potential);
+        self.pending.push(t);
+        self.pending.extend_from_slice(state);
+        if self.pending.len() == LOOK.1 * (1 + state.len()) {
+            self.evaluate(state.len());
         }
-        self.seen.push((t, (kinetic + potential - work - self.first).abs()));
+    }
+
+    /// Check the balance at the pending states.
+    fn evaluate(&mut self, width: usize) {
+        let rows = std::mem::take(&mut self.pending);
+        for (row, energies) in rows.chunks(1 + width).zip(self.energies_of(&rows)) {
+            let (t, state) = (row[0], &row[1..]);
+            let Some([kinetic, potential]) = energies else { continue };
+            let work = self.work(state);
+            for energy in [kinetic, potential - self.first_potential, work] {
+                self.moving = self.moving.max(energy.abs());
+            }
+            self.largest = self.largest.max(kinetic.abs() + potential.abs());
+            if self.seen.len() % LOOK.1 == 0 {
+                self.widen(t, state, kinetic + potential);
+            }
+            self.seen.push((t, (kinetic + potential - work - self.first).abs()));
+        }
+        self.pending = rows;
+        self.pending.clear();
     }
 
     /// The violation until the end of a motion, if it exceeds what the errors of its steps explain. Their sum is in
     /// tolerances.
     pub fn imbalance(&mut self, t: f64, state: &[f64], errors: f64) -> Option<Imbalance> {
         self.look(t, state);
+        self.evaluate(state.len());
         let [kinetic, potential] = self.at(t, state)?;
         self.widen(t, state, kinetic + potential);
         // Work and energies of springs are integrals, so their errors are those of the energy that changes.
         let Tolerances { relative, absolute, .. } = self.tolerances;
-        let least = self.spread.1 + if self.has_work(state) { absolute } else { 0.0 };
-        let each = self.spread.0.max(least).max(relative * self.moving);
-        // Motions as small as the absolute tolerances may lose all of the energy that changes.
+        let by_work = if self.has_work(state) { absolute } else { 0.0 };
+        let each = self.spread.max(by_work).max(relative * self.moving);
+        // Motions as small as the absolute tolerances may lose all of the energy that changes. The median leaves out a
+        // short time of large accelerations, at which one tolerance would be much energy.
+        let least = self.usual_spread() + by_work;
         let most = MOST.0.max(MOST.1 * relative) * self.moving + MARGIN * least;
         let explained = (MARGIN * (1.0 + errors) * each).min(most) + ROUNDING * self.largest;
         let &(t, _) = self.seen.iter().find(|(_, off)| *off > explained)?;
@@ -110,29 +136,45 @@ impl<'a> Balance<'a> {
     }
 
     fn at(&self, t: f64, state: &[f64]) -> Option<[f64; 2]> {
-        let mut energies = [0.0; 2];
-        self.energies?.call(t, state, &mut energies);
-        energies.iter().all(|energy| energy.is_finite()).then_some(energies)
+        let row: Vec<f64> = std::iter::once(t).chain(state.iter().copied()).collect();
+        self.energies_of(&row).first().copied().flatten()
     }
 
-    /// Update the largest change of the energy by errors of one tolerance in each entry.
+    /// The energies at states, where they are finite: rows of an instant and a state.
+    fn energies_of(&self, rows: &[f64]) -> Vec<Option<[f64; 2]>> {
+        let Some(code) = self.energies.filter(|_| !rows.is_empty()) else { return Vec::new() };
+        let mut values = vec![0.0; rows.len() / code.inputs() * 2];
+        code.call_rows(rows, &mut values);
+        let energies = values.chunks(2).map(|energies| [energies[0], energies[1]]);
+        energies.map(|two| two.iter().all(|energy| energy.is_finite()).then_some(two)).collect()
+    }
+
+    /// Update the changes of the energy by errors of one tolerance in each entry.
     fn widen(&mut self, t: f64, state: &[f64], energy: f64) {
-        let Tolerances { relative, absolute, .. } = self.tolerances;
-        let both = self.changed(t, state, energy, |x| absolute + relative * x.abs());
-        let absolute = self.changed(t, state, energy, |_| absolute);
-        self.spread = (self.spread.0.max(both), self.spread.1.max(absolute));
+        let Tolerances { relative, absolute, controlled, .. } = self.tolerances;
+        let mut rows = Vec::with_capacity(2 * controlled * (1 + state.len()));
+        for relative in [relative, 0.0] {
+            for i in 0..controlled {
+                let row = rows.len() + 1;
+                rows.push(t);
+                rows.extend_from_slice(state);
+                rows[row + i] = state[i] + (absolute + relative * state[i].abs());
+            }
+        }
+        let changes: Vec<f64> = self
+            .energies_of(&rows)
+            .into_iter()
+            .map(|near| near.map_or(0.0, |[kinetic, potential]| (kinetic + potential - energy).abs()))
+            .collect();
+        let sum = |changes: &[f64]| changes.iter().fold(0.0, |sum, change| sum + change);
+        let (both, least) = changes.split_at(changes.len() / 2);
+        self.spread = self.spread.max(sum(both));
+        self.spreads.push(sum(least));
     }
 
-    /// The sum of the changes of the energy by an error in each entry.
-    fn changed(&self, t: f64, state: &[f64], energy: f64, error: impl Fn(f64) -> f64) -> f64 {
-        let mut near = state.to_vec();
-        let mut sum = 0.0;
-        for i in 0..self.tolerances.controlled {
-            near[i] = state[i] + error(state[i]);
-            let changed = self.at(t, &near);
-            sum += changed.map_or(0.0, |[kinetic, potential]| (kinetic + potential - energy).abs());
-            near[i] = state[i];
-        }
-        sum
+    /// The median of the changes by errors of one absolute tolerance.
+    fn usual_spread(&mut self) -> f64 {
+        self.spreads.sort_by(f64::total_cmp);
+        self.spreads.get(self.spreads.len() / 2).copied().unwrap_or(0.0)
     }
 }

@@ -2,13 +2,13 @@
 
 use crate::branch::Branch;
 use crate::dynamics::Dynamics;
-use crate::energy_balance::{Balance, Imbalance};
+use crate::energy_balance::{Balance, Imbalance, LOOK};
 use crate::event::{Occurrence, Watch};
 use crate::failure::Failure;
 use crate::method::Method;
 use crate::projection::Projection;
 use crate::start::start;
-use crate::stepper::{Statistics, Stepper};
+use crate::stepper::{Statistics, Stepper, Stretch};
 use crate::tolerances::Tolerances;
 use crate::trail::Trail;
 
@@ -124,11 +124,9 @@ impl Course<'_> {
         keep_going: &mut dyn FnMut(f64) -> bool,
     ) -> Result<(), Failure> {
         let mut patience = Patience::new(stepper.t(), end);
-        for step in 1.. {
-            if stepper.t() >= end {
-                break;
-            }
-            self.step(stepper, end, run)?;
+        let mut step = 0;
+        while stepper.t() < end {
+            step += self.step(stepper, (step, end), run)?;
             let events = self.watch.events_of_step(stepper, &mut self.projection)?;
             let last = events
                 .last()
@@ -155,12 +153,31 @@ impl Course<'_> {
         Ok(())
     }
 
+    /// Take a step, or several if nothing happens between them; return how many.
+    fn step(
+        &mut self,
+        stepper: &mut dyn Stepper,
+        (step, end): (usize, f64),
+        run: &mut Run,
+    ) -> Result<usize, Failure> {
+        if self.projection.is_needed() || self.watch.is_needed() || self.record.trail > 0 {
+            self.step_and_land(stepper, end, run)?;
+            return Ok(1);
+        }
+        let before = stepper.statistics().steps;
+        let until = self.record.instants.get(run.reached).copied().unwrap_or(end);
+        stepper.advance(end, Stretch { until, steps: LOOK.0 - step % LOOK.0 })?;
+        self.state.copy_from_slice(stepper.state());
+        self.is_read_well(stepper, run)?;
+        Ok(stepper.statistics().steps - before)
+    }
+
     /// Take a step whose end is on the constraints, and on the branch of the state before it.
     ///
     /// Close to a singular position, a step may end where no step can start, or its dense output may be noise. Then
     /// other lengths are tried, which end elsewhere. If none is certain, the last one is accepted and recorded as
     /// uncertain.
-    fn step(&mut self, stepper: &mut dyn Stepper, end: f64, run: &mut Run) -> Result<(), Failure> {
+    fn step_and_land(&mut self, stepper: &mut dyn Stepper, end: f64, run: &mut Run) -> Result<(), Failure> {
         let parts = if stepper.is_held_back() { CROSS } else { AGAIN };
         let (mut first, mut tried) = (None, 1.0);
         for time in 0.. {

@@ -35,5 +35,6 @@ pub use failure::Failure;
 pub use integrate::{Record, Run, integrate};
 pub use machine_code::{BoundCode, MachineCode};
 pub use method::Method;
+pub use runge_kutta::{Row, Tableau};
 pub use stepper::Statistics;
 pub use tolerances::Tolerances;

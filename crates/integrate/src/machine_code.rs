@@ -129,6 +129,11 @@ impl BoundCode {
         self.code.outputs
     }
 
+    /// The length of an instant and a state.
+    pub(crate) fn inputs(&self) -> usize {
+        1 + self.code.states
+    }
+
     /// The lane in which it is evaluated.
     pub(crate) fn lane(&self) -> Option<&Lane> {
         self.lane.as_ref()
@@ -148,5 +153,17 @@ impl BoundCode {
         inputs[0] = t;
         inputs[1..=state.len()].copy_from_slice(state);
         self.code.call(&inputs, out);
+    }
+
+    /// Write the values at several states: rows of an instant and a state, and rows of values.
+    pub(crate) fn call_rows(&self, rows: &[f64], out: &mut [f64]) {
+        let width = 1 + self.code.states;
+        assert_eq!(rows.len() / width * self.code.outputs, out.len(), "the outputs of compiled code");
+        if let Some(lane) = &self.lane {
+            return lane.evaluate_rows(rows, &self.inputs.borrow()[width..], out);
+        }
+        for (row, out) in rows.chunks(width).zip(out.chunks_mut(self.code.outputs)) {
+            self.call(row[0], &row[1..], out);
+        }
     }
 }

@@ -67,7 +67,7 @@ impl Method {
     }
 
     /// The coefficients of an explicit method, which motions can take in lock-step.
-    pub(crate) fn tableau(self) -> Option<&'static Tableau> {
+    pub fn tableau(self) -> Option<&'static Tableau> {
         match self.family() {
             Family::RungeKutta(tableau) => Some(tableau),
             Family::Diffsol(_) => None,

@@ -22,6 +22,15 @@ pub struct Statistics {
     pub stiff: bool,
 }
 
+/// How many steps a motion takes until it looks at them.
+#[derive(Clone, Copy, Debug)]
+pub struct Stretch {
+    /// It looks at the first step that reaches this instant.
+    pub until: f64,
+    /// The most steps.
+    pub steps: usize,
+}
+
 /// A method of integration, with the state that it has reached.
 pub trait Stepper {
     /// Whether a step can start at the state: its rates agree with those of a neighbouring state.
@@ -41,6 +50,11 @@ pub trait Stepper {
 
     /// Advance by one accepted step, not beyond `end`.
     fn step(&mut self, end: f64) -> Result<(), Failure>;
+
+    /// Advance by accepted steps, one at least. Nothing happens between them, and only the last one can be read.
+    fn advance(&mut self, end: f64, _stretch: Stretch) -> Result<(), Failure> {
+        self.step(end)
+    }
 
     /// The instant of the state.
     fn t(&self) -> f64;

@@ -15,6 +15,7 @@ use pyo3::prelude::*;
 use symbody_integrate as native;
 
 use crate::deficiency::{Noted, take};
+use crate::session::check_deadline;
 
 /// The time between two checks of signals and progress.
 const LOOK: Duration = Duration::from_millis(50);
@@ -38,8 +39,26 @@ type Run = (
     Vec<u8>,
     Option<f64>,
 );
-/// A run, and the deficiencies of its linear systems.
-type RunOfMany = (Run, Vec<Noted>);
+/// The number of a motion, its run, and the deficiencies of its linear systems.
+type RunOfMany = (usize, Run, Vec<Noted>);
+/// The statistics of all motions as bytes of whole numbers, five for each, -1 for those that were not begun; and the
+/// runs with something to tell.
+type Runs = (Vec<u8>, Vec<RunOfMany>);
+
+/// The order, the number of stages, whether the error needs the rates at the end, the bound of stability, the instants of
+/// the stages, and the rows of weights: of the stages, of the errors, of the dense output.
+type Coefficients = (i32, usize, bool, f64, Vec<f64>, Rows, Rows, Rows);
+type Rows = Vec<Vec<(usize, f64)>>;
+
+/// Return the coefficients of an explicit method; `None` for others.
+#[pyfunction]
+fn tableau(method: &str) -> PyResult<Option<Coefficients>> {
+    let rows = |rows: &[native::Row]| rows.iter().map(|row| row.to_vec()).collect();
+    Ok(named(method)?.tableau().map(|own| {
+        let native::Tableau { order, stages, evaluates_end, stability, c, a, errors, dense } = *own;
+        (order, stages, evaluates_end, stability, c.to_vec(), rows(a), rows(errors), rows(dense))
+    }))
+}
 
 /// A system of equations as compiled code.
 #[pyclass(frozen)]
@@ -135,8 +154,8 @@ impl Dynamics {
     ///
     /// `crew` is the number of threads, and that of the lanes of the code for several states, or 1.
     ///
-    /// `keep_going` is called with the number of motions that are done. Motions that were not begun have no run;
-    /// beside each run stands what its linear systems lacked.
+    /// `keep_going` is called with the number of motions that are done. Of a motion that just reached the last instant,
+    /// the statistics are returned alone; beside each other run stands what its linear systems lacked.
     #[allow(clippy::too_many_arguments, reason = "the arguments of an integration")]
     fn integrate_many(
         &self,
@@ -150,7 +169,7 @@ impl Dynamics {
         trail: usize,
         crew: (usize, usize),
         keep_going: Option<Py<PyAny>>,
-    ) -> PyResult<Vec<Option<RunOfMany>>> {
+    ) -> PyResult<Runs> {
         let method = named(method)?;
         let (begins, constants, instants) = (states.to_vec(py)?, constants.to_vec(py)?, instants.to_vec(py)?);
         let cases = begins.len() / self.states.max(1);
@@ -177,11 +196,34 @@ impl Dynamics {
             let mut watched = |done: usize| look.keeps_going(done as f64);
             native::integrate_many(&self.code, method, &cases, record, tolerances, crew, &mut watched, &take)
         });
-        look.error.map_or_else(
-            || Ok(runs.into_iter().map(|run| run.map(|(run, noted)| (as_tuple(run), noted))).collect()),
-            Err,
-        )
+        if let Some(error) = look.error {
+            return Err(error);
+        }
+        let states = written(&mut out)?.chunks((instants.len() * self.states).max(1));
+        let counts =
+            runs.iter().flat_map(|run| run.as_ref().map_or([-1; 5], |(run, _)| counts(run.statistics)));
+        let counts = counts.flat_map(i64::to_ne_bytes).collect();
+        let has_news = |(run, noted): &(native::Run, Vec<Noted>), states: &[f64]| {
+            !noted.is_empty() || has_news(run, &instants, &states[states.len() - self.states..])
+        };
+        let remarkable = runs.into_iter().zip(states).enumerate().filter_map(|(number, (run, states))| {
+            run.filter(|run| has_news(run, states)).map(|(run, noted)| (number, as_tuple(run), noted))
+        });
+        Ok((counts, remarkable.collect()))
     }
+}
+
+/// Whether a motion did anything else than reach the last instant, at a state.
+fn has_news(run: &native::Run, instants: &[f64], last: &[f64]) -> bool {
+    let is_whole = run.reached == instants.len() && instants.last() == Some(&run.end.0) && run.end.1 == last;
+    let is_plain = run.failure.is_none() && run.imbalance.is_none() && run.uncertain.is_none();
+    !(is_whole && is_plain && run.occurrences.is_empty() && run.trail.is_empty())
+}
+
+#[allow(clippy::cast_possible_wrap, reason = "no motion has 2^63 steps")]
+fn counts(statistics: native::Statistics) -> [i64; 5] {
+    let native::Statistics { steps, rejected, evaluations, jacobians, stiff, .. } = statistics;
+    [steps as i64, rejected as i64, evaluations as i64, jacobians as i64, i64::from(stiff)]
 }
 
 /// Asks Python from time to time whether to continue.
@@ -197,7 +239,7 @@ impl Look {
         Self { keep_going, last: Instant::now(), is_over: false, error: None }
     }
 
-    /// Ctrl-C ends the motion; the results so far are kept.
+    /// Ctrl-C ends the motion, and the results so far are kept; the end of a limit of time is an error.
     fn keeps_going(&mut self, progress: f64) -> bool {
         if self.is_over {
             return false;
@@ -207,6 +249,7 @@ impl Look {
         }
         let answer = Python::attach(|py| {
             py.check_signals()?;
+            check_deadline()?;
             self.keep_going.as_ref().map_or(Ok(true), |ask| ask.call1(py, (progress,))?.is_truthy(py))
         });
         self.last = Instant::now();
@@ -258,5 +301,6 @@ fn as_tuple(run: native::Run) -> Run {
 }
 
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<Dynamics>()
+    module.add_class::<Dynamics>()?;
+    module.add_function(wrap_pyfunction!(tableau, module)?)
 }

@@ -1,10 +1,12 @@
-//! The one graph of a process, the derivation of each thread, errors as Python exceptions, and Ctrl-C.
+//! The one graph of a process, the derivation of each thread, errors as Python exceptions, Ctrl-C, and limits of time.
 
 #![expect(unsafe_code, reason = "Python's functions for interrupts have no safe form")]
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
 
+use pyo3::exceptions::PyTimeoutError;
 use pyo3::ffi;
 use pyo3::prelude::*;
 use symbody_core::{Classes, Error, Graph, Id};
@@ -20,6 +22,9 @@ thread_local! {
     /// The classes of the derivations of this thread; the last one is in progress, and the others wait for its end.
     #[expect(clippy::vec_box, reason = "the graph holds the classes in progress by their box: moving it is moving a pointer")]
     static CLASSES: RefCell<Vec<Box<Classes>>> = const { RefCell::new(Vec::new()) };
+
+    /// When long work of this thread ends, if its time is limited.
+    static DEADLINE: Cell<Option<Instant>> = const { Cell::new(None) };
 }
 
 /// The graph while it is in the derivation of this thread; it leaves the derivation even if the work panics.
@@ -89,7 +94,7 @@ impl Made for usize {
     }
 }
 
-/// Run work that may take long on the graph, within the derivation of this thread. Ctrl-C ends it.
+/// Run work that may take long on the graph, within the derivation of this thread. Ctrl-C and a limit of time end it.
 pub fn long_with_graph<T: Made>(
     py: Python<'_>,
     work: impl FnMut(&mut Graph) -> Result<T, Error>,
@@ -98,18 +103,19 @@ pub fn long_with_graph<T: Made>(
     interruptible(py, || with_graph(|graph| work(graph)?.kept(graph)))
 }
 
-/// Run work that may take long on the graph, outside any derivation. Ctrl-C ends it.
+/// Run work that may take long on the graph, outside any derivation. Ctrl-C and a limit of time end it.
 pub fn long_with_forms<T>(py: Python<'_>, work: impl FnMut(&mut Graph) -> Result<T, Error>) -> PyResult<T> {
     let mut work = work;
     interruptible(py, || with_forms(&mut work))
 }
 
-/// Run work until its end, or until a signal arrives whose handler raises an exception.
+/// Run work until its end, until its time is over, or until a signal arrives whose handler raises an exception.
 fn interruptible<T>(py: Python<'_>, mut work: impl FnMut() -> Result<T, Error>) -> PyResult<T> {
     loop {
         if let Ok(result) = symbody_core::interruptible(is_interrupted, &mut work) {
             return raise(py, result);
         }
+        check_deadline()?;
         // The handler runs now, as it may use expressions, for which the graph must be free. If it raises nothing, the
         // work begins again, and finds the nodes that it has made.
         repeat_interrupt();
@@ -117,10 +123,20 @@ fn interruptible<T>(py: Python<'_>, mut work: impl FnMut() -> Result<T, Error>) 
     }
 }
 
-/// Whether Ctrl-C was pressed since the last question. Only the main thread is interrupted.
+/// Whether the time is over, or Ctrl-C was pressed since the last question. Only the main thread is interrupted.
 fn is_interrupted() -> bool {
     // SAFETY: the work runs while this thread holds the interpreter, and the function has no other condition.
-    unsafe { ffi::PyOS_InterruptOccurred() != 0 }
+    is_late() || unsafe { ffi::PyOS_InterruptOccurred() != 0 }
+}
+
+/// Whether the time of this thread's work is over.
+fn is_late() -> bool {
+    DEADLINE.get().is_some_and(|end| Instant::now() >= end)
+}
+
+/// Raise an error if the time of this thread's work is over.
+pub fn check_deadline() -> PyResult<()> {
+    if is_late() { Err(PyTimeoutError::new_err("the time limit is over")) } else { Ok(()) }
 }
 
 /// Let Python see the interrupt that `is_interrupted` took.
@@ -197,6 +213,15 @@ fn keep_order(order: Option<u32>) -> Option<u32> {
     CLASSES.with_borrow_mut(|classes| classes.last_mut().and_then(|last| last.keep_order(order)))
 }
 
+/// Let long work of this thread end after some seconds, or at its own end; returns what was left of a former limit.
+#[pyfunction]
+#[pyo3(signature = (seconds))]
+fn limit_time(seconds: Option<f64>) -> Option<f64> {
+    let limit = seconds.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
+    let before = DEADLINE.replace(limit.and_then(|limit| Instant::now().checked_add(limit)));
+    before.map(|end| end.saturating_duration_since(Instant::now()).as_secs_f64())
+}
+
 /// The number of nodes in the graph of this process.
 #[pyfunction]
 fn node_count() -> usize {
@@ -207,5 +232,6 @@ pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(begin_derivation, module)?)?;
     module.add_function(wrap_pyfunction!(end_derivation, module)?)?;
     module.add_function(wrap_pyfunction!(keep_order, module)?)?;
+    module.add_function(wrap_pyfunction!(limit_time, module)?)?;
     module.add_function(wrap_pyfunction!(node_count, module)?)
 }

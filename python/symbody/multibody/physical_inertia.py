@@ -18,18 +18,23 @@ One moment of inertia alone is given for a motion in a plane, or for a rotor: th
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Protocol, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, Protocol, TypeAlias, TypeVar
 
-import numpy as np
-from numpy.typing import NDArray
-
+from symbody.deferred import Deferred
 from symbody.errors import notify
 from symbody.geometry import Frame
 from symbody.geometry.frame.frame_velocity import pose_from
 from symbody.symbolic import Expr
 from symbody.symbolic.given.arguments import brief
 
-Array: TypeAlias = NDArray[np.float64]
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+else:
+    np = Deferred("numpy")
+
+
+Array: TypeAlias = "NDArray[np.float64]"
 
 
 class MassDistribution(Protocol):

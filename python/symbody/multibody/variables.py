@@ -273,6 +273,18 @@ class Variables:
             )
         return reduced
 
+    def with_states(self, rates: Mapping[Expr, Expr]) -> Self:
+        """Return the same with further states, on which nothing depends.
+
+        Args:
+            rates: the rate of each.
+        """
+        made = self._copied()
+        vars(made)["_given_rates"] = {**self._given_rates, **rates}
+        made.states = (*self.states, *rates)
+        made.whole = made if self.whole is self else self.whole.with_states(rates)
+        return made
+
     def _copied(self) -> Self:
         """Return a copy without what was found from its attributes."""
         made = copy(self)

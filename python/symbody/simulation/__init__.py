@@ -28,14 +28,25 @@ from symbody.simulation.steady_state.equilibrium import Equilibrium, equilibrium
 from symbody.simulation.steady_state.steady import steady
 from symbody.simulation.steady_state.steady_motion import SteadyMotion
 from symbody.simulation.steady_state.steady_motions import steady_motions
+from symbody.simulation.studies import measures, statistics
+from symbody.simulation.studies.fit.experiment import Experiment, Measurement
+from symbody.simulation.studies.fit.fit import fit
+from symbody.simulation.studies.fit.fitted import Fit
+from symbody.simulation.studies.sample.sample import sample
+from symbody.simulation.studies.sobol_indices import SobolIndices, sobol_indices
+from symbody.simulation.studies.study import study
+from symbody.simulation.studies.study_results import Study
 
 __all__ = [
     "Branch",
     "CriticalValue",
     "Equilibrium",
     "Event",
+    "Experiment",
+    "Fit",
     "FrequencyResponse",
     "InverseDynamics",
+    "Measurement",
     "Mobility",
     "Mode",
     "Modes",
@@ -45,29 +56,37 @@ __all__ = [
     "Redundancy",
     "RootLocus",
     "Runs",
+    "SobolIndices",
     "StateSpace",
     "SteadyMotion",
+    "Study",
     "Sweep",
     "TimeResponse",
     "consistent_state",
     "continuation",
     "crossing_branch",
     "equilibrium",
+    "fit",
     "frequency_response",
     "gradient_of_motion",
     "grid",
     "impulse_response",
     "inverse_dynamics",
+    "measures",
     "mobility",
     "modes",
     "redundant_constraints",
     "root_locus",
+    "sample",
     "simulate",
     "simulate_many",
+    "sobol_indices",
     "state_space",
+    "statistics",
     "steady",
     "steady_motions",
     "step_response",
     "stops",
+    "study",
     "sweep",
 ]

@@ -67,6 +67,7 @@ from symbody.symbolic.expression.multiple_of_pi import (
     multiple_of_pi,
     radians,
 )
+from symbody.symbolic.expression.time_limit import time_limit
 from symbody.symbolic.expression.vector_operations import (
     add3,
     cross3,
@@ -182,6 +183,7 @@ __all__ = [
     "time_derivative",
     "time_derivatives",
     "time_function",
+    "time_limit",
     "to_sympy",
     "truncated",
     "with_shared_sums",

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, Matrix, number
+from symbody.worksheet.complex_number import normal, root_of_negative
 from symbody.worksheet.naming import symbol
-from symbody.worksheet.numeric import power, quotient
+from symbody.worksheet.numeric import as_float, power, quotient
 from symbody.worksheet.print import text_of
 from symbody.worksheet.structure import Tree, tree_of
 from symbody.worksheet.value import (
@@ -30,7 +31,17 @@ from symbody.worksheet.value import (
 if TYPE_CHECKING:
     from symbody.worksheet.session import Session
 
-__all__ = ["binary", "identity", "matrix_product", "negated", "rebuilt", "scalar", "transposed"]
+__all__ = [
+    "binary",
+    "called_with",
+    "identity",
+    "matrix_product",
+    "negated",
+    "raised",
+    "rebuilt",
+    "scalar",
+    "transposed",
+]
 
 
 def scalar(session: Session, value: Value) -> Expr:
@@ -73,7 +84,7 @@ _SCALAR: dict[str, Callable[[Expr, Expr], Expr]] = {
 def binary(session: Session, operator: str, left: Value, right: Value) -> Value:
     """Return ``left operator right`` for one of ``+ - * / ^ . &*``."""
     if isinstance(left, Expr) and isinstance(right, Expr) and operator != "&*":
-        return _SCALAR[operator](left, right)
+        return raised(session, left, right) if operator == "^" else _combined(session, operator, left, right)
     if session.overload is not None:
         made = session.overload(session, operator, left, right)
         if made is not None:
@@ -86,6 +97,21 @@ def binary(session: Session, operator: str, left: Value, right: Value) -> Value:
     if operator == "." and _is_matrix(session, left, right):
         return _arrays(session, operator, session.resolve(left), session.resolve(right))
     return _SCALAR[operator](scalar(session, left), scalar(session, right))
+
+
+def _combined(session: Session, operator: str, left: Expr, right: Expr) -> Expr:
+    made = _SCALAR[operator](left, right)
+    return normal(made) if session.options.imaginary else made
+
+
+def raised(session: Session, base: Expr, exponent: Expr) -> Expr:
+    """Return a power of a scalar; the roots of negative numbers are complex."""
+    if base.is_constant and exponent.is_number and exponent.ratio[1] != 1:
+        known = as_float(base)
+        if known is not None and known < 0:
+            session.options.imaginary = True
+            return root_of_negative(base, exponent)
+    return _combined(session, "^", base, exponent)
 
 
 def _is_matrix(session: Session, left: Value, right: Value) -> bool:
@@ -314,5 +340,13 @@ def _build(session: Session, tree: Tree, new: dict[Expr, Value], build: Callable
     if tree.kind == "power":
         return binary(session, "^", build(tree.parts[0]), build(tree.parts[1]))
     if tree.kind == "function":
-        return session.call(symbol(tree.name), tuple(build(part) for part in tree.parts))
+        return session.call(symbol(tree.name), called_with(tree, [build(part) for part in tree.parts]))
     return tree.value
+
+
+def called_with(tree: Tree, parts: list[Value]) -> tuple[Value, ...]:
+    """Return the arguments with which a function is called: those of piecewise have conditions before the values."""
+    if tree.name != "piecewise":
+        return tuple(parts)
+    pairs = [(Relation("<", number(0), parts[i + 1]), parts[i]) for i in range(0, len(parts) - 1, 2)]
+    return (*(each for pair in pairs for each in pair), parts[-1])

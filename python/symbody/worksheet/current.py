@@ -12,6 +12,7 @@ from typing import Any, Protocol
 
 from symbody.symbolic import Expr, UndefinedFunction, free_symbols, pi, t, time_derivative
 from symbody.symbolic.expression.traverse import post_order
+from symbody.worksheet.complex_number import normal
 from symbody.worksheet.naming import symbol
 from symbody.worksheet.print import sort_key
 from symbody.worksheet.value import (
@@ -124,6 +125,8 @@ def _of_session(session: State, name: str) -> Value:
     if alias is not None:
         return current(session, alias)
     if name not in session.names:
+        if name == "I":
+            session.options.imaginary = True
         return CONSTANTS.get(name) or symbol(name)
     if name in session.resolving:
         return symbol(name)
@@ -232,6 +235,8 @@ def _scalar(session: State, value: Expr) -> Value:
     finally:
         names = session.depends.pop()
         _depend_on(session, names)
+    if session.options.imaginary and result is not value and isinstance(result, Expr):
+        result = normal(result)
     if not inside or not (names & _guarded(session)):
         if len(session.seen) > 500_000:
             session.seen.clear()

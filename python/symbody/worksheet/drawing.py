@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-from numpy.typing import NDArray
-
+from symbody.deferred import Deferred
+from symbody.symbolic import Expr
 from symbody.worksheet.session import Session
-from symbody.worksheet.value import Plot, Value
+from symbody.worksheet.value import Listed, Plot, Range, Value
 
 if TYPE_CHECKING:
+    import numpy as np
     from matplotlib.axes import Axes
+    from numpy.typing import NDArray
+else:
+    np = Deferred("numpy")
+
 
 __all__ = ["Piece", "drawn", "pieces_of"]
 
@@ -31,12 +36,18 @@ class Piece:
         points: a row of two or three coordinates for each point.
         labels: the names of the axes, or the text.
         color: a name of a colour, or nothing.
+        name: what the legend calls it.
+        line: how a curve is drawn: "solid", "dashed", "dotted" or "dashdot".
+        width: the width of a curve in points; nothing for the usual one.
     """
 
     kind: str
     points: NDArray[np.float64]
     labels: tuple[str, ...] = ()
     color: str = ""
+    name: str = ""
+    line: str = "solid"
+    width: float | None = None
 
 
 def pieces_of(plot: Plot) -> list[Piece]:
@@ -50,8 +61,8 @@ def pieces_of(plot: Plot) -> list[Piece]:
 def drawn(session: Session, plot: Plot) -> str:
     """Draw into a new file of the output folder, and return what the sheet prints of it."""
     animated = plot.kind == "animation"
-    number = 1 + sum(1 for _ in session.folder.glob("plot*.*"))
-    path = session.folder / f"plot{number}.{'html' if animated else 'png'}"
+    session.drawings += 1
+    path = session.folder / f"plot{session.drawings}.{'html' if animated else 'png'}"
     session.folder.mkdir(parents=True, exist_ok=True)
     frames = [pieces_of(each) for each in plot.data] if animated else [pieces_of(plot)]
     options = dict(plot.options)
@@ -84,7 +95,31 @@ def _write(path: Path, frames: list[list[Piece]], options: dict[str, Value]) -> 
         return ()
 
     animation = FuncAnimation(figure, step, frames=len(frames), interval=50)
-    path.write_text(animation.to_jshtml(), encoding="utf-8")
+    path.write_text(_with_symbols(animation.to_jshtml()), encoding="utf-8")
+
+
+_SYMBOLS = {
+    "minus": "\u2212",
+    "fast-backward": "|\u25c0\u25c0",
+    "step-backward": "|\u25c0",
+    "play fa-flip-horizontal": "\u25c0",
+    "pause": "||",
+    "play": "\u25b6",
+    "step-forward": "\u25b6|",
+    "fast-forward": "\u25b6\u25b6|",
+    "plus": "+",
+}
+"""Characters for the symbols of the buttons, which Matplotlib's page takes from the network."""
+
+
+def _with_symbols(page: str) -> str:
+    """Return the page of an animation with buttons that show without the network, and without a random name."""
+    name = re.search(r"anim([0-9a-f]{32})", page)
+    page = page.replace(name[1], "") if name else page
+    page = re.sub(r'<link rel="stylesheet"\s+href="https?:[^>]*>', "", page)
+    for kind, symbol in _SYMBOLS.items():
+        page = page.replace(f'<i class="fa fa-{kind}"></i>', symbol)
+    return page
 
 
 def _limits(frames: list[list[Piece]]) -> list[tuple[float, float]]:
@@ -98,16 +133,51 @@ def _limits(frames: list[list[Piece]]) -> list[tuple[float, float]]:
 def _fill(axes: Axes, pieces: list[Piece], options: dict[str, Value]) -> None:
     for piece in pieces:
         _add(axes, piece)
-    labels = next((piece.labels for piece in pieces if piece.kind == "curve" and piece.labels), ())
-    if len(labels) > 1 and len(pieces) == 1:
-        axes.set_xlabel(labels[0])
-        axes.set_ylabel(labels[1])
-    elif any(piece.labels for piece in pieces if piece.kind == "curve"):
-        axes.legend(loc="best", fontsize="small")
+    _label(axes, pieces, options)
     if "title" in options:
-        axes.set_title(str(getattr(options["title"], "text", options["title"])))
-    if str(options.get("scaling", "")).lower() == "constrained":
+        axes.set_title(_words(options["title"]))
+    if _words(options.get("scaling", "")).lower() == "constrained":
         axes.set_aspect("equal")
+    if _words(options.get("gridlines", "")).lower() == "true":
+        axes.grid(visible=True)
+    if _words(options.get("axes", "")).lower() == "none":
+        axes.set_axis_off()
+    _set_view(axes, options.get("view"))
+
+
+def _words(value: object) -> str:
+    """Return the text that an option is."""
+    truth = getattr(value, "truth", None)
+    return str(truth).lower() if isinstance(truth, bool) else str(getattr(value, "text", value))
+
+
+def _label(axes: Any, pieces: list[Piece], options: dict[str, Value]) -> None:
+    """Name the axes: as the option ``labels`` says, or as the curves have them; several curves have a legend."""
+    curves = [piece for piece in pieces if piece.kind in {"curve", "points"}]
+    labelled = [piece.labels for piece in curves if piece.labels]
+    given = options.get("labels")
+    if isinstance(given, Listed):
+        names = [_words(each) for each in given.items]
+    elif labelled and all(labels[0] == labelled[0][0] for labels in labelled):
+        names = list(labelled[0]) if len(curves) == 1 else [labelled[0][0]]
+    else:
+        names = []
+    for axis, name in zip("xyz", names, strict=False):
+        getattr(axes, f"set_{axis}label")(name)
+    if any(piece.name for piece in curves) or (len(curves) > 1 and labelled):
+        axes.legend(loc="best", fontsize="small")
+
+
+def _set_view(axes: Any, view: object) -> None:
+    """Set the limits of the axes: ``view = [a..b, c..d]``, or ``view = c..d`` of the last axis."""
+    ranges = dict(zip("xyz", view.items, strict=False)) if isinstance(view, Listed) else {"y": view}
+    for axis, span in ranges.items():
+        if isinstance(span, Range) and hasattr(axes, f"set_{axis}lim"):
+            ends = [
+                float(end) for end in (span.start, span.stop) if isinstance(end, Expr) and end.is_constant
+            ]
+            if len(ends) == 2:
+                getattr(axes, f"set_{axis}lim")(*ends)
 
 
 def _add(axes: Any, piece: Piece) -> None:
@@ -116,8 +186,9 @@ def _add(axes: Any, piece: Piece) -> None:
     if piece.kind == "text":
         axes.text(*(column[0] for column in columns), piece.labels[0], **color)
     elif piece.kind == "points":
-        axes.plot(*columns, "o", markersize=4, **color)
+        axes.plot(*columns, "o", markersize=4, label=piece.name or None, **color)
     elif piece.kind == "area" and len(columns) == 2:
         axes.fill(*columns, alpha=0.6, **color)
     else:
-        axes.plot(*columns, label=piece.labels[-1] if piece.labels else None, **color)
+        name = piece.name or (piece.labels[-1] if piece.labels else None)
+        axes.plot(*columns, label=name, linestyle=piece.line, linewidth=piece.width, **color)

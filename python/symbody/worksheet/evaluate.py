@@ -11,8 +11,10 @@ from symbody.symbolic import Expr, UndefinedFunction, number
 from symbody.worksheet import arithmetic, builtins, syntax
 from symbody.worksheet.builtins.arrays import from_columns, from_rows
 from symbody.worksheet.builtins.sets import joined_by
+from symbody.worksheet.complex_number import normal
 from symbody.worksheet.condition import compared, truth
 from symbody.worksheet.current import flattened, set_of
+from symbody.worksheet.entrywise import entrywise
 from symbody.worksheet.naming import symbol
 from symbody.worksheet.procedure import call_procedure
 from symbody.worksheet.select import selected
@@ -23,6 +25,7 @@ from symbody.worksheet.value import (
     Boolean,
     Builtin,
     Listed,
+    MapleSet,
     ProcedureValue,
     Quoted,
     Range,
@@ -414,7 +417,13 @@ class Evaluator:
                 )
             )
         self.session.limits.check()
-        return self._guarded(function, name, arguments)
+        made = self._guarded(function, name, arguments)
+        if (
+            isinstance(made, Expr | Listed | Sequence | Relation | MapleSet)
+            and self.session.options.imaginary
+        ):
+            return entrywise(self.session, made, normal)
+        return made
 
     def _application(self, name: str, arguments: tuple[Value, ...]) -> Value:
         if arguments and all(isinstance(each, Expr | Reference) for each in arguments):

@@ -8,11 +8,12 @@ from dataclasses import replace
 from typing import Any
 
 from symbody.errors import SymbodyError, WorksheetError
-from symbody.symbolic import Expr, UndefinedFunction, number
+from symbody.symbolic import Expr, UndefinedFunction, number, time_limit
 from symbody.worksheet import builtins, frame_face, mbsymba, operators, syntax
 from symbody.worksheet.builtins.files import read_file, save_file
 from symbody.worksheet.condition import truth
 from symbody.worksheet.evaluate import Evaluator
+from symbody.worksheet.naming import symbol
 from symbody.worksheet.numeric import as_float
 from symbody.worksheet.procedure import Leave, Returned
 from symbody.worksheet.reading.files import source_cells
@@ -98,9 +99,14 @@ class Interpreter:
         frames = sys.getrecursionlimit()
         sys.setrecursionlimit(max(frames, _FRAMES))
         try:
-            self._statement(statement, shown=statement.shown)
+            with time_limit(session.limits.seconds):
+                self._statement(statement, shown=statement.shown)
         except Returned:
             pass
+        except TimeoutError:
+            late = session.limits.exceeded()
+            late.place = statement.place
+            raise late from None
         except Leave:
             raise WorksheetError("break and next stand in loops only", statement.place) from None
         except RecursionError:
@@ -386,6 +392,7 @@ class Interpreter:
         try:
             return self._nested(node.body, shown=node.shown)
         except SymbodyError as error:
+            self.session.assign("lastexception", Sequence((symbol("unknown"), String(str(error)))))
             for texts, body in node.handlers:
                 if not texts or any(not text or text in str(error) for text in texts):
                     return self._nested(body, shown=node.shown)

@@ -12,7 +12,8 @@ __all__ = ["as_float", "as_integer", "decimal", "power", "quotient", "with_decim
 
 
 def decimal(value: float, digits: int = 10) -> Expr:
-    """Return a double as a decimal of so many digits."""
+    """Return a double as a decimal of so many digits; it has no more than 16."""
+    digits = min(digits, 16)
     if not math.isfinite(value):
         raise WorksheetError("the value is not a finite number")
     return number(

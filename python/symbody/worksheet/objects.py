@@ -12,12 +12,14 @@ from symbody.symbolic import Expr, Matrix, number, symbol
 from symbody.worksheet import frame_face
 from symbody.worksheet.mechanics import Mechanics, mechanics
 from symbody.worksheet.session import Session
-from symbody.worksheet.small_variables import entered, entered_frame, left, left_frame
+from symbody.worksheet.shortest import shortest
+from symbody.worksheet.small_variables import entered, entered_frame, left, left_frame, result
 from symbody.worksheet.value import Array, Listed, MapleSet, Reference, Table, Value
 from symbody.worksheet.value import Sequence as Several
 
 __all__ = [
     "Reader",
+    "computed",
     "described",
     "face_of",
     "fields_of",
@@ -97,7 +99,7 @@ def table_of_vector(session: Session, vector: Vector, frame: Value | None = None
     """
     modes = mechanics(session)
     shown = frame_face.ground_face(modes) if frame is None else frame
-    return made("VECTOR", frame=shown, comps=column(left(modes, vector.components), 0, modes))
+    return made("VECTOR", frame=shown, comps=column(result(modes, vector.components), 0, modes))
 
 
 # --- reading ---
@@ -133,7 +135,7 @@ class Reader:
         """Return an expression with the small variables marked."""
         found = self.session.current(value)
         if not isinstance(found, Expr):
-            raise WorksheetError(f"{self.where}: a {described(found)}; expected an expression")
+            raise WorksheetError(f"{self.where}: {described(found)}; expected an expression")
         return entered(self.modes, (found,))[0]
 
     def triple(self, values: Sequence[Value]) -> Triple:
@@ -151,7 +153,7 @@ class Reader:
         table = self.session.resolve(value)
         if isinstance(table, Table) and kind_of(table) in kinds:
             return table
-        raise WorksheetError(f"{self.where}: a {described(table)}; expected a {' or a '.join(kinds)}")
+        raise WorksheetError(f"{self.where}: {described(table)}; expected a {' or a '.join(kinds)}")
 
     def frame(self, value: Value) -> Frame:
         """Return the frame of a matrix, or of an object that has one."""
@@ -290,15 +292,22 @@ _WORDS: dict[type, str] = {
 
 
 def described(value: Value) -> str:
-    """Return what a value is, in a word."""
+    """Return what a value is, in a word with its article."""
     if isinstance(value, Table):
-        return kind_of(value) or "table"
+        return f"a {kind_of(value) or 'table'}"
     if isinstance(value, Expr):
-        return f"expression, {str(value)[:60]}"
-    return _WORDS.get(type(value), type(value).__name__.lower())
+        return f"an expression, {str(value)[:60]}"
+    word = _WORDS.get(type(value), type(value).__name__.lower())
+    return f"an {word}" if word[0] in "aeiou" else f"a {word}"
 
 
 # --- writing ---
+
+
+def computed(session: Session, kind: str, entries: Triple, frame: Value, **fields: Value | None) -> Table:
+    """Return an object that a command has found: its three entries are in a short form."""
+    x, y, z = shortest(entries)
+    return written(session, kind, (x, y, z), frame, **fields)
 
 
 def written(session: Session, kind: str, entries: Triple, frame: Value, **fields: Value | None) -> Table:

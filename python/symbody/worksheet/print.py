@@ -7,11 +7,11 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from symbody.symbolic import Expr
+from symbody.symbolic import Expr, number
 from symbody.symbolic.expression.traverse import post_order
 from symbody.worksheet.decimals import decimal_text
 from symbody.worksheet.source_text import procedure_text, source_text
-from symbody.worksheet.structure import Tree, tree_of
+from symbody.worksheet.structure import Tree, is_negative, tree_of
 from symbody.worksheet.value import (
     Array,
     Boolean,
@@ -261,10 +261,29 @@ def _reciprocal(base: Tree, text: str, exponent: Tree, style: Style) -> _Text | 
 def _function(node: Tree, parts: list[_Text], style: Style) -> _Text:
     if node.name in style.declared and [part for part, _ in parts] == ["t"]:
         return name_text(node.name), _ATOM
+    if node.name == "piecewise":
+        return _piecewise(node, parts, style), _ATOM
     name = style.functions.get(node.name, node.name)
     if not name.startswith(("D(", "D[", "(D@@")):
         name = name_text(name, style.raw)
     return f"{name}({','.join(part for part, _ in parts)})", _ATOM
+
+
+def _piecewise(node: Tree, parts: list[_Text], style: Style) -> str:
+    """Return the branches with their conditions; each is that an excess is positive."""
+    texts = [part for part, _ in parts]
+    branches = [f"{_condition(node.parts[i + 1], style)},{texts[i]}" for i in range(0, len(texts) - 1, 2)]
+    last = [] if node.parts[-1].value.is_zero else [texts[-1]]
+    return f"piecewise({','.join(branches + last)})"
+
+
+def _condition(excess: Tree, style: Style) -> str:
+    """Return ``x < a`` for the excess ``a - x``."""
+    terms = excess.parts if excess.kind == "sum" else (excess,)
+    negative = [term for term in terms if is_negative(term)]
+    low = sum((-term.value for term in negative), start=number(0))
+    high = sum((term.value for term in terms if term not in negative), start=number(0))
+    return f"{scalar_text(low, style)} < {scalar_text(high, style)}"
 
 
 def _derivative(node: Tree, parts: list[_Text], style: Style) -> _Text:

@@ -11,7 +11,18 @@ from symbody.worksheet.builtins import PACKAGES
 from symbody.worksheet.naming import symbol
 from symbody.worksheet.session import Scope, Session
 from symbody.worksheet.types import has_type
-from symbody.worksheet.value import NULL, Boolean, ProcedureValue, Reference, Relation, Sequence, Value
+from symbody.worksheet.value import (
+    NULL,
+    Boolean,
+    Listed,
+    MapleSet,
+    ProcedureValue,
+    Reference,
+    Relation,
+    Sequence,
+    String,
+    Value,
+)
 
 __all__ = ["Leave", "Returned", "call_procedure"]
 
@@ -48,6 +59,33 @@ def call_procedure(
         arguments: the values of its arguments.
         name: what it is called by.
     """
+    remembers = "remember" in getattr(procedure.definition, "options", ()) and _are_constant(arguments)
+    if remembers and arguments in procedure.results:
+        result: Value = session.current(procedure.results[arguments])
+        return result
+    value = _called(session, execute, procedure, arguments, name)
+    if remembers:
+        procedure.results[arguments] = value
+    return value
+
+
+def _are_constant(arguments: tuple[Value, ...]) -> bool:
+    """Whether arguments are none of what a sheet can change: tables and matrices."""
+    return all(
+        isinstance(each, Expr | String | Boolean)
+        or (isinstance(each, Listed | MapleSet) and _are_constant(each.items))
+        for each in arguments
+    )
+
+
+def _called(
+    session: Session,
+    execute: Callable[[Iterable[syntax.Statement]], Value],
+    procedure: ProcedureValue,
+    arguments: tuple[Value, ...],
+    name: str,
+) -> Value:
+    """Return the value of a procedure, worked out; the arguments are those of `call_procedure`."""
     if len(session.scopes) >= session.limits.depth:
         raise WorksheetError(f"{name}: too many levels of recursion ({session.limits.depth})")
     session.limits.check()

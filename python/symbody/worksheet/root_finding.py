@@ -5,15 +5,21 @@ from __future__ import annotations
 import itertools
 import random
 from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING, TypeAlias
 
-import numpy as np
-from numpy.typing import NDArray
-
+from symbody.deferred import Deferred
 from symbody.symbolic import Expr, jacobian
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+else:
+    np = Deferred("numpy")
+
 
 __all__ = ["newton"]
 
-Column = NDArray[np.float64]
+Column: TypeAlias = "NDArray[np.float64]"
 Bounds = tuple[float, float] | None
 
 _TOLERANCE = 1e-12

@@ -8,15 +8,18 @@ import time
 import warnings
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from symbody.errors import WorksheetError
-from symbody.worksheet.check import Verdict, verdicts
 from symbody.worksheet.interpret import Interpreter, Stop
 from symbody.worksheet.outcome import Outcome
 from symbody.worksheet.reading import located, names_in_code, read_source, statements
 from symbody.worksheet.session import Session
 from symbody.worksheet.source import Cell, Remark, SyntaxMistake
 from symbody.worksheet.syntax import Place, Statement
+
+if TYPE_CHECKING:
+    from symbody.worksheet.check import Verdict
 
 __all__ = ["Report", "outcomes", "run_file"]
 
@@ -75,9 +78,16 @@ def _executed(number: int, cell: Cell, statement: Statement, interpreter: Interp
         warnings.simplefilter("always")
         try:
             interpreter.execute(statement)
+        except Stop:
+            raise
         except WorksheetError as reason:
             place = reason.place if isinstance(reason.place, Place) else statement.place
             error = located(cell, place, str(reason))
+        except Exception as fault:
+            text = (
+                f"a fault of symbody, {type(fault).__name__}: {str(fault)[:200]}; please report the statement"
+            )
+            error = located(cell, statement.place, text)
     notices = [*session.notices, *(str(warning.message) for warning in raised)]
     lines = tuple(session.lines)
     return Outcome(number, statement.place.line, statement, lines, error, tuple(dict.fromkeys(notices)))
@@ -107,6 +117,8 @@ def run_file(options: argparse.Namespace) -> int:
         status = INTERRUPTED
     progress.clear()
     if options.check:
+        from symbody.worksheet.check import verdicts  # noqa: PLC0415 - a second reader, for those who ask
+
         report.verdicts = verdicts(cells, done)
         _show_verdicts(report.verdicts, quiet=options.quiet)
     print(report)

@@ -60,9 +60,13 @@ class Limits:
     def check(self) -> None:
         """Raise an error if the statement has run for too long."""
         if time.monotonic() > self.deadline:
-            raise WorksheetError(
-                f"the statement ran for more than {self.seconds:g} s; it was stopped, and the next statement runs"
-            )
+            raise self.exceeded()
+
+    def exceeded(self) -> WorksheetError:
+        """Return the error of a statement that has run for too long."""
+        return WorksheetError(
+            f"the statement ran for more than {self.seconds:g} s; it was stopped, and the next statement runs"
+        )
 
     def check_items(self, items: float) -> None:
         """Raise an error for sequences, loops of sequences and matrices of too many items."""
@@ -72,7 +76,7 @@ class Limits:
 
 @dataclass
 class Options:
-    """What ``interface``, ``Digits``, ``PDEtools[declare]`` and ``alias`` have set."""
+    """What ``interface``, ``Digits``, ``PDEtools[declare]`` and ``alias`` have set; which functions have occurred."""
 
     digits: int = 10
     places: int | None = None
@@ -80,11 +84,12 @@ class Options:
     declared: set[str] = field(default_factory=set)
     aliases: dict[str, Value] = field(default_factory=dict)
     reciprocals: set[str] = field(default_factory=set)
+    imaginary: bool = False
     printlevel: int = 1
 
 
 _KEPT = (
-    *("folder", "source", "any_folder", "lines", "notices", "limits"),
+    *("folder", "source", "any_folder", "lines", "notices", "limits", "drawings"),
     *("call", "evaluate", "run", "parsed", "rebuild", "select", "overload", "face"),
 )
 """What ``restart`` doesn't forget."""
@@ -112,6 +117,7 @@ class Session:
         indexed: base and indices of names such as ``a[1]``.
         applied: names that were applied to arguments other than t.
         unfinished: whether the last printed line has not ended.
+        drawings: how many files of drawings were written.
         rules: the names of the sheet's own rules of derivatives, ``diff/f``.
         files: the files that ``fopen`` has opened.
         resolving: names that are being evaluated.
@@ -151,6 +157,7 @@ class Session:
     resolving: list[str] = field(default_factory=list)
     depends: list[set[str]] = field(default_factory=list)
     unfinished: bool = False
+    drawings: int = 0
     rules: set[str] = field(default_factory=set)
     files: dict[Any, Any] = field(default_factory=dict)
     call: Callable[[Value, tuple[Value, ...]], Value] = field(default=lambda function, arguments: NULL)

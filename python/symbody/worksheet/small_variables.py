@@ -7,7 +7,7 @@ marked by `small`. What comes back keeps the terms up to an order in all d toget
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from typing import TypeVar
 
 from symbody.errors import ModelNotice, WorksheetError
@@ -15,12 +15,13 @@ from symbody.geometry import Frame
 from symbody.symbolic import Expr, number, small, substitute, symbol, taylor, time_derivative, truncated
 from symbody.worksheet.mechanics import Mechanics, mechanics
 from symbody.worksheet.session import Session
+from symbody.worksheet.shortest import shortest
 from symbody.worksheet.value import NULL, Array, Listed, MapleSet, Relation, Value
 from symbody.worksheet.value import Sequence as Several
 
 Kind = TypeVar("Kind")
 
-__all__ = ["entered", "entered_frame", "left", "left_frame", "linear_modeling", "linearize"]
+__all__ = ["entered", "entered_frame", "left", "left_frame", "linear_modeling", "linearize", "result"]
 
 
 def entered(modes: Mechanics, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
@@ -40,6 +41,11 @@ def left(modes: Mechanics, expressions: Sequence[Expr], order: int = 1) -> tuple
 def entered_frame(modes: Mechanics, frame: Frame) -> Frame:
     """Return a frame with the small variables marked."""
     return _quietly(lambda: frame.subs(_in(modes))) if modes.small else frame
+
+
+def result(modes: Mechanics, expressions: Sequence[Expr], order: int = 1) -> tuple[Expr, ...]:
+    """Return what a command has found, up to an order in the small variables, without marks, in a short form."""
+    return shortest(left(modes, expressions, order))
 
 
 def left_frame(modes: Mechanics, frame: Frame) -> Frame:
@@ -84,14 +90,15 @@ def linear_modeling(session: Session, *sets: Value) -> Value:
 def linearize(session: Session, value: Value, about: Value | None = None) -> Value:
     """linearize(e [, {x(t), ...}]): the first-order terms of an expression, an equation, a list, a set or a matrix."""
     modes = mechanics(session)
-    places = dict(_deviations(session, about, "linearize")) if about is not None else modes.small
+    kinds = ("symbol", "time_function", "application")
+    places = dict(_deviations(session, about, "linearize", kinds)) if about is not None else modes.small
     return _linear(session, session.current(value), places)
 
 
 def _linear(session: Session, value: Value, places: dict[Expr, Expr]) -> Value:
     match value:
         case Expr():
-            return taylor(value, places) if places else value
+            return _first_order(value, places) if places else value
         case Relation(operator, a, b):
             return Relation(operator, _linear(session, a, places), _linear(session, b, places))
         case Listed(items) | MapleSet(items) | Several(items):
@@ -104,7 +111,17 @@ def _linear(session: Session, value: Value, places: dict[Expr, Expr]) -> Value:
     )
 
 
-def _deviations(session: Session, value: Value, where: str) -> Iterable[tuple[Expr, Expr]]:
+def _first_order(value: Expr, places: dict[Expr, Expr]) -> Expr:
+    """Return the terms of first order; a function of another variable, ``phi(q)``, is a variable here."""
+    names = {x: symbol(f"_small{i}") for i, x in enumerate(places) if x.kind == "application"}
+    back = {name: x for x, name in names.items()}
+    at = {names.get(x, x): a for x, a in places.items()}
+    return taylor(value.subs(names), at).subs(back) if names else taylor(value, places)
+
+
+def _deviations(
+    session: Session, value: Value, where: str, kinds: Collection[str] = ("symbol", "time_function")
+) -> Iterable[tuple[Expr, Expr]]:
     """Return variables and the values from which they deviate; derivatives of functions are small with them."""
     items = value.items if isinstance(value, Listed | MapleSet | Several) else (value,)
     for item in items:
@@ -113,7 +130,7 @@ def _deviations(session: Session, value: Value, where: str) -> Iterable[tuple[Ex
             raise WorksheetError(f"{where}: expected variables, such as {{x(t), psi}}, or equations x(t) = a")
         if variable.is_number or (variable.kind == "time_function" and variable.order):
             continue
-        if variable.kind not in {"symbol", "time_function"}:
+        if variable.kind not in kinds:
             raise WorksheetError(
                 f"{where}: {session.text(variable)[:60]} is not a variable; expected names and functions of time"
             )

@@ -13,8 +13,9 @@ from operator import add, mul
 
 from symbody.symbolic import Expr, UndefinedFunction, number, t
 from symbody.symbolic.expression.traverse import post_order
+from symbody.worksheet.numeric import as_float, decimal
 
-__all__ = ["Tree", "leaves", "product_of", "sum_of", "tree_of", "walk"]
+__all__ = ["Tree", "is_negative", "leaves", "product_of", "sum_of", "tree_of", "walk"]
 
 _KEY_LENGTH = 120
 
@@ -151,7 +152,20 @@ def _call(value: Expr, name: str, arguments: list[Tree]) -> Tree:
 
 
 def _function(node: Expr, parts: list[Tree]) -> Tree:
+    if any(part.kind == "number" and part.value.is_decimal for part in parts) and (made := _decimal(node)):
+        return made
     return _call(node, FUNCTION_NAMES.get(node.name, node.name), parts)
+
+
+def _decimal(value: Expr) -> Tree | None:
+    """Return a constant that is made of decimals as the decimal that Maple shows; None if it isn't constant."""
+    found = as_float(value) if value.is_constant else None
+    return None if found is None else tree_of(decimal(found))
+
+
+def _is_radical(part: Tree) -> bool:
+    """Whether a factor is a root of a number."""
+    return part.kind == "power" and all(inner.kind == "number" for inner in part.parts)
 
 
 def _solution(node: Expr, parts: list[Tree]) -> Tree:
@@ -193,6 +207,10 @@ def product_of(parts: Iterable[Tree], value: Expr | None = None) -> Tree:
                 factors.append(factor)
     factors, content = _powers_joined(factors)
     coefficient = coefficient * content
+    if coefficient.is_decimal and any(map(_is_radical, factors)):
+        coefficient = reduce(mul, (part.value for part in factors if _is_radical(part)), coefficient)
+        coefficient = decimal(as_float(coefficient) or 0.0)
+        factors = [part for part in factors if not _is_radical(part)]
     if coefficient.is_zero or not factors:
         return tree_of(coefficient)
     unit = coefficient == 1 and not coefficient.is_decimal
@@ -253,7 +271,7 @@ def sum_of(parts: Iterable[Tree], value: Expr | None = None) -> Tree:
     if not terms:
         return tree_of(number(0))
     terms.sort(key=_term_order)
-    first = next((i for i, term in enumerate(terms) if not _is_negative(term)), 0)
+    first = next((i for i, term in enumerate(terms) if not is_negative(term) and not _is_imaginary(term)), 0)
     terms.insert(0, terms.pop(first))
     if value is None:
         value = reduce(add, (term.value for term in terms))
@@ -261,7 +279,8 @@ def sum_of(parts: Iterable[Tree], value: Expr | None = None) -> Tree:
     return Tree("sum", value, tuple(terms), key=key[:_KEY_LENGTH])
 
 
-def _is_negative(term: Tree) -> bool:
+def is_negative(term: Tree) -> bool:
+    """Whether the number of a term is negative."""
     return _coefficient(term).ratio[0] < 0
 
 
@@ -269,6 +288,8 @@ def _merged(terms: list[Tree]) -> list[Tree]:
     """Return terms with those joined that differ by a number only, as Maple joins them at once."""
     if len(terms) < 2:
         return terms
+    if any(term.kind == "number" and term.value.is_decimal for term in terms):
+        terms = _radicals_joined(terms)
     groups: dict[tuple[Expr, ...], list[Tree]] = {}
     for term in terms:
         groups.setdefault(_monomial(term), []).append(term)
@@ -285,6 +306,26 @@ def _merged(terms: list[Tree]) -> list[Tree]:
     return joined
 
 
+def _radicals_joined(terms: list[Tree]) -> list[Tree]:
+    """Return terms with the roots of numbers joined to the decimal among them."""
+    constant = [
+        term for term in terms if term.kind == "number" or all(map(_is_radical_or_number, _factors(term)))
+    ]
+    if len(constant) < 2:
+        return terms
+    total = _decimal(reduce(add, (term.value for term in constant)))
+    rest = [term for term in terms if term not in constant]
+    return terms if total is None else [*rest, total]
+
+
+def _factors(term: Tree) -> tuple[Tree, ...]:
+    return term.parts if term.kind == "product" else (term,)
+
+
+def _is_radical_or_number(part: Tree) -> bool:
+    return part.kind == "number" or _is_radical(part)
+
+
 def _monomial(term: Tree) -> tuple[Expr, ...]:
     """Return the factors of a term but for its number."""
     if term.kind == "number":
@@ -299,7 +340,14 @@ def _coefficient(term: Tree) -> Expr:
 
 
 def _term_order(term: Tree) -> tuple[bool, int, str]:
-    return (term.kind == "number", -_degree(term), term.key)
+    imaginary = _is_imaginary(term)
+    return (term.kind == "number" or imaginary, 1 if imaginary else -_degree(term), term.key)
+
+
+def _is_imaginary(term: Tree) -> bool:
+    """Whether a term is I, or a number times I: these follow the real number."""
+    last = term.parts[-1] if term.kind == "product" and len(term.parts) == 2 else term
+    return last.name == "I" and last.kind == "name" and (last is term or term.parts[0].kind == "number")
 
 
 def _degree(term: Tree) -> int:

@@ -121,10 +121,11 @@ class Array:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ProcedureValue:
-    """A procedure or an operator ``x -> ..``, with the scope that it was made in."""
+    """A procedure or an operator ``x -> ..``, with the scope that it was made in, and the results that it remembers."""
 
     definition: syntax.Procedure | syntax.Arrow
     scope: Any = None
+    results: dict[tuple[Any, ...], Any] = field(default_factory=dict, compare=False, repr=False)
 
 
 @dataclass(frozen=True, slots=True)

@@ -38,6 +38,33 @@ impl<const W: usize> Columns<W> {
         self.outputs = outputs;
     }
 
+    /// Write the values for several states of one motion: rows of an instant and a state, and rows of values.
+    pub fn evaluate_rows(
+        &mut self,
+        rows: &[f64],
+        constants: &[f64],
+        out: &mut [f64],
+        noted: &mut dyn FnMut(usize),
+    ) {
+        let (width, outputs) = (self.inputs.len() - constants.len(), self.outputs.len());
+        for (column, constant) in self.inputs[width..].iter_mut().zip(constants) {
+            *column = [*constant; W];
+        }
+        for (rows, out) in rows.chunks(W * width).zip(out.chunks_mut(W * outputs)) {
+            for (lane, row) in rows.chunks(width).enumerate() {
+                write(lane, row, &mut self.inputs[..width]);
+            }
+            let count = rows.len() / width;
+            self.evaluate(&mut Waiting {
+                lanes: std::array::from_fn(|lane| lane < count),
+                noted: &mut *noted,
+            });
+            for (lane, out) in out.chunks_mut(outputs).enumerate() {
+                read(lane, &self.outputs, out);
+            }
+        }
+    }
+
     /// Write the values for the states of all lanes; where conditions ask for it, for one state after another.
     pub fn evaluate_into(&mut self, values: &mut [[f64; W]], waiting: &mut Waiting<'_, W>) {
         if self.conditions == 0 {

@@ -9,19 +9,24 @@
 
 mod columns;
 mod stages;
+mod stretch;
+mod vectors;
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
 use corosensei::stack::DefaultStack;
 use corosensei::{Coroutine, CoroutineResult, Yielder};
 
 use crate::dynamics::Dynamics;
-use crate::lane::{Desk, Lane, Request, StepResults};
+use crate::lane::{Arrival, Beginning, Desk, Lane, Request, StepResults};
 use crate::machine_code::MachineCode;
 use crate::runge_kutta::Tableau;
+use crate::stepper::{Statistics, Stretch};
+use crate::tolerances::Tolerances;
 use columns::{Columns, Waiting, read, write};
 use stages::StepColumns;
+use stretch::Stretches;
 
 /// The memory of the stack of a motion; only what is used is taken from the system.
 const STACK: usize = 1 << 20;
@@ -30,34 +35,59 @@ const STACK: usize = 1 << 20;
 struct Crew<const W: usize> {
     tableau: &'static Tableau,
     functions: Vec<RefCell<Option<Columns<W>>>>,
+    /// The same functions, at several states of one motion.
+    of_rows: Vec<RefCell<Option<Columns<W>>>>,
     step: RefCell<StepColumns<W>>,
+    stretches: RefCell<Stretches<W>>,
+    /// Whether code for one state was run for a motion since it was resumed.
+    can_have_noted: Cell<bool>,
 }
 
 impl<const W: usize> Crew<W> {
-    fn new(dynamics: &Dynamics<MachineCode>, tableau: &'static Tableau) -> Self {
-        let functions = dynamics.functions();
+    fn new(dynamics: &Dynamics<MachineCode>, tableau: &'static Tableau, tolerances: Tolerances) -> Self {
+        let columns =
+            || dynamics.functions().iter().map(|code| RefCell::new(code.and_then(Columns::of))).collect();
+        let entries = dynamics.rates.outputs();
         Self {
             tableau,
-            functions: functions.iter().map(|code| RefCell::new(code.and_then(Columns::of))).collect(),
-            step: RefCell::new(StepColumns::new(tableau, dynamics.rates.outputs())),
+            functions: columns(),
+            of_rows: columns(),
+            step: RefCell::new(StepColumns::new(tableau, entries)),
+            stretches: RefCell::new(Stretches::new(tableau, tolerances, entries)),
+            can_have_noted: Cell::new(false),
         }
     }
 
     /// Evaluate what some motions wait for, and let them continue. Steps wait until no motion waits for anything else, so
     /// that all lanes take them together.
     fn serve(&self, requests: &mut [Option<Request>; W], noted: &mut dyn FnMut(usize)) {
-        let first = requests.iter().flatten().find(|request| **request != Request::Step);
-        let Some(&wanted @ Request::Function(number)) = first else {
-            let lanes = requests.map(|request| request.is_some());
-            self.columns(Dynamics::<MachineCode>::RATES, |rates| {
-                self.step.borrow_mut().take(self.tableau, rates, &mut Waiting { lanes, noted });
-            });
-            *requests = [None; W];
-            return;
+        let functions = requests.iter().flatten();
+        let Some(&wanted @ Request::Function(number)) =
+            functions.clone().find(|request| matches!(request, Request::Function(_)))
+        else {
+            return self.serve_steps(requests, noted);
         };
         let lanes = requests.map(|request| request == Some(wanted));
         self.columns(number, |columns| columns.evaluate(&mut Waiting { lanes, noted }));
         for (request, _) in requests.iter_mut().zip(lanes).filter(|(_, is_waiting)| *is_waiting) {
+            *request = None;
+        }
+    }
+
+    /// Take a step of all lanes.
+    fn serve_steps(&self, requests: &mut [Option<Request>; W], noted: &mut dyn FnMut(usize)) {
+        let lanes = requests.map(|request| request.is_some());
+        let mut is_done = lanes;
+        self.columns(Dynamics::<MachineCode>::RATES, |rates| {
+            let (mut step, mut waiting) = (self.step.borrow_mut(), Waiting { lanes, noted });
+            if requests.contains(&Some(Request::Stretch)) {
+                is_done = self.stretches.borrow_mut().take(&mut step, rates, &mut waiting);
+            } else {
+                step.take_first(rates, &mut waiting);
+                step.take(self.tableau, rates, &mut waiting);
+            }
+        });
+        for (request, _) in requests.iter_mut().zip(is_done).filter(|(_, is_done)| *is_done) {
             *request = None;
         }
     }
@@ -88,6 +118,12 @@ impl<const W: usize> Desk for Crew<W> {
         self.columns(function, |columns| read(lane, &columns.outputs, out));
     }
 
+    fn evaluate_rows(&self, function: usize, rows: &[f64], constants: &[f64], out: &mut [f64]) {
+        if let Some(columns) = self.of_rows[function].borrow_mut().as_mut() {
+            columns.evaluate_rows(rows, constants, out, &mut |_| self.can_have_noted.set(true));
+        }
+    }
+
     fn put_step(&self, lane: usize, (t, h): (f64, f64), before: &[f64]) {
         let mut columns = self.step.borrow_mut();
         (columns.t[lane], columns.h[lane]) = (t, h);
@@ -106,6 +142,22 @@ impl<const W: usize> Desk for Crew<W> {
     fn read_rates(&self, lane: usize, stage: usize, rates: &mut [f64]) {
         read(lane, self.step.borrow().rates(stage), rates);
     }
+
+    fn begin(&self, lane: usize, beginning: &Beginning<'_>) {
+        self.stretches.borrow_mut().begin(lane, beginning, &mut self.step.borrow_mut());
+    }
+
+    fn put_stretch(&self, lane: usize, stretch: Stretch, statistics: Statistics) {
+        self.stretches.borrow_mut().put(lane, stretch, statistics);
+    }
+
+    fn read_arrival(&self, lane: usize, before: &mut [f64], after: &mut [f64]) -> Arrival {
+        self.stretches.borrow().arrival(lane, before, after, &self.step.borrow())
+    }
+
+    fn has_dense_stages(&self) -> bool {
+        self.stretches.borrow().has_dense_stages()
+    }
 }
 
 /// Run a job in each lane, to its end: it integrates motion after motion, in the lane that it gets. `noted` is called
@@ -116,25 +168,25 @@ impl<const W: usize> Desk for Crew<W> {
 pub fn run_crew(
     width: usize,
     dynamics: &Dynamics<MachineCode>,
-    tableau: &'static Tableau,
+    (tableau, tolerances): (&'static Tableau, Tolerances),
     job: &dyn Fn(&Lane),
     noted: &mut dyn FnMut(usize),
 ) {
     match width {
-        2 => run::<2>(dynamics, tableau, job, noted),
-        4 => run::<4>(dynamics, tableau, job, noted),
-        8 => run::<8>(dynamics, tableau, job, noted),
+        2 => run::<2>(dynamics, (tableau, tolerances), job, noted),
+        4 => run::<4>(dynamics, (tableau, tolerances), job, noted),
+        8 => run::<8>(dynamics, (tableau, tolerances), job, noted),
         _ => unreachable!("vectors have two, four or eight lanes"),
     }
 }
 
 fn run<const W: usize>(
     dynamics: &Dynamics<MachineCode>,
-    tableau: &'static Tableau,
+    (tableau, tolerances): (&'static Tableau, Tolerances),
     job: &dyn Fn(&Lane),
     noted: &mut dyn FnMut(usize),
 ) {
-    let crew = Rc::new(Crew::<W>::new(dynamics, tableau));
+    let crew = Rc::new(Crew::<W>::new(dynamics, tableau, tolerances));
     let mut motions: Vec<Option<Coroutine<(), Request, ()>>> =
         (0..W).map(|number| coroutine(Rc::clone(&crew), number, job)).map(Some).collect();
     let mut waiting = [None; W];
@@ -147,7 +199,7 @@ fn run<const W: usize>(
                 CoroutineResult::Yield(next) => *request = Some(next),
                 CoroutineResult::Return(()) => *motion = None,
             }
-            if can_note {
+            if can_note | crew.can_have_noted.take() {
                 noted(number);
             }
         }

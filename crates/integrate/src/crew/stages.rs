@@ -1,22 +1,21 @@
 //! The stages of one step of an explicit Runge–Kutta method, of a motion in each lane: each has its own time and step.
 
-#![allow(unsafe_code, reason = "wider vectors, where the processor that runs this has them")]
-
 use crate::runge_kutta::Tableau;
 
 use super::columns::{Columns, Waiting};
+use super::vectors::{Loop, in_vectors};
 
 /// A step of each lane.
 pub(super) struct StepColumns<const W: usize> {
-    entries: usize,
+    pub entries: usize,
     pub t: [f64; W],
     pub h: [f64; W],
     pub before: Vec<[f64; W]>,
     pub after: Vec<[f64; W]>,
     /// The state at which the last stage was evaluated.
     pub last_stage: Vec<[f64; W]>,
-    /// The rates at the stages, and at the end of the step, one after another.
-    rates: Vec<[f64; W]>,
+    /// The rates at the stages, at the end of the step, and at the stages of the dense output, one after another.
+    pub rates: Vec<[f64; W]>,
     /// The estimates of the error.
     pub errors: Vec<Vec<[f64; W]>>,
 }
@@ -31,7 +30,7 @@ impl<const W: usize> StepColumns<W> {
             before: zeros(1),
             after: zeros(1),
             last_stage: zeros(1),
-            rates: zeros(tableau.stages + 1),
+            rates: zeros(tableau.c.len()),
             errors: tableau.errors.iter().map(|_| zeros(1)).collect(),
         }
     }
@@ -41,15 +40,17 @@ impl<const W: usize> StepColumns<W> {
         &self.rates[stage * self.entries..][..self.entries]
     }
 
-    /// Evaluate the stages of a step from the states before it, the states after it, and the errors.
+    /// Evaluate the rates at the states before the step, which are those of the first stage.
+    pub fn take_first(&mut self, function: &mut Columns<W>, waiting: &mut Waiting<'_, W>) {
+        function.inputs[1..=self.entries].copy_from_slice(&self.before);
+        self.evaluate(0, 0.0, function, waiting);
+    }
+
+    /// Evaluate the other stages of a step, the states after it, and the errors.
     pub fn take(&mut self, tableau: &Tableau, function: &mut Columns<W>, waiting: &mut Waiting<'_, W>) {
         let n = self.entries;
-        function.inputs[1..=n].copy_from_slice(&self.before);
-        self.evaluate(0, 0.0, function, waiting);
         for place in 1..tableau.stages {
-            let stage = &mut function.inputs[1..=n];
-            combine(stage, Some((&self.before, &self.h)), &self.rates, tableau.a[place]);
-            self.evaluate(place, tableau.c[place], function, waiting);
+            self.take_stage(place, tableau, function, waiting);
         }
         self.last_stage.copy_from_slice(&function.inputs[1..=n]);
         combine(&mut self.after, Some((&self.before, &self.h)), &self.rates, tableau.a[tableau.stages]);
@@ -60,6 +61,27 @@ impl<const W: usize> StepColumns<W> {
         for (error, weights) in self.errors.iter_mut().zip(tableau.errors) {
             combine(error, None, &self.rates, weights);
         }
+    }
+
+    /// Evaluate the stages of the dense output of a step.
+    pub fn take_dense(&mut self, tableau: &Tableau, function: &mut Columns<W>, waiting: &mut Waiting<'_, W>) {
+        function.inputs[1..=self.entries].copy_from_slice(&self.after);
+        self.evaluate(tableau.stages, 1.0, function, waiting);
+        for place in tableau.stages + 1..tableau.c.len() {
+            self.take_stage(place, tableau, function, waiting);
+        }
+    }
+
+    fn take_stage(
+        &mut self,
+        place: usize,
+        tableau: &Tableau,
+        function: &mut Columns<W>,
+        waiting: &mut Waiting<'_, W>,
+    ) {
+        let stage = &mut function.inputs[1..=self.entries];
+        combine(stage, Some((&self.before, &self.h)), &self.rates, tableau.a[place]);
+        self.evaluate(place, tableau.c[place], function, waiting);
     }
 
     fn evaluate(&mut self, place: usize, c: f64, function: &mut Columns<W>, waiting: &mut Waiting<'_, W>) {
@@ -78,73 +100,58 @@ fn combine<const W: usize>(
     rows: &[[f64; W]],
     weights: &[(usize, f64)],
 ) {
-    #[cfg(target_arch = "x86_64")]
-    {
-        if W == 8 && is_x86_feature_detected!("avx512f") {
-            // SAFETY: this processor has what the function is compiled for.
-            return unsafe { combine_by_avx512(out, base, rows, weights) };
+    in_vectors::<W>(Combination { out, base, rows, weights });
+}
+
+struct Combination<'a, const W: usize> {
+    out: &'a mut [[f64; W]],
+    base: Option<(&'a [[f64; W]], &'a [f64; W])>,
+    rows: &'a [[f64; W]],
+    weights: &'a [(usize, f64)],
+}
+
+/// How many entries are summed at a time: their sums stay in registers, and one waits for no other.
+const TOGETHER: usize = 4;
+
+impl<const W: usize> Loop for Combination<'_, W> {
+    #[allow(clippy::inline_always, reason = "what isn't inlined there isn't compiled for those vectors")]
+    #[inline(always)]
+    fn run(mut self) {
+        let mut entry = 0;
+        while entry + TOGETHER <= self.out.len() {
+            self.write::<TOGETHER>(entry);
+            entry += TOGETHER;
         }
-        if is_x86_feature_detected!("avx") {
-            // SAFETY: this processor has what the function is compiled for.
-            return unsafe { combine_by_avx(out, base, rows, weights) };
+        while entry < self.out.len() {
+            self.write::<1>(entry);
+            entry += 1;
         }
     }
-    combined(out, base, rows, weights);
 }
 
-/// The same in vectors of eight.
-///
-/// # Safety
-/// The processor has them.
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx512f")]
-unsafe fn combine_by_avx512<const W: usize>(
-    out: &mut [[f64; W]],
-    base: Option<(&[[f64; W]], &[f64; W])>,
-    rows: &[[f64; W]],
-    weights: &[(usize, f64)],
-) {
-    combined(out, base, rows, weights);
-}
-
-/// The same in vectors of four.
-///
-/// # Safety
-/// The processor has them.
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx")]
-unsafe fn combine_by_avx<const W: usize>(
-    out: &mut [[f64; W]],
-    base: Option<(&[[f64; W]], &[f64; W])>,
-    rows: &[[f64; W]],
-    weights: &[(usize, f64)],
-) {
-    combined(out, base, rows, weights);
-}
-
-#[allow(clippy::inline_always, reason = "what isn't inlined there isn't compiled for those vectors")]
-#[inline(always)]
-fn combined<const W: usize>(
-    out: &mut [[f64; W]],
-    base: Option<(&[[f64; W]], &[f64; W])>,
-    rows: &[[f64; W]],
-    weights: &[(usize, f64)],
-) {
-    let entries = out.len();
-    for (entry, out) in out.iter_mut().enumerate() {
-        let mut sums = [0.0; W];
-        for &(stage, weight) in weights {
-            for (sum, rate) in sums.iter_mut().zip(&rows[stage * entries + entry]) {
-                *sum += weight * rate;
-            }
-        }
-        match base {
-            Some((base, h)) => {
-                for ((value, start), (h, sum)) in out.iter_mut().zip(&base[entry]).zip(h.iter().zip(sums)) {
-                    *value = start + h * sum;
+impl<const W: usize> Combination<'_, W> {
+    /// Write some entries. The numbers of a vector are copied before they change, which keeps it in a register.
+    #[allow(clippy::inline_always, reason = "what isn't inlined there isn't compiled for those vectors")]
+    #[inline(always)]
+    fn write<const N: usize>(&mut self, first: usize) {
+        let entries = self.out.len();
+        let mut sums = [[0.0; W]; N];
+        for &(stage, weight) in self.weights {
+            let rates = &self.rows[stage * entries + first..][..N];
+            for (sums, rates) in sums.iter_mut().zip(rates) {
+                for (sum, rate) in sums.iter_mut().zip(rates) {
+                    *sum += weight * rate;
                 }
             }
-            None => *out = sums,
         }
+        if let Some((base, h)) = self.base {
+            let h = *h;
+            for (sums, starts) in sums.iter_mut().zip(&base[first..][..N]) {
+                for lane in 0..W {
+                    sums[lane] = starts[lane] + h[lane] * sums[lane];
+                }
+            }
+        }
+        self.out[first..][..N].copy_from_slice(&sums);
     }
 }

@@ -3,6 +3,8 @@
 //! `y(x) = y0 + x (F0 + (1 - x) (F1 + x (F2 + (1 - x) (F3 + ...))))`: the first three terms are the cubic Hermite
 //! polynomial, the others come from the tableau.
 
+use crate::lane::Lane;
+
 use super::tableau::Tableau;
 use super::{RungeKutta, is_finite};
 
@@ -18,6 +20,13 @@ impl RungeKutta<'_> {
     /// Evaluate the stages of the dense output of the last step.
     fn add_stages(&mut self) {
         let ((t, h), &Tableau { stages, c, a, .. }) = (self.last, self.tableau);
+        if let Some(lane) = self.lane_of_stretches().filter(Lane::has_dense_stages) {
+            for place in stages..c.len() {
+                lane.read_rates(place, self.stages.row_mut(place));
+            }
+            self.statistics.evaluations += c.len() - stages;
+            return;
+        }
         self.scratch.copy_from_slice(&self.after);
         self.evaluate(stages, t + h);
         for place in stages + 1..c.len() {

@@ -3,6 +3,7 @@
 //! E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed., 1993: the first step and
 //! the choice of steps in II.4, the dense output in II.6, the recognition of stiff problems in IV.2 of volume II.
 
+mod control;
 mod dense;
 mod dop853;
 mod near_singular;
@@ -12,27 +13,22 @@ mod tsit5;
 
 use crate::dynamics::Dynamics;
 use crate::failure::Failure;
-use crate::lane::{Lane, StepResults};
+use crate::lane::{Beginning, Lane, StepResults};
 use crate::machine_code::BoundCode;
 use crate::projection::{Projection, Tangent};
-use crate::stepper::{Statistics, Stepper};
-use crate::tolerances::{INTEGRAL, Tolerances};
+use crate::stepper::{Statistics, Stepper, Stretch};
+use crate::tolerances::Tolerances;
+pub(crate) use control::{
+    LEAST_ERROR, error_of_step, factor_after, factor_after_rejection, is_last, is_too_short, note_stiffness,
+    steepness, tolerance_of_integral, weight,
+};
 pub use dop853::DOP853;
 pub use stages::Stages;
-pub use tableau::Tableau;
+pub use tableau::{Row, Tableau};
 pub use tsit5::TSIT5;
 
-/// The next step depends on the error of the last one and, with a small weight, on that of the one before, so that few
-/// steps are rejected. These two numbers take a sixth fewer evaluations than 0.9 and 0 on a double pendulum and on
-/// Andrews' mechanism.
-const SAFETY: f64 = 0.8;
-const MEMORY: f64 = 0.04;
-/// Smaller errors are recorded as this one.
-const LEAST_ERROR: f64 = 1e-4;
 /// If at most this fraction of an error is along the constraints, stages are projected onto them.
 const BESIDE: f64 = 0.01;
-const SHRINK: f64 = 0.333;
-const GROW: f64 = 6.0;
 
 /// The place of the rates at the state, which are those of the first stage.
 #[derive(Clone, Copy)]
@@ -94,6 +90,8 @@ pub struct RungeKutta<'a> {
     last_error: f64,
     stiff_steps: u32,
     statistics: Statistics,
+    /// Why the step after the last one failed, if several were taken at once.
+    failure: Option<Failure>,
 }
 
 impl<'a> RungeKutta<'a> {
@@ -137,8 +135,14 @@ impl<'a> RungeKutta<'a> {
             last_error: LEAST_ERROR.ln(),
             stiff_steps: 0,
             statistics: Statistics::default(),
+            failure: None,
         };
         new.step = new.first_step(end);
+        if let Some(lane) = new.lane_of_stretches() {
+            let (state, rates) = (&new.state, new.stages.row(0));
+            let (step, exponent) = (new.step, new.exponent());
+            lane.begin(&Beginning { t, end, state, rates, step, exponent });
+        }
         new
     }
 
@@ -230,6 +234,11 @@ impl<'a> RungeKutta<'a> {
         self.rates.lane().filter(|_| !self.is_careful).cloned()
     }
 
+    /// The lane in which several steps are taken at a time: without constraints, nothing happens between them.
+    fn lane_of_stretches(&self) -> Option<Lane> {
+        self.rates.lane().filter(|_| !self.projection.is_needed()).cloned()
+    }
+
     /// The same step, together with those of other motions. The rates at its start are evaluated with it.
     fn try_step_in_lane(&mut self, lane: &Lane, h: f64) -> Result<(), Failure> {
         lane.take_step((self.t, h), &self.state, self.stages.row_mut(0));
@@ -258,7 +267,9 @@ impl<'a> RungeKutta<'a> {
     /// Read the rates at all stages of the last step from its lane, if it was taken in one.
     fn fetch_rates(&mut self) {
         if let Some(lane) = self.rates.lane().filter(|_| !self.are_rates_here) {
-            for stage in 1..self.tableau.stages - 1 {
+            let has_first = self.lane_of_stretches().is_none();
+            for stage in usize::from(has_first)..self.tableau.stages + usize::from(self.tableau.evaluates_end)
+            {
                 lane.read_rates(stage, self.stages.row_mut(stage));
             }
             self.are_rates_here = true;
@@ -320,43 +331,26 @@ impl<'a> RungeKutta<'a> {
 
     /// The estimates of an error together, in units of the tolerance.
     fn weighted_error(&self, h: f64, estimates: &[Vec<f64>]) -> f64 {
-        let entries = count(self.tolerances.controlled);
-        match estimates {
-            [one] => h.abs() * (self.weighted_square(one, h) / entries).sqrt(),
-            [high, low, ..] => {
-                let high = self.weighted_square(high, h);
-                let both = high + 0.01 * self.weighted_square(low, h);
-                if both <= 0.0 { 0.0 } else { h.abs() * high / (both * entries).sqrt() }
-            }
-            [] => 0.0,
-        }
+        let square = |error: &Vec<f64>| self.weighted_square(error, h);
+        let squares = (estimates.first().map_or(0.0, square), estimates.get(1).map(square));
+        error_of_step(h, squares, count(self.tolerances.controlled))
     }
 
     /// The sum of the squares of an error in units of the tolerance.
     fn weighted_square(&self, error: &[f64], h: f64) -> f64 {
-        let Tolerances { relative, absolute, controlled, .. } = self.tolerances;
+        let controlled = self.tolerances.controlled;
         let ends = self.state.iter().zip(&self.after);
-        let weights = ends.map(|(before, after)| 1.0 / (absolute + relative * before.abs().max(after.abs())));
+        let weights = ends.map(|(before, after)| weight(&self.tolerances, *before, *after));
         let states: f64 =
             error.iter().zip(weights).take(controlled).map(|(e, weight)| (e * weight).powi(2)).sum();
         let integrals = error.iter().enumerate().skip(controlled);
         states + integrals.map(|(i, e)| (e / self.tolerance_of_integral(i, h)).powi(2)).sum::<f64>()
     }
 
-    /// The error that an integral along the motion may have in a step: by its largest value, and by that of its terms.
     fn tolerance_of_integral(&self, i: usize, h: f64) -> f64 {
-        let Tolerances { relative, absolute, .. } = self.tolerances;
         let steepest =
             (0..self.tableau.stages).map(|stage| self.stages.row(stage)[i].abs()).fold(0.0, f64::max);
-        INTEGRAL * (absolute + relative * self.sizes[i].max(self.after[i].abs()).max(h.abs() * steepest))
-    }
-
-    /// The factor to the next step after one that is accepted, by proportional and integral control
-    /// [Hairer & Wanner, volume II, IV.2].
-    fn factor(&mut self, error: f64) -> f64 {
-        let (now, before) = (error.max(f64::MIN_POSITIVE).ln(), self.last_error);
-        self.last_error = now.max(LEAST_ERROR.ln());
-        SAFETY * ((0.2 * MEMORY - self.exponent()) * now + MEMORY * before).exp()
+        tolerance_of_integral(&self.tolerances, self.sizes[i], self.after[i], h.abs() * steepest)
     }
 
     fn accept(&mut self, h: f64, t: f64) {
@@ -373,21 +367,15 @@ impl<'a> RungeKutta<'a> {
         self.statistics.steps += 1;
     }
 
-    /// The step times the largest eigenvalue. The last stage and the end of the step are at the same instant, so the
-    /// difference of their rates relative to that of their states is an estimate.
     fn steepness(&self) -> f64 {
         let rates = squared_distance(self.stages.row(0), self.stages.row(self.tableau.stages - 1));
-        let states = squared_distance(&self.state, &self.last_stage);
-        if states > 0.0 { self.last.1 * (rates / states).sqrt() } else { 0.0 }
+        steepness(self.last.1, rates, squared_distance(&self.state, &self.last_stage))
     }
 
     /// If the largest eigenvalue bounds many steps of an explicit method, the problem is stiff.
     fn note_stiffness(&mut self) {
-        const STEPS: u32 = 15;
         let is_at_bound = self.steepness() > self.tableau.stability;
-        self.stiff_steps =
-            if is_at_bound { self.stiff_steps + 1 } else { self.stiff_steps.saturating_sub(1) };
-        self.statistics.stiff |= self.stiff_steps >= STEPS;
+        self.statistics.stiff |= note_stiffness(&mut self.stiff_steps, is_at_bound);
     }
 }
 
@@ -405,6 +393,9 @@ impl Stepper for RungeKutta<'_> {
     }
 
     fn step(&mut self, end: f64) -> Result<(), Failure> {
+        if self.lane_of_stretches().is_some() {
+            return self.advance(end, Stretch { until: f64::NEG_INFINITY, steps: 1 });
+        }
         self.is_careful = false;
         // In a lane, unknown rates are evaluated with the step.
         if !matches!(self.first, First::Unknown) || self.lane().is_none() {
@@ -414,36 +405,54 @@ impl Stepper for RungeKutta<'_> {
         let (mut is_finite, mut was_rejected) = (true, false);
         loop {
             let mut h = self.step.min(self.tolerances.max_step.max(self.crossing));
-            if h <= 4.0 * f64::EPSILON * self.t.abs() || h < f64::MIN_POSITIVE {
+            if is_too_short(self.t, h) {
                 return Err(if is_finite {
                     Failure::StepCollapse { t: self.t, step: h }
                 } else {
                     Failure::NotFinite { t: self.t }
                 });
             }
-            // A last step that would leave a sliver is made a little longer.
-            let is_last = self.t + 1.01 * h >= end;
+            let is_last = is_last(self.t, h, end);
             if is_last {
                 h = end - self.t;
             }
             self.try_step(h)?;
             let error = self.error_that_counts(h, was_rejected);
             if error <= 1.0 {
-                let factor = self.factor(error).clamp(SHRINK, GROW);
+                let factor;
+                (factor, self.last_error) =
+                    factor_after(error, self.last_error, self.exponent(), was_rejected);
                 self.statistics.errors += error;
                 self.accept(h, if is_last { end } else { self.t + h });
-                let next = h * if was_rejected { factor.min(1.0) } else { factor };
-                self.choose_next(h, next, is_last);
+                self.choose_next(h, h * factor, is_last);
                 return Ok(());
             }
             is_finite = error.is_finite();
-            let factor = if is_finite { SAFETY * error.powf(-self.exponent()) } else { 0.1 };
-            self.step = h * factor.clamp(if is_finite { SHRINK } else { 0.1 }, 1.0);
+            self.step = h * factor_after_rejection(error, self.exponent());
             self.statistics.rejected += 1;
             if was_rejected {
                 self.check_start()?;
             }
             was_rejected = true;
+        }
+    }
+
+    fn advance(&mut self, end: f64, stretch: Stretch) -> Result<(), Failure> {
+        let Some(lane) = self.lane_of_stretches() else { return self.step(end) };
+        if let Some(failure) = self.failure.take() {
+            return Err(failure);
+        }
+        let steps = self.statistics.steps;
+        let arrival = lane.advance(stretch, self.statistics, (&mut self.before, &mut self.after));
+        self.state.copy_from_slice(&self.after);
+        (self.t, self.last, self.statistics) = (arrival.t, arrival.last, arrival.statistics);
+        (self.is_dense, self.are_rates_here) = (false, false);
+        match arrival.failure {
+            Some(failure) if self.statistics.steps == steps => Err(failure),
+            later => {
+                self.failure = later;
+                Ok(())
+            }
         }
     }
 

@@ -25,13 +25,24 @@ __all__ = ["module_name", "module_of"]
 
 
 def module_of(
-    program: Program, language: Language, limit: int | None = 1000, sample: Sample | None = None
+    program: Program,
+    language: Language,
+    limit: int | None = 1000,
+    sample: Sample | None = None,
+    *,
+    calls: bool = True,
 ) -> Module:
-    """Return the program as statements, with functions of at most ``limit`` operations.
+    """Return the program as statements.
 
-    The self-check compares with ``sample``; without one, with the evaluator's values at some state.
+    Args:
+        program: the program.
+        language: the language.
+        limit: the largest number of operations of a function; longer ones are divided.
+        sample: what the self-check compares with; by default the evaluator's values at some state.
+        calls: whether a routine calls an earlier one that has its results, by value: not if it must compute them in
+            its own way.
     """
-    return _Arrangement(program, language, limit).module(sample or sample_of(program))
+    return _Arrangement(program, language, limit, calls=calls).module(sample or sample_of(program))
 
 
 def module_name(name: str, language: Language) -> str:
@@ -49,8 +60,8 @@ _IN_PLACE = (
 class _Arrangement:
     """Names are claimed in one order: program, routines, arguments, then results and locals of each routine."""
 
-    def __init__(self, program: Program, language: Language, limit: int | None) -> None:
-        self.program, self.language, self.limit = program, language, limit
+    def __init__(self, program: Program, language: Language, limit: int | None, *, calls: bool) -> None:
+        self.program, self.language, self.limit, self.may_call = program, language, limit, calls
         self.name = module_name(program.name, language)
         self.scope = Scope(language.reserved, language.case_sensitive).inner([self.name])
         self.routines = {routine.name: self.scope.claim(routine.name) for routine in program.routines}
@@ -87,7 +98,7 @@ class _Arrangement:
         codes = list(map(self._code, self.program.routines))
         left = list(codes)
         for number, routine in enumerate(self.program.routines):
-            call = call_in(self.program, number, codes)
+            call = call_in(self.program, number, codes) if self.may_call else None
             if call:
                 self.calls[routine.name], left[number] = call, call.rest
         return left
@@ -194,6 +205,7 @@ class _Arrangement:
             [(result.name, index) for result in results for index in range(result.size)],
             scalars=frozenset(array.name for array in arguments if array.is_scalar),
             limit=self.limit,
+            fuses=bool(self.language.fused),
         )
         operations = frozenset(row.operation for row in code.instructions)
         working = self._working(composition)

@@ -39,8 +39,23 @@ def _text(tree: Tree, language: Language) -> tuple[str, int]:
             return text, _PRODUCT if text.startswith("-") else _ATOM
         case Entry(array, index):
             return _entry_text(language, array, index), _ATOM
+        case Application(Operation.ADD | Operation.SUB, (Application(Operation.MUL), _)) if language.fused:
+            return _fused(tree, 0, language), _ATOM
+        case Application(Operation.ADD | Operation.SUB, (_, Application(Operation.MUL))) if language.fused:
+            return _fused(tree, 1, language), _ATOM
         case Application(operation, operands):
             return _application(operation, [_text(operand, language) for operand in operands], language)
+
+
+def _fused(tree: Application, number: int, language: Language) -> str:
+    """Return the text of a sum or a difference, one operand of which is a product, as one operation."""
+    product, other = tree.operands[number], tree.operands[1 - number]
+    assert isinstance(product, Application), "a product is fused"
+    factors = list(product.operands)
+    if tree.operation is Operation.SUB:
+        minus = Application(Operation.NEG, (factors[0] if number else other,))
+        factors, other = ([minus, factors[1]], other) if number else (factors, minus)
+    return language.fused.format(*(_text(part, language)[0] for part in (*factors, other)))
 
 
 def _application(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 from math import isqrt
 
 from symbody.codegen.layout.names import Scope
@@ -13,6 +14,7 @@ from symbody.codegen.layout.tree import Application, Entry, Name, Number, Tree
 from symbody.codegen.straight_line.code import Code, Input
 from symbody.codegen.straight_line.count import section_titles
 from symbody.codegen.straight_line.cut import Cut, cut
+from symbody.codegen.straight_line.fusion import fused_products
 from symbody.codegen.straight_line.instruction import LINEAR_SYSTEMS, Instruction, Operation
 
 __all__ = ["Composition", "compose"]
@@ -45,6 +47,7 @@ def compose(
     *,
     scalars: frozenset[str] = frozenset(),
     limit: int | None = None,
+    fuses: bool = False,
 ) -> Composition:
     """Return the statements of a routine.
 
@@ -55,8 +58,12 @@ def compose(
         targets: the array and the index of each result.
         scalars: the arguments that are single numbers, not arrays.
         limit: the largest number of operations of a part, if there is any.
+        fuses: whether a product stands inside the sum that it is fused with.
     """
-    return _Composer(code, scope, notes, targets, scalars, _cut(code, limit)).composition()
+    made = _cut(code, limit)
+    parts = pairwise(made.starts) if fuses else ()
+    fused = frozenset().union(*(fused_products(code, range(*part)) for part in parts))
+    return _Composer(code, scope, notes, targets, scalars, made, fused).composition()
 
 
 @dataclass
@@ -67,6 +74,7 @@ class _Composer:
     targets: Sequence[tuple[str, int]]
     scalars: frozenset[str]
     cut: Cut
+    fused: frozenset[int]
     _trees: dict[int, Tree] = field(default_factory=dict)
     _sizes: dict[int, int] = field(default_factory=dict)
     _matrices: dict[int, tuple[str, int]] = field(default_factory=dict)
@@ -165,7 +173,8 @@ class _Composer:
         if len(results) == 1 and not readers:
             yield Store(*self.targets[results[0]], tree)
             return
-        if not results and self._stands_inside(place, readers) and size < LONGEST_EXPRESSION:
+        is_short = self._stands_inside(place, readers) and size < LONGEST_EXPRESSION
+        if not results and (is_short or place in self.fused):
             self._trees[place], self._sizes[place] = tree, size
             return
         local = self._trees[place] = Name(self.scope.claim(self._name(tree)))

@@ -35,6 +35,8 @@ class Language:
         reserved_programs: names that programs and their files can't have; None if these are the reserved words.
         qualified: whether the names of functions begin with the name of the program.
         continuation: what ends a line that continues on the next one.
+        fused: the text of ``{} {} + {}``, rounded once, where products are fused with the only sum that reads them;
+            empty where they are not.
     """
 
     comment: tuple[str, str]
@@ -55,6 +57,7 @@ class Language:
     case_sensitive: bool = True
     continuation: str = ""
     qualified: bool = False
+    fused: str = ""
     width: int = 100
     indent: str = "    "
 

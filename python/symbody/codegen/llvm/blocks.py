@@ -20,6 +20,7 @@ from symbody.codegen.llvm.wave import wave_size, waves
 from symbody.codegen.llvm.writer import Template, Writer, constants, splat
 from symbody.codegen.straight_line.code import Code
 from symbody.codegen.straight_line.cut import Cut, cut
+from symbody.codegen.straight_line.fusion import fused_products, fused_sums
 from symbody.codegen.straight_line.instruction import WAVES, Instruction, Operation
 
 __all__ = ["Blocks", "Store"]
@@ -136,27 +137,6 @@ def _ordered(code: Code, rows: list[int]) -> list[int]:
     return [rows[n] for n in angles_first(_reads(code, rows), are_waves, 0)]
 
 
-def _fused(code: Code, rows: Sequence[int]) -> dict[int, int]:
-    """Return the sums of a block that are fused with a product, and which operand it is.
-
-    The product is in the same block, and nothing else reads it.
-    """
-    first, here = code.first_instruction, set(rows)
-
-    def is_own(place: int) -> bool:
-        k = place - first
-        return k in here and code.instructions[k].operation is Operation.MUL and code.uses[place] == 1
-
-    found = {}
-    for k in rows:
-        row = code.instructions[k]
-        if row.operation in (Operation.ADD, Operation.SUB):
-            own = [number for number, place in enumerate(row.reads) if is_own(place)]
-            if own:
-                found[first + k] = own[0]
-    return found
-
-
 def _cut(code: Code, order: Sequence[int]) -> Cut:
     """Cut the instructions into blocks; factorisations and solutions are kept elsewhere than in slots."""
     own = {Operation.FACTOR, Operation.SOLVE}
@@ -184,8 +164,8 @@ class _BlockWriter(Writer):
     def rows(self, rows: Sequence[int], stores: Sequence[Store]) -> None:
         """Write instructions, by number; store results at once, since those that wait take registers."""
         first = self.code.first_instruction
-        self.fused = _fused(self.code, rows)
-        products = {self.code.instructions[k - first].reads[n] for k, n in self.fused.items()}
+        self.fused = fused_sums(self.code, rows)
+        products = fused_products(self.code, rows)
         waiting: dict[int, list[Store]] = {}
         for store in stores:
             waiting.setdefault(store.place, []).append(store)

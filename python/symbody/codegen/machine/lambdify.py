@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import islice
 from typing import Any
@@ -94,6 +94,18 @@ class CompiledFunction:
         if isinstance(self.shapes, _Shape):
             return _cut(outputs, self.shapes)
         return tuple(_cut(outputs, shape) for shape in self.shapes)
+
+    def at_few_points(self, *values: ArrayLike) -> Any:
+        """Evaluate the expressions at any number of points as at one: to the same digits."""
+        if self.compile is not None or self._is_compiled_for(1):
+            return self(*values)
+        return self._uncompiled(*values)
+
+    @cached_property
+    def _uncompiled(self) -> CompiledFunction:
+        made = replace(self, compile=False)
+        vars(made)["tape"] = self.tape
+        return made
 
     def _evaluated(self, columns: list[NDArray[np.float64]], points: int) -> NDArray[np.float64]:
         """Return the outputs, a row for each."""

@@ -120,6 +120,27 @@ class PreparedCode:
             function(state.ctypes.data, row.ctypes.data)
         return out
 
+    def prepare_many(self, parameters: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the constants for k sets of parameters, shape (k, constants)."""
+        values = np.ascontiguousarray(parameters, float)
+        out = np.empty((len(values), self.constants))
+        if values.shape[1:] != (len(self.parameters),):
+            raise ParameterError(
+                f"expected rows of {len(self.parameters)} parameters, found an array of the shape {values.shape}"
+            )
+        if self.constants:
+            _call_for_each(self._preparation, values, out)
+        return out
+
+    def evaluate_many(
+        self, parameters: NDArray[np.float64], rows: NDArray[np.float64]
+    ) -> NDArray[np.float64]:
+        """Return the outputs for k sets of parameters, each at its own state, in rows."""
+        states = np.hstack([rows, self.prepare_many(parameters)])
+        out = np.empty((len(rows), len(self.expressions)))
+        _call_for_each(self._function, states, out)
+        return out
+
     @cached_property
     def _parts(self) -> _Parts:
         p = Argument("p", "", self.parameters, "parameters")
@@ -168,6 +189,14 @@ class _Parts:
     constants: Code
     outputs: Code
     shortcut: Code | None = None
+
+
+def _call_for_each(code: jit.Compiled, rows: NDArray[np.float64], out: NDArray[np.float64]) -> None:
+    """Call a function for each row of numbers; write its outputs to rows."""
+    function = code.function(POINTER, POINTER)
+    start, end = rows.ctypes.data, out.ctypes.data
+    for place in range(len(rows)):
+        function(start + place * rows.strides[0], end + place * out.strides[0])
 
 
 def _compiled(assembly: Callable[[int], Assembly], name: str) -> jit.Compiled:

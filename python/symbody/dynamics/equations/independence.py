@@ -7,7 +7,8 @@ vanishes belongs to a combination of constraints that is constant, or holds no c
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
+from importlib import import_module
 from typing import NamedTuple
 
 from symbody.errors import ConstraintError, ModelError, ModelNotice
@@ -16,6 +17,9 @@ from symbody.symbolic import Expr, free_symbols, number, substitute, t
 from symbody.symbolic.given.arguments import brief, counted
 
 from .constraint_force import constraint_jacobian
+
+ADVISED_BY = "symbody.simulation.constraint.redundant_constraints"
+"""A module name, not an import: it is loaded when the message of an error needs it."""
 
 
 def check_independent(system: Variables) -> None:
@@ -81,7 +85,7 @@ def _without_motion(system: Variables, independent: Sequence[_Combination]) -> s
         raise ConstraintError(
             f"{found}; expected fewer constraints than {what}, or one that drives the system and holds the time t"
         )
-    redundant = "".join(adviser(system) for adviser in _advisers)
+    redundant = _what_is_redundant(system)
     if all(leaf.depends_on_time for leaf in free_symbols(system.constraints)):
         where_it_moves = f"; where it moves, {redundant}; a simulation does so by itself"
         return f"{found} at almost every position{where_it_moves if redundant else _STRUCTURE}"
@@ -112,16 +116,10 @@ def demands_motion(system: Variables) -> bool:
     return not all(each.is_zero for each in demanded)
 
 
-_advisers: list[Callable[[Variables], str]] = []
-
-
-def register_adviser(adviser: Callable[[Variables], str]) -> None:
-    """Let a layer above describe redundant constraints that leave no motion, for the notice.
-
-    That takes numbers, which only layers above know how to find. The adviser returns an empty text if nothing is
-    redundant.
-    """
-    _advisers.append(adviser)
+def _what_is_redundant(system: Variables) -> str:
+    """Describe redundant constraints: that takes numbers, which a layer above knows how to find."""
+    text: str = import_module(ADVISED_BY).advice(system)
+    return text
 
 
 class _Combination(NamedTuple):

@@ -5,11 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from functools import partial
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
-import numpy as np
-from numpy.typing import NDArray
-
+from symbody.deferred import Deferred
 from symbody.errors import ExpressionError
 from symbody.symbolic import (
     Dependence,
@@ -23,9 +21,16 @@ from symbody.symbolic import (
 )
 from symbody.symbolic.numeric.tape import Tape
 
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+else:
+    np = Deferred("numpy")
+
+
 __all__ = ["Pivots", "dependent_columns", "solved"]
 
-Array = NDArray[np.float64]
+Array: TypeAlias = "NDArray[np.float64]"
 
 _LEAST = 1e-9
 """The size, relative to the largest entry of a row, below which an entry is rounding."""

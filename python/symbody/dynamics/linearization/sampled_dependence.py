@@ -6,11 +6,17 @@ Roots and moduli have values of their own in the field, so that it may not show 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
-import numpy as np
-
+from symbody.deferred import Deferred
 from symbody.symbolic import Expr, derivation, free_symbols, substitute, symbols
 from symbody.symbolic.numeric.tape import Tape
+
+if TYPE_CHECKING:
+    import numpy as np
+else:
+    np = Deferred("numpy")
+
 
 __all__ = ["sampled_dependence"]
 

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Annotated, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, Annotated, NamedTuple, TypeAlias
 
-import numpy as np
-
+from symbody.deferred import Deferred
 from symbody.errors import LoadError
 from symbody.geometry import Frame, Scalar, Triple, Vector, origin
 from symbody.geometry.component.triple import expression
@@ -20,6 +19,12 @@ from symbody.symbolic.given.arguments import brief
 
 from .attachment import check_bodies, check_fixed, forces, not_negative, torques
 from .element import Element
+
+if TYPE_CHECKING:
+    import numpy as np
+else:
+    np = Deferred("numpy")
+
 
 _WHERE = "bushing"
 _ROUNDED = 1e-12

@@ -5,7 +5,7 @@ The curve ``D sin(C atan(B x - E (B x - atan(B x))))`` has the slope B C D at ze
 are cited by their numbers in this section. The sets 5.2 and 6.1 differ in the effect of camber and in the aligning
 moment.
 
-Not included: turn slip, and the dependence of friction and rolling resistance on speed.
+Not included: turn slip, and the dependence of friction on the speed of sliding.
 """
 
 from __future__ import annotations
@@ -40,6 +40,7 @@ from symbody.symbolic.given.arguments import brief, counted, described
 
 from .attachment import not_negative
 from .tire_coefficient import (
+    BY_SPEED,
     COEFFICIENTS,
     DEFAULTS,
     DIVISORS,
@@ -92,12 +93,36 @@ class MagicFormula:
 
     @checked(LoadError)
     def __call__(
-        self, load: Scalar, kappa: Scalar = 0, lateral_slip: Scalar = 0, camber: Scalar = 0
+        self,
+        load: Scalar,
+        kappa: Scalar = 0,
+        lateral_slip: Scalar = 0,
+        camber: Scalar = 0,
+        *,
+        speed: Scalar | None = None,
     ) -> TireForce:
-        """Return the forces of the tyre."""
+        """Return the forces of the tyre.
+
+        Args:
+            load: the vertical load, in N.
+            kappa: the longitudinal slip.
+            lateral_slip: the tangent of the slip angle.
+            camber: the camber, in rad.
+            speed: that of the wheel, in m/s, if the rolling resistance depends on it.
+        """
+        if speed is None and self.needs_speed:
+            raise LoadError(
+                f"magic_formula: no speed, on which the rolling resistance depends by {' and '.join(BY_SPEED)}; "
+                "expected law(load, kappa, lateral_slip, camber, speed=v); a tire gives its own"
+            )
         with derivation(order=ENERGY):
-            slips = (expression(each) for each in (kappa, lateral_slip, camber))
-            return _Forces(self.coefficients, self.version, pressing(load), *slips).found
+            given = (kappa, lateral_slip, camber, 0 if speed is None else speed)
+            return _Forces(self.coefficients, self.version, pressing(load), *map(expression, given)).found
+
+    @property
+    def needs_speed(self) -> bool:
+        """Whether the rolling resistance depends on the speed."""
+        return any(not self.coefficients[name].is_zero for name in BY_SPEED)
 
     @checked(LoadError)
     def relaxation_lengths(self, load: Scalar, camber: Scalar = 0) -> tuple[Expr, Expr]:
@@ -109,7 +134,7 @@ class MagicFormula:
                 "relaxation=(sigma_x, sigma_y) to the tire"
             )
         with derivation(order=ENERGY):
-            forces = _Forces(p, self.version, N, number(0), number(0), expression(camber))
+            forces = _Forces(p, self.version, N, number(0), number(0), expression(camber), number(0))
             along = (p["PTX1"] + p["PTX2"] * forces.df) * exp(-p["PTX3"] * forces.df)
             across = p["PTY1"] * sin(2 * atan(N / (p["PTY2"] * forces.F0)))
             across *= 1 - p["PKY3"] * Abs(expression(camber))
@@ -137,6 +162,7 @@ class _Forces:
     alpha: Expr
     """alpha*, the tangent of the slip angle (4.E3)."""
     gamma: Expr
+    speed: Expr
 
     @cached_property
     def found(self) -> TireForce:
@@ -260,9 +286,13 @@ class _Forces:
         return p["UNLOADED_RADIUS"] * self.N * lever * p["LMX"]
 
     def rolling(self, Fx: Expr) -> Expr:
-        """Return My, the rolling resistance of a wheel that rolls ahead (4.E70, without the effect of speed)."""
-        p = self.p
-        return -p["UNLOADED_RADIUS"] * self.N * (p["QSY1"] + p["QSY2"] * Fx / p["FNOMIN"]) * p["LMY"]
+        """Return My, the rolling resistance of a wheel that rolls ahead (4.E70)."""
+        p, N, v = self.p, self.N, self.speed / self.p["LONGVL"]
+        size = p["QSY1"] + p["QSY2"] * Fx / p["FNOMIN"] + p["QSY3"] * v + p["QSY4"] * v**4
+        size += (p["QSY5"] + p["QSY6"] * N / p["FNOMIN"]) * self.gamma**2
+        if not (p["QSY7"] - 1).is_zero:
+            N = p["FNOMIN"] * ((N + _TINY) / p["FNOMIN"]) ** p["QSY7"]
+        return -p["UNLOADED_RADIUS"] * N * size * p["LMY"]
 
     def aligning(self, Fx: Expr, Fy: Expr) -> Expr:
         """Return Mz (4.E71 to 4.E78): by the pneumatic trail, the residual torque, and the arm of Fx."""
@@ -347,7 +377,7 @@ def magic_formula(
     Args:
         coefficients: numbers, or symbols, by the names of tyre property files; those left out have no effect. Needed
             are FNOMIN, UNLOADED_RADIUS, and PCX1, PDX1 and PKX1 for longitudinal forces, or PCY1, PDY1, PKY1 and PKY2
-            for lateral ones. Turn slip is not part of the law; its coefficients are ignored.
+            for lateral ones. Turn slip is not part of the law; its coefficients are ignored. QSY3 and QSY4 need LONGVL.
         version: "5.2", or "6.1" for its effect of camber (PKY6, PKY7) and its aligning moment.
         pressure: the inflation pressure, in the unit of NOMPRES; the nominal one by default.
 
@@ -401,7 +431,7 @@ def _check_names(given: Mapping[str, Expr]) -> None:
         if name in EXCLUDED and not value.is_zero:
             raise LoadError(
                 f"magic_formula: {name} = {brief(value)} belongs to an effect that the law doesn't have, such as that "
-                "of speed on rolling resistance; leave it out to do without"
+                "of speed on friction; leave it out to do without"
             )
         if name not in names | EXCLUDED:
             near = get_close_matches(name.upper(), sorted(names), 1)
@@ -410,6 +440,11 @@ def _check_names(given: Mapping[str, Expr]) -> None:
                 f"magic_formula: {brief(repr(name))} is no coefficient of the Magic Formula{meant}"
             )
     missing = [name for name in NEEDED["always"] if name not in given]
+    if "LONGVL" not in given and any(name in given and not given[name].is_zero for name in BY_SPEED):
+        raise LoadError(
+            "magic_formula: LONGVL missing; expected the speed, in m/s, to which the coefficients "
+            f"{' and '.join(BY_SPEED)} of rolling resistance are relative"
+        )
     for first, *others in (NEEDED["along"], NEEDED["across"]):
         missing += [name for name in others if first in given and name not in given]
     if "PCX1" not in given and "PCY1" not in given:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from inspect import signature
 from typing import Annotated, NamedTuple, TypeAlias
 
@@ -132,7 +133,7 @@ def tire(
         vertical = _vertical(contact, load, 0 if stiffness is None else stiffness, damping)
         slip = _slips(contact, relaxation, expression(least_speed), name)
         _check_lift_off(law, stiffness)
-        found = _forces(law, vertical.load, slip, contact.camber)
+        found = _forces(_at_speed(law, contact), vertical.load, slip, contact.camber)
         if not isinstance(law, TireForce):
             found = found._replace(rolling=found.rolling * _ahead(contact.VR, expression(least_speed)))
         carried = vertical.load if load is None or load_acts else number(0)
@@ -206,6 +207,13 @@ def _quantities(contact: TireKinematics, found: TireForce, load: Expr, slip: _Sl
 def _ahead(VR: Expr, least: Expr) -> Expr:
     """Return 1 for a wheel that rolls ahead, -1 for one that rolls back: rolling resistance opposes the spin."""
     return sign(-VR) if least.is_zero else tanh(-VR / least)
+
+
+def _at_speed(law: TireLaw, contact: TireKinematics) -> TireLaw:
+    """Return a law at the speed of the wheel, if it depends on it."""
+    if not (isinstance(law, MagicFormula) and law.needs_speed):
+        return law
+    return partial(law, speed=Abs(contact.VS))
 
 
 def _forces(law: TireLaw, load: Expr, slip: _Slips, camber: Expr) -> TireForce:

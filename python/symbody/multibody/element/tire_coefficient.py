@@ -5,6 +5,7 @@ from __future__ import annotations
 from symbody.symbolic import Expr, number
 
 __all__ = [
+    "BY_SPEED",
     "COEFFICIENTS",
     "DEFAULTS",
     "DIVISORS",
@@ -22,19 +23,15 @@ def _series(**last: int) -> frozenset[str]:
     return frozenset(f"{name}{k}" for name, count in last.items() for k in range(1, count + 1))
 
 
-EXCLUDED = (
-    frozenset({"QDZ5", "QBZ6", "QBZ7", "QBZ8"})
-    | (_series(QSX=14) - _series(QSX=11))
-    | (_series(QSY=8) - _series(QSY=2))
-)
+EXCLUDED = frozenset({"QDZ5", "QBZ6", "QBZ7", "QBZ8", "LMUV"}) | (_series(QSX=14) - _series(QSX=11))
 """Coefficients of effects that the law does not have; they must be zero."""
 
 COEFFICIENTS = (
-    frozenset({"FNOMIN", "UNLOADED_RADIUS", "NOMPRES"})
+    frozenset({"FNOMIN", "UNLOADED_RADIUS", "NOMPRES", "LONGVL"})
     | _series(PPX=4, PPY=5, PPZ=2, PPMX=1)
     | _series(PCX=1, PDX=3, PEX=4, PKX=3, PHX=2, PVX=2, RBX=3, RCX=1, REX=2, RHX=1, PTX=3)
     | _series(PCY=1, PDY=3, PEY=5, PKY=7, PHY=3, PVY=4, RBY=4, RCY=1, REY=2, RHY=2, RVY=6, PTY=2)
-    | _series(QSX=11, QSY=2, QBZ=10, QCZ=1, QDZ=11, QEZ=5, QHZ=4, SSZ=4)
+    | _series(QSX=11, QSY=8, QBZ=10, QCZ=1, QDZ=11, QEZ=5, QHZ=4, SSZ=4)
 ) - EXCLUDED
 """What the law is made of."""
 
@@ -62,11 +59,11 @@ SCALES = frozenset(
 """Factors that scale the effects of coefficients; one by default."""
 
 DEFAULTS: dict[str, Expr] = {name: number(0) for name in COEFFICIENTS}
-"""The values of coefficients that are left out. Set 5.2 has no PKY4; it is 2 there."""
-DEFAULTS |= {name: number(1) for name in SCALES} | {"PKY4": number(2), "NOMPRES": number(1)}
+"""The values of coefficients that are left out. Set 5.2 has no PKY4, which is 2 there, and no QSY7, which is 1."""
+DEFAULTS |= {name: number(1) for name in (*SCALES, "NOMPRES", "LONGVL", "QSY7")} | {"PKY4": number(2)}
 
 IGNORED = _series(PDXP=3, PKYP=1, PDYP=4, PHYP=4, PECP=2, QDTP=1, QCRP=2, QBRP=1, QDRP=2) | {
-    *("INFLPRES", "LONGVL", "VXLOW", "WIDTH", "ASPECT_RATIO", "RIM_RADIUS", "RIM_WIDTH"),
+    *("INFLPRES", "VXLOW", "WIDTH", "ASPECT_RATIO", "RIM_RADIUS", "RIM_WIDTH"),
     *("VERTICAL_STIFFNESS", "VERTICAL_DAMPING", "BREFF", "DREFF", "FREFF"),
     *("LGAX", "LGAY", "LGAZ", "LSGKP", "LSGAL"),
 }
@@ -79,8 +76,11 @@ NEEDED = {
 }
 """The least coefficients of each force."""
 
-POSITIVE = frozenset({"FNOMIN", "UNLOADED_RADIUS", "NOMPRES", "LFZO", "LCX", "LMUX", "LCY", "LMUY"})
+POSITIVE = frozenset({"FNOMIN", "UNLOADED_RADIUS", "NOMPRES", "LONGVL", "LFZO", "LCX", "LMUX", "LCY", "LMUY"})
 """What must be positive: sizes, and the scaling factors by which the law divides."""
+
+BY_SPEED = ("QSY3", "QSY4")
+"""The coefficients by which the rolling resistance depends on the speed, relative to LONGVL."""
 
 DIVISORS = {"PDX1": "PCX1", "PDY1": "PCY1", "PKY1": "PCY1", "PKY2": "PCY1"}
 """Coefficients by which the law divides, and the one that is zero where the whole force is."""
@@ -108,5 +108,6 @@ def at_pressure(p: dict[str, Expr], pressure: Expr) -> dict[str, Expr]:
         ("QDZ1", "QDZ2"): 2 - scale("PPZ1"),
         ("QDZ8", "QDZ9"): scale("PPZ2"),
         ("QSX2",): scale("PPMX1"),
+        tuple(f"QSY{k}" for k in range(1, 7)): (pressure / p["NOMPRES"]) ** p["QSY8"],
     }
     return p | {name: p[name] * factor for names, factor in scaled.items() for name in names}

@@ -228,12 +228,25 @@ def _ahead(j: Triple, n: Triple, road: Frame, carrier: Frame | None) -> Triple:
         x, y, z = (component / length for component in across)
         return x, y, z
     ahead = vector_components((number(1), number(0), number(0)), carrier, road)
+    if dot3(ahead, n).depends_on_time and _tilts(road, n):
+        raise LoadError(
+            f"{_WHERE}: the road = {brief(road)} turns, and its normal z with it, against carrier = "
+            f"{brief(carrier)}; expected a road whose x-y plane stays below the wheel: the surface of a drum is that "
+            "of a link without mass that slides there, coupled to the drum by a rack"
+        )
     if not (dot3(ahead, j).is_zero and dot3(ahead, n).is_zero):
         raise LoadError(
             f"{_WHERE}: the x axis of carrier = {brief(carrier)} isn't along the direction of rolling; expected a "
             "frame whose x axis is across the spin axis, and in the plane of the road"
         )
     return ahead
+
+
+def _tilts(road: Frame, n: Triple) -> bool:
+    """Return whether the normal of a road turns."""
+    return road.ancestor.carrier is None and any(
+        component.depends_on_time for component in vector_components(n, road, ground)
+    )
 
 
 def _camber(j: Triple, n: Triple, upright: Expr) -> Expr:

@@ -43,7 +43,8 @@ def torsion_spring(
         on: the body.
         reaction: the other body; none by default, such as the ground.
         all_turns: whether the angle of a joint that closes a loop in space counts all turns. There it is known from -pi
-            to pi alone; a state that follows it then keeps the turns. By coordinates, all turns count anyway.
+            to pi alone; a state that follows it, and whose lag decays in 1 s, then keeps the turns. By coordinates, all
+            turns count anyway.
         name: what the spring is called where it is shown; the state is called ``angle_name``.
 
     Returns:
@@ -90,12 +91,14 @@ class _Turned(NamedTuple):
 
 
 def _turned(angle: Along, rate: Expr, name: str) -> _Turned:
-    """Return an angle that counts all turns: the value of the joint that is nearest to a state with the same rate.
+    """Return an angle that counts all turns: the value of the joint that is nearest to a state z that follows it.
 
-    The state chooses the turn alone, so that it adds no error to the angle.
+    ``z' = phi' + (phi - z)/(1 s)``. The state chooses the turn alone, so that it adds no error to the angle. Its lag
+    decays, so that it has a value at rest, where rates alone would let it be anything.
     """
     if not isinstance(angle, Freedom) or not angle.jumps:
         return _Turned(angle, {})
     follower = functions_of_time(f"angle_{name.replace(' ', '_') or angle.joint.split()[-1]}")
     ahead = angle.value - follower
-    return _Turned(follower + atan2(sin(ahead), cos(ahead)), {follower: rate})
+    lag = atan2(sin(ahead), cos(ahead))
+    return _Turned(follower + lag, {follower: rate + lag})

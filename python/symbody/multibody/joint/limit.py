@@ -136,8 +136,9 @@ def given_limits(
 
 def _limit(where: str, name: str, given: Sequence[Scalar | None], of: str) -> Limit:
     if not accepts(Limits, given):
+        example = "(None, 0.5)" if name == CONE else "(-1, 1)"
         raise JointError(
-            f"{where}: limits{of} = {described(given)}; expected two values, such as (-1, 1), or None for no limit"
+            f"{where}: limits{of} = {described(given)}; expected two values, such as {example}, or None for no limit"
         )
     if len(given) != 2:
         raise JointError(

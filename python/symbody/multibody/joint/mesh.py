@@ -15,6 +15,7 @@ from .closure import AXES, Closure, Sides
 from .joint import Joint, Mounting
 from .link import Link
 from .pair import Pair, SlideAndTurn
+from .pitch_cone import PitchCones
 
 __all__ = ["Mesh", "check_coupled", "coupling", "pitch_radius"]
 
@@ -65,11 +66,14 @@ class Mesh(Pair):
     ) -> tuple[Expr, Point, Vector]:
         """Return ``r1 q1 + r2 q2``, with -r2 for an internal gear."""
         (r1, r2), z = self.radii, _axis(self.first, first)
-        if not _is_same(dot(z, _axis(self.second, second)), number(1)):
+        cosine = dot(z, _axis(self.second, second))
+        if _is_same(cosine, number(-1)):
             raise JointError(
-                f"{where}: the axes of {self.first} and {self.second} aren't parallel with one sense; expected wheels "
-                "in a plane: turn their places on the carrier"
+                f"{where}: the axes of {self.first} and {self.second} are parallel, but opposite; expected one sense: "
+                "turn the place of one of them on the carrier by half a turn"
             )
+        if not _is_same(cosine, number(1)):
+            return self._bevels(where, first, second, q)
         centres = (origin(second.parent) - origin(first.parent)).projected(first.parent)
         distance = r1 + r2
         if distance.is_zero:
@@ -84,6 +88,27 @@ class Mesh(Pair):
         n = centres / distance
         condition = r1 * q[0] + r2 * q[1]
         return condition, origin(first.parent) + r1 * n, -cross(z, n)
+
+    def _bevels(
+        self, where: str, first: Sides, second: Sides, q: tuple[Expr, Expr]
+    ) -> tuple[Expr, Point, Vector]:
+        """Return ``r1 q1 + r2 q2`` of wheels whose axes meet."""
+        r1, r2 = self.radii
+        axes = [_axis(joint, sides) for joint, sides in ((self.first, first), (self.second, second))]
+        z1, z2 = (axis.projected(first.parent) for axis in axes)
+        cones = PitchCones(z1, z2, (origin(second.parent) - origin(first.parent)).projected(first.parent))
+        if not _is_same(cones.gap, number(0)):
+            raise JointError(
+                f"{where}: the axes of {self.first} and {self.second} are neither parallel nor meet; expected wheels "
+                "in a plane, or bevel gears, whose axes meet in one point"
+            )
+        for joint, way in zip((self.first, self.second), cones.to_apex, strict=True):
+            if way.is_constant and float(way) > _ROUNDING:
+                raise JointError(
+                    f"{where}: the axis of {joint} points from its place to the point where the axes meet; expected an "
+                    "axis that points from there to the wheel: turn the place by half a turn"
+                )
+        return r1 * q[0] + r2 * q[1], cones.contact(origin(first.parent), r1, r2), -cones.tangent
 
     def _rack(
         self, where: str, first: Sides, second: Sides, q: tuple[Expr, Expr]

@@ -11,6 +11,7 @@ from symbody.symbolic import Expr, number
 
 from .closure import AXES, Closure, Sides, along, held_point, holds_by_itself, perpendicular
 from .joint_angle import angles, over_all_turns, turning_axis
+from .limit import Limit
 
 __all__ = ["Pair", "SlideAndTurn", "Travel", "held_senses", "held_turns", "turns_back"]
 
@@ -78,6 +79,11 @@ class Pair(ABC):
             JointError: the coupled joints don't fit each other.
         """
         del where, sides, values
+        return ()
+
+    @property
+    def own_limits(self) -> tuple[Limit, ...]:
+        """The limits that it has by its kind where it opens a tree, unless others are given."""
         return ()
 
     def measured(self, sides: Sides) -> Mapping[str, Expr]:

@@ -63,7 +63,9 @@ class PlacedJoint:
             () if opens and not joint.pair.rolls else names_that_constrain(closures),
             outboard,
         )
-        return replace(placed, limits=tuple(map(placed.limit, joint.limits)))
+        given = {limit.name for limit in joint.limits}
+        own = [limit for limit in joint.pair.own_limits if opens and limit.name not in given]
+        return replace(placed, limits=tuple(map(placed.limit, [*joint.limits, *own])))
 
     @property
     def name(self) -> str:

@@ -9,11 +9,11 @@ from symbody.errors import JointError
 from symbody.geometry import Frame, Scalar, Vector, angular_velocity, cross, dot, rotate, translate, velocity
 from symbody.geometry.component.triple import expression
 from symbody.geometry.given.argument import checked
-from symbody.symbolic import Expr, number, sqrt, time_derivatives
+from symbody.symbolic import Expr, number, pi, sqrt, time_derivatives
 
 from .closure import Closure, Sides
 from .joint import Coordinates, Joint, Loop, Part, joined, mounted
-from .limit import LimitsByName
+from .limit import Limit, LimitsByName
 from .link import Place
 from .pair import Pair
 
@@ -51,7 +51,7 @@ def rolling(
             ``y_<name>``, ``psi_<name>``, ``theta_<name>`` and ``phi_<name>`` by default. With a crown, x and y are
             those of the centre of the cross-section.
         limits: the least and the largest values of coordinates by their names, such as ``{"theta": (-1.5, 1.5)}``; see
-            `stops`.
+            `stops`. By default, a wheel that opens the tree leans up to a right angle, where it lies flat.
         loop: True if it shall close a loop, False if it shall open the tree.
 
     >>> from symbody import Link, assemble, ground, rolling, symbols
@@ -81,6 +81,11 @@ class Contact(Pair):
 
     def __init__(self, circle: Expr, crown: Expr) -> None:
         self.circle, self.crown = circle, crown
+
+    @property
+    def own_limits(self) -> tuple[Limit, ...]:
+        """A wheel that lies flat can't lean further; a ball can."""
+        return () if self.circle.is_zero else (Limit("theta", -pi / 2, pi / 2),)
 
     def motion(self, coordinates: Sequence[Expr]) -> Frame:
         return self._leaning(coordinates) * translate(0, 0, self.circle) * rotate("Y", coordinates[4])

@@ -50,39 +50,48 @@ class Cases:
         return {name: float(values[case]) for name, values in self.initial.items()}
 
 
-def cases_of(parameters: Values | None, initial: Values | None, cases: Values | None = None) -> Cases:
+def cases_of(
+    parameters: Values | None, initial: Values | None, cases: Values | None = None, place: str = PLACE
+) -> Cases:
     """Return the cases. A number holds for all of them, an array has a value for each.
 
     Args:
         parameters: values of symbols.
         initial: values of coordinates, their rates and speeds.
         cases: both together, such as a `grid`: symbols are parameters, functions of time are initial values.
+        place: the function that the user called.
 
     Raises:
         ParameterError: arrays differ in length, one is empty, or a name is given twice.
         ArgumentError: an argument is neither a dictionary nor a list of dictionaries, a key is not a variable, or a
             value is neither a number nor a row of numbers.
     """
-    given = {"parameters": _rows(parameters, "parameters"), "initial": _rows(initial, "initial")}
-    for name, values in _rows(cases, "cases").items():
-        kind = "parameters" if _variable(name, "cases").kind == "symbol" else "initial"
+    given = {
+        "parameters": _rows(parameters, f"{place}, parameters"),
+        "initial": _rows(initial, f"{place}, initial"),
+    }
+    for name, values in _rows(cases, f"{place}, cases").items():
+        kind = "parameters" if _variable(name, f"{place}, cases").kind == "symbol" else "initial"
         if name in given[kind]:
             raise ParameterError(
-                f"{PLACE}: {name} is given in {kind} and in cases; leave it out of one of them"
+                f"{place}: {name} is given in {kind} and in cases; leave it out of one of them"
             )
         given[kind][name] = values
     columns = {
-        kind: {_variable(name, kind): _column(name, values, kind) for name, values in mapping.items()}
+        kind: {
+            _variable(name, f"{place}, {kind}"): _column(name, values, f"{place}, {kind}")
+            for name, values in mapping.items()
+        }
         for kind, mapping in given.items()
     }
-    count = _count([pair for mapping in columns.values() for pair in mapping.items()])
+    count = _count([pair for mapping in columns.values() for pair in mapping.items()], place)
     whole = {
         kind: {name: _spread(c, count) for name, c in mapping.items()} for kind, mapping in columns.items()
     }
     return Cases(whole["parameters"], whole["initial"], count)
 
 
-def _rows(given: object, kind: str) -> dict[Any, Any]:
+def _rows(given: object, place: str) -> dict[Any, Any]:
     """Return values by name; a list of dictionaries gives a row for each name."""
     if given is None:
         return {}
@@ -90,7 +99,7 @@ def _rows(given: object, kind: str) -> dict[Any, Any]:
         return dict(given)
     if not isinstance(given, list | tuple) or not given or not all(isinstance(one, Mapping) for one in given):
         raise ArgumentError(
-            f"{PLACE}, {kind}: {described(given)}; expected a dictionary of variables and their values, or a list of "
+            f"{place}: {described(given)}; expected a dictionary of variables and their values, or a list of "
             "dictionaries, one for each motion"
         )
     names = list(given[0])
@@ -98,47 +107,46 @@ def _rows(given: object, kind: str) -> dict[Any, Any]:
         if set(one) != set(names):
             different = ", ".join(sorted(map(str, set(one) ^ set(names))))
             raise ParameterError(
-                f"{PLACE}, {kind}: the dictionaries of cases 0 and {case} differ by {different}; expected the same "
+                f"{place}: the dictionaries of cases 0 and {case} differ by {different}; expected the same "
                 "variables in all of them"
             )
     return {name: [one[name] for one in given] for name in names}
 
 
-def _variable(name: object, kind: str) -> Expr:
+def _variable(name: object, place: str) -> Expr:
     if isinstance(name, Expr) and name.is_variable:
         return name
-    raise ArgumentError(
-        f"{PLACE}, {kind}: {described(name)}; expected a symbol or a function of time as a key"
-    )
+    raise ArgumentError(f"{place}: {described(name)}; expected a symbol or a function of time as a key")
 
 
-def _column(name: Expr, values: ArrayLike, kind: str) -> Column:
-    column = column_of(name, values, f"{PLACE}, {kind}")
+def _column(name: Expr, values: ArrayLike, place: str) -> Column:
+    column = column_of(name, values, place)
     if column.ndim > 1:
         raise ParameterError(
-            f"{PLACE}, {kind}: {name} has values of shape {column.shape}; expected a number, or a row of numbers with "
+            f"{place}: {name} has values of shape {column.shape}; expected a number, or a row of numbers with "
             "one for each case. For all combinations of several rows use cases=grid({...})"
         )
     if column.size == 0:
-        raise ParameterError(
-            f"{PLACE}, {kind}: {name} has no values, so there is nothing to run; give at least one"
-        )
+        raise ParameterError(f"{place}: {name} has no values, so there is nothing to run; give at least one")
     return column
 
 
-def _count(columns: Sequence[tuple[Expr, Column]]) -> int:
+def _count(columns: Sequence[tuple[Expr, Column]], place: str) -> int:
     """Return the number of cases: the length of all arrays."""
     lengths = [(name, len(column)) for name, column in columns if column.ndim == 1]
     if len({length for _, length in lengths}) > 1:
         found = ", ".join(f"{name} has {length}" for name, length in lengths)
         raise ParameterError(
-            f"{PLACE}: arrays of different lengths ({found}); expected one value for each case in every array, or "
+            f"{place}: arrays of different lengths ({found}); expected one value for each case in every array, or "
             "a number for all cases. For all combinations use cases=grid({...})"
         )
     return lengths[0][1] if lengths else 1
 
 
 def _spread(column: Column, count: int) -> Column:
-    spread = np.array(np.broadcast_to(column, count))
+    """Return the values of all cases, which can't be changed; a number takes no memory for each case."""
+    if column.ndim == 0:
+        return np.broadcast_to(column, count)
+    spread = column.copy()
     spread.flags.writeable = False
     return spread

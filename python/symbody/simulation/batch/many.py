@@ -7,7 +7,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, field
 from math import inf
-from os import PathLike
 from pathlib import Path
 from time import monotonic
 
@@ -16,6 +15,7 @@ from numpy.typing import ArrayLike
 from symbody.dynamics import Equations
 from symbody.errors import ArgumentError, ResultsError, SimulationError, notify
 from symbody.simulation.batch.case_arrays import Results
+from symbody.simulation.device.devices import on_device
 from symbody.simulation.given.event import Event
 from symbody.simulation.integrate.notices import notices_of_batch
 from symbody.simulation.integrate.task import Task
@@ -23,7 +23,7 @@ from symbody.simulation.integrate.task_of import task_of, warn_of_odd_values
 from symbody.simulation.terminal.interruption import Interruption
 from symbody.simulation.terminal.progress import progress_bar
 from symbody.symbolic import Expr, ExprLike
-from symbody.symbolic.given.arguments import described, with_known_names
+from symbody.symbolic.given.arguments import with_known_names
 
 from .case_check import check_cases
 from .cases import PLACE, Cases, Values, cases_of
@@ -31,7 +31,7 @@ from .problem_digest import problem_digest
 from .results_file import ResultsFile
 from .run_cases import empty_results
 from .runs import Runs
-from .workers import Part, core_count, run_by_executor, run_in_threads
+from .workers import Part, checked_workforce, core_count, run_by_executor, run_in_threads
 
 SAVE_EVERY = 10.0
 """The time between two saves, in s: an accident costs no more work than that."""
@@ -62,6 +62,7 @@ def simulate_many(
     sensitivities: Sequence[Expr] | None = None,
     executor: Executor | None = None,
     threads: int | None = None,
+    device: str | None = None,
     path: str | os.PathLike[str] | None = None,
     progress: bool | None = None,
     keep_states: bool = True,
@@ -94,6 +95,8 @@ def simulate_many(
         executor: an executor whose workers run the motions: one of `concurrent.futures`, or dask's
             ``client.get_executor()``. By default, native threads of this process run them.
         threads: the number of these threads; by default one for each core.
+        device: ``"cuda"`` for a graphics processor of NVIDIA (``pip install "symbody[cuda]"``): one motion a thread, by
+            an explicit method. Motions that meet trouble there are integrated by threads of this process.
         path: a file ``.npz`` for the results, which is updated regularly. If it exists, only missing cases are run.
         progress: whether to show a progress bar; by default if messages go to a terminal.
         keep_states: whether the states are results, or only the outputs, which need less memory.
@@ -110,7 +113,7 @@ def simulate_many(
     >>> simulate_many(pendulum, {m: 1, g: 9.81, l: [0.5, 1.0, 2.0]}, {theta: 0.1}, t=(0, 2))
     Runs(3 cases, 1001 instants)
     """
-    workforce = _checked(executor, core_count() if threads is None else threads, path)
+    workforce = checked_workforce(PLACE, executor, core_count() if threads is None else threads, path)
     if sensitivities and not keep_states:
         raise ArgumentError(
             f"{PREFIX}keep_states=False, and sensitivities are those of states; leave one of them out"
@@ -134,6 +137,11 @@ def simulate_many(
         where=PLACE,
     )
     check_cases(task, all_cases)
+    if device is not None and executor is not None:
+        raise SimulationError(
+            f"{PREFIX}device={device!r} and an executor; give one of them: the device is fed by this process"
+        )
+    task = on_device(task, device, PLACE)
     warn_of_odd_values(task, all_cases.parameters, PLACE)
     file = None if path is None else ResultsFile(Path(path), problem_digest(task, all_cases))
     results = _results_so_far(file, empty_results(task, all_cases.count))
@@ -150,19 +158,6 @@ def _warn(runs: Runs, *notices: str) -> None:
     texts = [PREFIX + notice.removeprefix(PREFIX) for notice in notices if notice]
     for text in (*texts, *notices_of_batch(runs.findings, PLACE)):
         notify(text)
-
-
-def _checked(executor: object, threads: object, path: object) -> tuple[Executor | None, int]:
-    if not isinstance(executor, Executor | None):
-        raise ArgumentError(
-            f"{PREFIX}executor={described(executor)}; expected an executor of concurrent.futures, such as "
-            "ProcessPoolExecutor(), dask's client.get_executor(), or None for threads of this process"
-        )
-    if not isinstance(path, str | PathLike | None):
-        raise ArgumentError(f"{PREFIX}path={described(path)}; expected a path, such as 'runs.npz'")
-    if not isinstance(threads, int) or threads < 1:
-        raise ArgumentError(f"{PREFIX}threads={described(threads)}; expected a whole number from 1")
-    return executor, threads
 
 
 def _results_so_far(file: ResultsFile | None, empty: Results) -> Results:

@@ -11,11 +11,12 @@ from numpy.typing import NDArray
 from symbody.errors import SymbodyError
 from symbody.simulation.batch.case_arrays import Results, Status
 from symbody.simulation.integrate.diagnosis import diagnosis
-from symbody.simulation.integrate.initial_state import initial_slopes, initial_state
-from symbody.simulation.integrate.integrated import Integrated, run_motions
+from symbody.simulation.integrate.initial_state import initial_slopes, initial_state, initial_states
+from symbody.simulation.integrate.integrated import Integrated, Motions, run_motions
 from symbody.simulation.integrate.notices import deficiency_findings, findings_of
 from symbody.simulation.integrate.outcome import FailureKind, with_deficiencies
 from symbody.simulation.integrate.task import KeepGoing, Task
+from symbody.simulation.integrate.unremarkable import unremarkable_motions
 from symbody.simulation.integrate.with_sensitivities import beside_sensitivities
 from symbody.simulation.integrate.without_redundant import without_redundant
 from symbody.symbolic.numeric.deficiency import noting
@@ -65,9 +66,16 @@ def run_cases(task: Task, cases: Cases, threads: int = 1, keep_going: KeepGoing 
                 ]
             )
         motions = run_motions(each, parameters, starts, threads, goes_on)
-        for case, motion in zip(chosen, motions, strict=True):
+        unremarkable = unremarkable_motions(motions)
+        places = np.array(chosen)
+        _record_unremarkable(results, places, motions, unremarkable)
+        for place, motion in motions.among(np.flatnonzero(~unremarkable).tolist()):
             if motion is not None:
-                _record(results, case, motion)
+                _record(results, chosen[place], motion)
+        if task.outputs:
+            for place, motion in motions.among(np.flatnonzero(unremarkable).tolist()):
+                if motion is not None:
+                    _put_outputs_and_findings(results, chosen[place], motion)
         finished += len(chosen)
     return results
 
@@ -84,7 +92,7 @@ def _begun(
     task: Task, cases: Cases, results: Results, keep_going: KeepGoing
 ) -> tuple[dict[int, Task], Array, dict[int, Array]]:
     """Return the tasks of the cases that can start, all initial states, and derivatives; record why others fail."""
-    states = _free_initial_states(task, cases)
+    states = _initial_states(task, cases)
     tasks = dict.fromkeys(np.flatnonzero(np.isfinite(states).all(axis=1)).tolist(), task)
     slopes = {case: initial_slopes(task, {}, {}, states[case]) for case in tasks} if task.by else {}
     reduced: dict[tuple[int, ...], Task] = {}
@@ -106,15 +114,34 @@ def _begun(
     return tasks, states, slopes
 
 
-def _free_initial_states(task: Task, cases: Cases) -> Array:
-    """Return the initial states of unconstrained motions, one row each; NaN where `initial_state` solves for them."""
+def _initial_states(task: Task, cases: Cases) -> Array:
+    """Return the initial states that need no further look, one row each; NaN where `initial_state` solves for them."""
     model = task.model
-    if model.constraints or model.system.has_quasi_velocities:
+    if task.by and (model.constraints or model.system.has_quasi_velocities):
         return np.full((cases.count, model.width), np.nan)
-    states = np.zeros((cases.count, model.width))
-    for place, name in enumerate(model.state):
-        states[:, place] = cases.initial.get(name, task.guess.get(name, 0.0))
-    return states
+    return initial_states(task, cases.parameters, cases.initial, cases.count)
+
+
+def _record_unremarkable(
+    results: Results, cases: NDArray[np.intp], motions: Motions, which: NDArray[np.bool_]
+) -> None:
+    """Store the results of motions that reached the last instant, and have no findings.
+
+    Args:
+        results: where to store them.
+        cases: the numbers of the cases of all motions.
+        motions: the motions.
+        which: which of them, shape (k,).
+    """
+    if not which.any():
+        return
+    chosen = cases[which]
+    results.status[chosen] = Status.COMPLETED
+    results.reached[chosen] = len(motions.task.instants)
+    results.t_reached[chosen] = motions.end
+    results.counts[chosen] = motions.counts[which]
+    if motions.task.keeps_states:
+        results.states[chosen] = motions.states[which]
 
 
 def _record(results: Results, case: int, motion: Integrated) -> None:
@@ -150,7 +177,11 @@ def _record(results: Results, case: int, motion: Integrated) -> None:
         results.slopes[case, :reached] = found.states
     if task.keeps_states:
         results.states[case, :reached, : outcome.states.shape[1]] = outcome.states
-    met = _put_outputs(results, case, motion) if task.outputs else motion
+    _put_outputs_and_findings(results, case, motion)
+
+
+def _put_outputs_and_findings(results: Results, case: int, motion: Integrated) -> None:
+    met = _put_outputs(results, case, motion) if motion.task.outputs else motion
     with noting():  # what the motion met is already in its findings
         findings = findings_of(met)
     results.findings[case] = tuple(dict.fromkeys((*results.findings[case], *findings)))

@@ -3,20 +3,25 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import FIRST_COMPLETED, Executor, Future, ProcessPoolExecutor, wait
+from collections.abc import Callable, Iterator
+from concurrent.futures import Executor, Future
 from math import inf
+from os import PathLike
 from time import monotonic
 
 import numpy as np
 from numpy.typing import NDArray
 
-from symbody.errors import SimulationError
+from symbody.errors import ArgumentError
 from symbody.simulation.batch.case_arrays import Results
+from symbody.simulation.device.devices import prepared
+from symbody.simulation.device.run_kernel import bytes_of_case
 from symbody.simulation.integrate.task import Task
 from symbody.simulation.terminal.interruption import Interruption
+from symbody.symbolic.given.arguments import described
 
-from .cases import Cases
+from .cases import PLACE, Cases
+from .in_flight import INTERRUPTED, InFlight
 from .parcel import Parcel
 from .run_cases import empty_results, run_cases
 from .stop_flag import StopFlag
@@ -27,11 +32,14 @@ Part = tuple[NDArray[np.intp], Results]
 MEMORY = 64 * 2**20
 """The bytes of states that are computed at a time in this process, or in a task."""
 
+DEVICE_MEMORY = 512 * 2**20
+"""The same on a device, whose many threads all need a motion."""
+
 TASKS = 200
 """The number of tasks in a batch: many, for workers of unequal speed, but few to send."""
 
-LOOK = 0.1
-"""The time between two checks for Ctrl-C, in s."""
+IN_FLIGHT = 64
+"""The most tasks at the workers of an executor, or on their way."""
 
 _interrupted: set[StopFlag] = set()
 """The calls whose tasks stop in this process only, because it received Ctrl-C."""
@@ -40,6 +48,33 @@ _interrupted: set[StopFlag] = set()
 def core_count() -> int:
     """Return the number of processors that this process may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def checked_workforce(
+    place: str, executor: object, threads: object, path: object, example: str = "runs.npz"
+) -> tuple[Executor | None, int]:
+    """Return the executor, and the number of threads without one.
+
+    Args:
+        place: the function that the user called.
+        executor: the executor.
+        threads: the number of threads.
+        path: the path of a file for the results.
+        example: the name of such a file, for messages.
+
+    Raises:
+        ArgumentError: one of them has the wrong kind.
+    """
+    if not isinstance(executor, Executor | None):
+        raise ArgumentError(
+            f"{place}: executor={described(executor)}; expected an executor of concurrent.futures, such as "
+            "ProcessPoolExecutor(), dask's client.get_executor(), or None for threads of this process"
+        )
+    if not isinstance(path, str | PathLike | None):
+        raise ArgumentError(f"{place}: path={described(path)}; expected a path, such as {example!r}")
+    if not isinstance(threads, int) or threads < 1:
+        raise ArgumentError(f"{place}: threads={described(threads)}; expected a whole number from 1")
+    return executor, threads
 
 
 def run_in_threads(
@@ -61,16 +96,16 @@ def run_in_threads(
         span: the longest time for a part, in s; a part has at least as many cases as there are threads.
     """
     most = max(threads, _cases_in_memory(task))
-    size, done = most if span == inf else min(most, 4 * threads), 0
+    size, done = most if span == inf or task.device is not None else min(most, 4 * threads), 0
     while done < len(indices) and keep_going(done):
         chosen, begin = indices[done : done + size], monotonic()
-        yield chosen, run_cases(task, cases.subset(chosen), threads, _counting_from(keep_going, done))
+        yield chosen, run_cases(task, cases.subset(chosen), threads, counting_from(keep_going, done))
         done += len(chosen)
         pace = span / max(monotonic() - begin, 1e-9)
         size = int(np.clip(size * pace, max(threads, size // 4), min(most, 4 * size)))
 
 
-def _counting_from(keep_going: Callable[[float], bool], past: int) -> Callable[[float], bool]:
+def counting_from(keep_going: Callable[[float], bool], past: int) -> Callable[[float], bool]:
     """Return a `keep_going` that adds the number of cases that are done already."""
     return lambda done: keep_going(past + done)
 
@@ -92,65 +127,25 @@ def run_by_executor(
         keep_going: called some times a second with the number of finished cases; False ends all of them.
 
     Raises:
-        SimulationError: tasks were lost: the executor is broken, or a worker can't run the model.
+        SimulationError: tasks were lost for good: the executor is broken, or a worker can't run the model.
     """
-    parcel, done, lost, flag = Parcel(task), 0, None, StopFlag()
-    with parcel.open_here():
-        waiting = _submitted(parcel, cases, indices, executor, _cases_in_memory(task), flag)
-        try:
-            while waiting and keep_going(done):
-                ready, _ = wait(waiting, timeout=LOOK, return_when=FIRST_COMPLETED)
-                for future in sorted(ready, key=lambda one: int(waiting[one][0])):
-                    chosen = waiting.pop(future)
-                    lost = future.exception() or lost
-                    if future.exception() is None:
-                        part = future.result()
-                        done += len(chosen)
-                        lost = KeyboardInterrupt("a worker was interrupted") if len(part.missing) else lost
-                        yield chosen, part
-        finally:
-            if waiting:
-                flag.set()
-                _withdraw(waiting, executor)
-    if lost is not None and keep_going(done):
-        raise _tasks_lost(lost) from lost
-
-
-def _submitted(
-    parcel: Parcel[Task],
-    cases: Cases,
-    indices: NDArray[np.intp],
-    executor: Executor,
-    most: int,
-    flag: StopFlag,
-) -> dict[Future[Results], NDArray[np.intp]]:
-    """Submit cases as tasks, and return the indices of the cases of each.
-
-    Args:
-        parcel: what the cases share.
-        cases: all of them.
-        indices: those to run.
-        executor: the executor.
-        most: the most cases of a task.
-        flag: the flag that stops the tasks.
-    """
-    size = min(most, -(-len(indices) // TASKS))
+    size = min(_cases_in_memory(task), -(-len(indices) // TASKS))
     parts = [indices[start : start + size] for start in range(0, len(indices), size)]
-    try:
-        return {executor.submit(_run, parcel, cases.subset(part), flag): part for part in parts}
-    except Exception as error:
-        raise _tasks_lost(error) from error
+    parcel, flag, done = Parcel(task), StopFlag(), 0
 
+    def begin(number: int) -> Future[Results]:
+        return executor.submit(_run, parcel, cases.subset(parts[number]), flag)
 
-def _withdraw(waiting: Iterable[Future[Results]], executor: Executor) -> None:
-    """Cancel tasks, except those of a process pool: these see the flag and end when they start.
+    def goes_on() -> bool:
+        return keep_going(done)
 
-    If a worker dies after tasks were cancelled, such a pool fails on them and never ends its other workers (Python
-    3.11, its issue 107219).
-    """
-    if not isinstance(executor, ProcessPoolExecutor):
-        for future in waiting:
-            future.cancel()
+    flight = InFlight(PLACE, executor, begin, IN_FLIGHT, flag)
+    with parcel.open_here():
+        for number, part in flight.results(range(len(parts)), goes_on):
+            done += len(parts[number])
+            if len(part.missing):
+                flight.lost = INTERRUPTED
+            yield parts[number], part
 
 
 def _run(parcel: Parcel[Task], cases: Cases, flag: StopFlag) -> Results:
@@ -171,13 +166,9 @@ def _run(parcel: Parcel[Task], cases: Cases, flag: StopFlag) -> Results:
     return results
 
 
-def _tasks_lost(error: BaseException) -> SimulationError:
-    return SimulationError(
-        f"simulate_many: tasks of the executor failed ({type(error).__name__}: {error}); expected an executor whose "
-        "workers can import symbody and keep running"
-    )
-
-
 def _cases_in_memory(task: Task) -> int:
-    """Return how many cases fit into the memory for states."""
-    return max(1, MEMORY // (8 * (len(task.instants) + task.trail) * task.model.width))
+    """Return how many cases fit into the memory for states, and for events on a device."""
+    numbers = (len(task.instants) + task.trail) * task.model.width
+    if task.device is None:
+        return max(1, MEMORY // (8 * numbers))
+    return max(1, DEVICE_MEMORY // bytes_of_case(prepared(task)[1], len(task.instants)))

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symbody.dynamics import Equations
 from symbody.errors import ConstraintError, notify
+from symbody.multibody import Variables
 from symbody.simulation.given.unused import warn_of_unused
 from symbody.simulation.given.values import check_equations, parameter_values, state_values
 from symbody.simulation.model.named_constraint import named_constraints
@@ -20,6 +21,7 @@ from .consistent_position import positions
 from .consistent_velocity import velocities
 from .kinematics import Kinematics, kinematics_of
 from .singular_kinematics import another_choice, singular_kinematics
+from .usual_states import usual_states
 
 __all__ = ["consistent_state", "solved_state"]
 
@@ -111,9 +113,20 @@ def solved_state(
     kinematics = kinematics.beside(z)
     kinematics.check_inputs(_WHERE)
     p = parameter_values(kinematics.parameters, parameters, where=_WHERE, beside=system.state_names)
+    usual = usual_states(
+        kinematics, p[np.newaxis], t, {name: np.array([x]) for name, x in fixed.items()}, near
+    )
+    if usual.are_found[0]:  # the others are looked for further
+        return _named(system, usual.q[0], usual.u[0], z)
     q = positions(kinematics, p, t, fixed, near)
     _check_finite(kinematics, p, t, q)
     u = velocities(kinematics, p, t, q, fixed, near)
+    return _named(system, q, u, z)
+
+
+def _named(
+    system: Variables, q: NDArray[np.float64], u: NDArray[np.float64], z: Iterable[float]
+) -> dict[Expr, float]:
     names = (*system.coordinates, *system.speeds, *system.states)
     return dict(zip(names, map(float, [*q, *u, *z]), strict=True))
 

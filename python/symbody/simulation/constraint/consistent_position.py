@@ -20,7 +20,16 @@ from .least_norm import least_norm
 from .open_loop import open_joints
 from .opposite_axes import check_senses
 
-__all__ = ["EXACT", "ROUNDED", "Positions", "listed_values", "positions", "starting_points", "term_sizes"]
+__all__ = [
+    "EXACT",
+    "ROUNDED",
+    "Positions",
+    "listed_values",
+    "positions",
+    "starting_points",
+    "term_sizes",
+    "term_sizes_of_many",
+]
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -31,7 +40,8 @@ ROUNDED = 1e-6
 """The relative violation, as of numbers with seven digits, up to which given values are corrected as well."""
 _PRINTED = 1e-4
 """The relative violation that rounded dimensions explain."""
-_APPROACHES = 60
+APPROACHES = 60
+"""The most steps to the position nearest to the guess."""
 _NAMED = 4
 _LISTED = 12
 
@@ -166,13 +176,20 @@ def term_sizes(q: Array, phi_q: Array, sizes: Array) -> Array:
     return np.where(np.isfinite(scale) & (scale > 0), scale, 1.0)
 
 
+def term_sizes_of_many(q: Array, phi_q: Array, sizes: Array) -> Array:
+    """Return `term_sizes` at k positions: of coordinates (n, k), slopes (m, n, k) and sizes (m, k)."""
+    of_coordinates = (np.abs(phi_q) * np.maximum(np.abs(q), 1)).sum(axis=1)
+    scale = np.maximum(sizes, 1e-3 * of_coordinates)
+    return np.where(np.isfinite(scale) & (scale > 0), scale, 1.0)
+
+
 def _nearest(problem: Positions, start: Array, found: Array, is_free: Flags) -> Array:
     """Return the solution nearest to the start, by descent from a solution that was found.
 
     Each step projects the difference to the start onto the tangent space, and then returns to the constraints.
     """
     share = 1.0
-    for _ in range(_APPROACHES):
+    for _ in range(APPROACHES):
         _, J = problem.linearization(found, is_free)
         _, tangents = least_norm(J, np.zeros(len(J)))
         back = np.zeros_like(found)
@@ -217,12 +234,11 @@ def _unsatisfied(kinematics: Kinematics, p: Array, t: float, q: Array, fixed: Ma
             f"values that do: {near}; give these, or the coordinates as a guess, so that they are solved for"
         )
     opened = _open_loop(system, phi, sizes)
-    is_overdetermined = len(phi) > len(q)
-    if opened and is_overdetermined and _nearly_closes(q, phi, phi_q, sizes):
+    if opened and _nearly_closes(q, phi, phi_q, sizes) and _are_nearly_dependent(phi_q):
         nearest = listed_values(system.coordinates, dict(zip(system.coordinates, q, strict=True)))
         return (
-            f"the loop nearly closes at t = {t:g} s: at the nearest position, {nearest}, {opened}; it has more "
-            "constraints than coordinates, so that it closes with exact dimensions alone: give them with all digits, "
+            f"the loop nearly closes at t = {t:g} s: at the nearest position, {nearest}, {opened}; its constraints "
+            "nearly depend on each other, so that it closes with exact dimensions alone: give them with all digits, "
             "or as expressions such as pi/6, or let joints of the loop have more freedoms, such as spherical"
         )
     if opened and (against or not named):
@@ -261,6 +277,18 @@ def _unsatisfied(kinematics: Kinematics, p: Array, t: float, q: Array, fixed: Ma
 def _nearly_closes(q: Array, phi: Array, phi_q: Array, sizes: Array) -> bool:
     """Return whether constraints are violated by no more than what dimensions lose when they are printed."""
     return bool(np.all(np.abs(phi) <= _PRINTED * term_sizes(q, phi_q, sizes)))
+
+
+def _are_nearly_dependent(phi_q: Array) -> bool:
+    """Return whether gradients depend on each other up to what dimensions lose when they are printed."""
+    rows, columns = phi_q.shape
+    if rows > columns:
+        return True
+    directions = phi_q / np.maximum(np.linalg.norm(phi_q, axis=1, keepdims=True), np.finfo(float).tiny)
+    if not np.isfinite(directions).all():
+        return False
+    values = np.linalg.svd(directions, compute_uv=False)
+    return bool(values[-1] <= _PRINTED * values[0])
 
 
 def _open_loop(system: Variables, phi: Array, sizes: Array) -> str:

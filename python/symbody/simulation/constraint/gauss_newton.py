@@ -7,11 +7,14 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Linearization", "gauss_newton"]
+__all__ = ["Linearization", "gauss_newton", "gauss_newton_of_many"]
 
 Array = NDArray[np.float64]
 Linearization = Callable[[Array], tuple[Array, Array]]
 """Returns values and their Jacobian, which need not be finite."""
+
+LinearizationOfMany = Callable[[Array, NDArray[np.intp]], tuple[Array, Array]]
+"""The same for some of many problems: at points (k, n), and with the numbers of the problems, shape (k,)."""
 
 _STEPS = 200
 _LARGEST_DAMPING = 1e12
@@ -62,3 +65,52 @@ def _damped_step(F: Array, J: Array, mu: float) -> Array:
     s, U, Vt = s[kept], U[:, kept], Vt[kept]
     step: Array = -(Vt.T @ (s / (s * s + mu) * (U.T @ F)))
     return step
+
+
+def gauss_newton_of_many(linearization: LinearizationOfMany, start: Array, most: int) -> Array:
+    """Return the points of `gauss_newton` for k problems, which do not depend on each other.
+
+    Args:
+        linearization: the values (k, m) and Jacobians (k, m, n) of some problems.
+        start: the starts, shape (k, n).
+        most: the largest number of steps.
+    """
+    x, left = start.copy(), np.arange(len(start))
+    damping = np.full(len(start), 1e-2)
+    F, J = linearization(x, left)
+    m = F.shape[1]
+    for _ in range(most):
+        error = (F * F).sum(axis=1)
+        goes_on = np.isfinite(error) & np.isfinite(J).all(axis=(1, 2)) & (error > m * _ROUNDING**2)
+        goes_on &= damping <= _LARGEST_DAMPING
+        left, damping, F, J, error = (each[goes_on] for each in (left, damping, F, J, error))
+        if not len(left):
+            break
+        step = _damped_steps(F, J, damping * error)
+        expected = error - ((F + (J * step[:, None, :]).sum(axis=2)) ** 2).sum(axis=1)
+        goes_on = (expected > 1e-16 * error) & (
+            np.abs(step).max(axis=1) > 1e-16 * np.abs(x[left]).max(axis=1)
+        )
+        left, damping, F, J, error, step, expected = (
+            each[goes_on] for each in (left, damping, F, J, error, step, expected)
+        )
+        F_next, J_next = linearization(x[left] + step, left)
+        gain = (error - (F_next * F_next).sum(axis=1)) / expected
+        is_better = gain > 1e-4
+        x[left[is_better]] += step[is_better]
+        F = np.where(is_better[:, None], F_next, F)
+        J = np.where(is_better[:, None, None], J_next, J)
+        damping = np.where(
+            gain > 0.75, np.maximum(damping / 5, 1e-8), np.where(gain > 0.25, damping, 4 * damping)
+        )
+        goes_on = ~((gain < 0.5) & (error <= m * _NEARLY**2))
+        left, damping, F, J = (each[goes_on] for each in (left, damping, F, J))
+    return x
+
+
+def _damped_steps(F: Array, J: Array, mu: Array) -> Array:
+    """Return `_damped_step` for each problem."""
+    U, s, Vt = np.linalg.svd(J, full_matrices=False)
+    is_kept = s > 1e-13 * s.max(axis=1, keepdims=True, initial=0.0)
+    along = np.where(is_kept, s / (s * s + mu[:, None]), 0.0) * (U * F[:, :, None]).sum(axis=1)
+    return np.asarray(-(Vt * along[:, :, None]).sum(axis=1))

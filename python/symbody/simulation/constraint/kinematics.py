@@ -76,6 +76,14 @@ class Kinematics:
     def _with_states(self, place: Array) -> Array:
         return place if self.states is None else np.concatenate([place, self.states])
 
+    def position_of_many(self, t: float, q: Array, p: Array) -> Any:
+        """Return `position` at k positions (n, k) with parameters (p, k), to the same digits."""
+        return self.position.at_few_points(t, q, p)
+
+    def velocity_of_many(self, t: float, q: Array, p: Array) -> Any:
+        """Return `velocity` at k positions (n, k) with parameters (p, k), to the same digits."""
+        return self._velocity.at_few_points(t, q, p)
+
     def velocity(self, t: ArrayLike, q: Array, p: Array) -> Any:
         """Return A and b of ``(phi', q') = A u + b``, with all constraints."""
         return self._velocity(t, self._with_states(q), p)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["RANK", "inverse_and_kernel", "least_norm", "least_norm_many"]
+__all__ = ["RANK", "inverse_and_kernel", "least_norm", "least_norm_many", "row_sizes"]
 
 Array = NDArray[np.float64]
 
@@ -30,7 +30,7 @@ def inverse_and_kernel(A: Array) -> tuple[Array, Array]:
     rows, columns = A.shape
     if rows == 0 or columns == 0:
         return np.zeros((columns, rows)), np.eye(columns)
-    size = _row_sizes(A)
+    size = row_sizes(A)
     U, s, Vt = np.linalg.svd(A / size)
     rank = int(np.sum(s > RANK * s.max(initial=0.0)))
     inverse: Array = Vt[:rank].T @ (U[:, :rank].T / s[:rank, None] / size[:, 0])
@@ -50,14 +50,14 @@ def least_norm_many(A: Array, b: Array) -> tuple[Array, Array]:
     if count == 1:
         x, kernel = least_norm(A[0], b[0])
         return x[None], 1 - np.sum(kernel**2, axis=1)[None]
-    size = _row_sizes(A)
+    size = row_sizes(A)
     inverse = np.linalg.pinv(A / size, rcond=RANK)
     x = np.einsum("kij,kj->ki", inverse, b / size[:, :, 0])
     determined = np.einsum("kij,kji->ki", inverse, A / size)
     return x, determined
 
 
-def _row_sizes(A: Array) -> Array:
+def row_sizes(A: Array) -> Array:
     """Return the largest entry of each row as a column; for rows that are zero up to rounding, that of all rows."""
     rows = np.abs(A).max(axis=-1, keepdims=True)
     largest = rows.max(axis=-2, keepdims=True)

@@ -27,7 +27,7 @@ from .kinematics import Kinematics
 if TYPE_CHECKING:
     from symbody.multibody.joint.placed_joint import PlacedJoint
 
-__all__ = ["check_senses", "turned_joint"]
+__all__ = ["are_turned", "check_senses", "turned_joint"]
 
 Array = NDArray[np.float64]
 
@@ -65,6 +65,15 @@ def turned_joint(kinematics: Kinematics, p: Array, time: float, q: Array) -> str
         if wrong:
             return _turned(joint, wrong, time)
     return ""
+
+
+def are_turned(kinematics: Kinematics, p: Array, time: float, q: Array) -> NDArray[np.bool_]:
+    """Return at which of k positions, shape (k, n_q), a joint is closed with opposite axes, shape (k,)."""
+    found = _senses(kinematics)
+    if found is None:
+        return np.zeros(len(q), dtype=bool)
+    products = found.products.at_few_points(q.T, time, p.T)[0]
+    return np.asarray((products < _ALONG).any(axis=0))
 
 
 class _Senses(NamedTuple):

@@ -18,7 +18,14 @@ from .kinematics import Kinematics
 from .vanishing_combinations import vanishing_combinations
 from .walk import CANCELLED, ConfigurationSpace, scaled
 
-__all__ = ["SINGULAR", "dependent_rows", "equilibrated", "is_singular", "may_be_singular"]
+__all__ = [
+    "SINGULAR",
+    "dependent_rows",
+    "equilibrated",
+    "is_singular",
+    "may_be_singular",
+    "may_be_singular_of_many",
+]
 
 Array = NDArray[np.float64]
 
@@ -76,6 +83,37 @@ def may_be_singular(kinematics: Kinematics, p: Array, t: float, q: Array, indepe
         return True
     s = np.linalg.svd(equilibrated(J[None]), compute_uv=False)[0]
     return bool(independent and s[independent - 1] <= LOOK * s[0])
+
+
+def may_be_singular_of_many(
+    kinematics: Kinematics, p: Array, t: float, q: Array, independent: int
+) -> NDArray[np.bool_]:
+    """Return at which of k positions `may_be_singular` is true, shape (k,).
+
+    Args:
+        kinematics: the constraints, which hold no states.
+        p: the values of their parameters, shape (k, parameters).
+        t: the time, in s.
+        q: the coordinates, shape (k, n).
+        independent: the number of constraints that are independent at almost every position.
+    """
+    with np.errstate(all="ignore"):
+        _, phi_q, sizes = kinematics.position_of_many(t, q.T, p.T)
+        J = np.moveaxis(kinematics.velocity_of_many(t, q.T, p.T)[0][: len(kinematics.constraints)], -1, 0)
+        reach = (np.abs(phi_q) * np.maximum(np.abs(q.T), 1)).sum(axis=1)
+        found: NDArray[np.bool_] = (reach <= LOOK * sizes).any(axis=0)
+    is_finite = (
+        np.isfinite(J).all(axis=(1, 2)) & np.isfinite(reach).all(axis=0) & np.isfinite(sizes).all(axis=0)
+    )
+    if independent and is_finite.any():
+        matrices = J[is_finite]
+        rows = np.linalg.norm(matrices, axis=2, keepdims=True)
+        by_row = matrices / np.where(rows > 0, rows, 1.0)
+        columns = np.abs(by_row).max(axis=1, keepdims=True)
+        whole = by_row / np.where(columns > ROUNDED * columns.max(axis=2, keepdims=True), columns, 1.0)
+        s = np.linalg.svd(whole, compute_uv=False)
+        found[is_finite] |= s[:, independent - 1] <= LOOK * s[:, 0]
+    return np.asarray(found & is_finite)
 
 
 def is_singular(kinematics: Kinematics, p: Array, t: float, q: Array, held: Sequence[Expr] = ()) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,10 +13,11 @@ from symbody.symbolic import Expr
 
 from .contradictory_constraints import with_contradictions
 from .outcome import Outcome
+from .outcomes import Outcomes
 from .task import Columns, KeepGoing, Task
 from .with_sensitivities import with_sensitivities
 
-__all__ = ["Integrated", "run_motions"]
+__all__ = ["Integrated", "Motions", "run_motions"]
 
 Array = NDArray[np.float64]
 
@@ -36,10 +37,90 @@ class Integrated:
     outcome: Outcome
 
 
+@dataclass(frozen=True, eq=False)
+class Motions:
+    """The motions of a task, in order; each is made when it is asked for.
+
+    Attributes:
+        task: the task.
+        columns: the values of the parameters by name, one for each of the k motions.
+        starts: the initial states, shape (k, width).
+        outcomes: their outcomes; methods that are not native yield them one by one.
+    """
+
+    task: Task
+    columns: Columns
+    starts: Array
+    outcomes: Iterable[Outcome | None]
+
+    def __iter__(self) -> Iterator[Integrated | None]:
+        """Yield the motions; None for those that were not started."""
+        for case, outcome in enumerate(self.outcomes):
+            yield self._motion(case, outcome)
+
+    def among(self, places: Iterable[int]) -> Iterator[tuple[int, Integrated | None]]:
+        """Yield the motions at some places, with these, in order."""
+        wanted, whole = sorted(set(places)), self._whole
+        if whole is not None:
+            yield from ((case, self._motion(case, whole[case])) for case in wanted)
+            return
+        for case, motion in enumerate(self):
+            if case in wanted:
+                yield case, motion
+
+    @property
+    def plain(self) -> NDArray[np.bool_]:
+        """Which motions reached the last instant, and are their outcome, of which nothing is to be told, shape (k,)."""
+        if self._whole is None or self.task.variation is not None:
+            return np.zeros(len(self.starts), dtype=bool)
+        return self._whole.plain
+
+    @property
+    def counts(self) -> NDArray[np.int64]:
+        """The costs of plain motions, and of others, as in `Outcomes`, shape (k, 5)."""
+        return self._found.counts
+
+    @property
+    def states(self) -> Array:
+        """The states of plain motions, and of others, as in `Outcomes`, shape (k, N, width)."""
+        return self._found.states
+
+    @property
+    def end(self) -> float:
+        """The last instant, in s."""
+        return float(self.task.instants[-1])
+
+    @property
+    def ends(self) -> Array:
+        """The states of plain motions at the last instant, shape (k, width)."""
+        return self._found.states[:, -1]
+
+    @property
+    def _whole(self) -> Outcomes | None:
+        return self.outcomes if isinstance(self.outcomes, Outcomes) else None
+
+    @property
+    def _found(self) -> Outcomes:
+        assert self._whole is not None, "motions by a native method"
+        return self._whole
+
+    def values(self, names: Sequence[Expr]) -> Array:
+        """Return the values of parameters, shape (k, names)."""
+        columns = [np.broadcast_to(self.columns[name], len(self.starts)) for name in names]
+        return np.stack(columns, axis=1) if columns else np.empty((len(self.starts), 0))
+
+    def _motion(self, case: int, outcome: Outcome | None) -> Integrated | None:
+        if outcome is None:
+            return None
+        task, values = self.task, _values_of(self.columns, case)
+        own = outcome if task.variation is None else with_sensitivities(outcome, task, task.variation, values)
+        return Integrated(task, values, with_contradictions(own, task.model, values, task.instants))
+
+
 def run_motions(
     task: Task, parameters: Columns, states: Array, threads: int, keep_going: KeepGoing
-) -> Iterator[Integrated | None]:
-    """Integrate motions and yield them in order; None for those that were not started.
+) -> Motions:
+    """Integrate motions.
 
     Args:
         task: the task.
@@ -51,13 +132,7 @@ def run_motions(
     columns = _with_damping(task, parameters, states)
     sized = _with_sizes(task, columns, len(states))
     outcomes = task.integrate(sized, states, threads, keep_going) if len(states) else ()
-    for case, outcome in enumerate(outcomes):
-        if outcome is None:
-            yield None
-            continue
-        values = _values_of(columns, case)
-        own = outcome if task.variation is None else with_sensitivities(outcome, task, task.variation, values)
-        yield Integrated(task, values, with_contradictions(own, task.model, values, task.instants))
+    return Motions(task, columns, states, outcomes)
 
 
 def _with_damping(task: Task, parameters: Columns, states: Array) -> Columns:

@@ -19,6 +19,7 @@ from symbody.simulation.model.variation import Variation
 from symbody.symbolic.numeric.deficiency import Deficiency, deficiencies_of, noting
 
 from .outcome import Failure, FailureKind, Outcome, Statistics, with_deficiencies
+from .outcomes import Outcomes
 from .problem import Problem
 from .task import Columns, Integrate, KeepGoing, Task
 
@@ -195,7 +196,7 @@ def run_many(
     options: Options,
     threads: int = 1,
     keep_going: KeepGoing | None = None,
-) -> list[Outcome | None]:
+) -> Outcomes:
     """Integrate many motions in threads outside the interpreter.
 
     Args:
@@ -211,15 +212,13 @@ def run_many(
         An outcome for each motion; None for those that were not started.
     """
     results = np.full((len(states), len(instants), problem.width), np.nan)
-    different, places = np.unique(parameters, axis=0, return_inverse=True)
-    prepared = [_prepared(problem, row) for row in different]
-    constants = np.array([values for values, _ in prepared])[places]
+    constants, lacking = _prepared(problem, parameters)
     is_worth_it = len(states) >= WORTH_LANES and problem.jacobian is None and lanes() >= LEAST_LANES
     width = lanes() if is_worth_it else 1
-    given = (problem.native if width == 1 else problem.in_lanes).integrate_many(
+    counts, found = (problem.native if width == 1 else problem.in_lanes).integrate_many(
         options.method,
         np.ascontiguousarray(states, float),
-        np.ascontiguousarray(constants),
+        constants,
         np.ascontiguousarray(instants, float),
         _limits(problem, options),
         results,
@@ -227,19 +226,41 @@ def run_many(
         (threads, width),
         keep_going,
     )
-    return [
-        None if one is None else _outcome(one[0], rows, prepared[place][1] | deficiencies_of(one[1]))
-        for one, rows, place in zip(given, results, places, strict=True)
-    ]
+    remarkable = {
+        place: _outcome(given, results[place], deficiencies_of(noted) | lacking.get(place, set()))
+        for place, given, noted in found
+    }
+    outcomes = Outcomes(
+        results, float(instants[-1]), np.frombuffer(counts, dtype=np.int64).reshape(-1, 5), remarkable
+    )
+    for place in lacking.keys() - remarkable.keys():
+        plain = outcomes[place]
+        if plain is not None:
+            remarkable[place] = with_deficiencies(plain, lacking[place])
+    return outcomes
 
 
 def _prepared(
     problem: Problem, parameters: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], set[Deficiency]]:
-    """Return the constants, and the linear systems that depend on parameters alone and have no unique solution."""
+) -> tuple[NDArray[np.float64], dict[int, set[Deficiency]]]:
+    """Return the constants of all motions, in rows, and the deficient linear systems that depend on parameters alone.
+
+    These are given by the number of the motion.
+    """
+    if (parameters == parameters[:1]).all():  # sorting takes as long as a short motion
+        different, places = parameters[:1], np.zeros(len(parameters), dtype=np.intp)
+    else:
+        different, places = np.unique(parameters, axis=0, return_inverse=True)
     with noting() as found:
-        constants = problem.constants(parameters)
-    return constants, found
+        constants = problem.constants_of_many(different)
+    lacking: dict[int, set[Deficiency]] = {}
+    if found:
+        for place, row in enumerate(parameters):
+            with noting() as own:
+                problem.constants(row)
+            if own:
+                lacking[place] = own
+    return constants[places], lacking
 
 
 _Given = tuple[

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from math import nan
 
@@ -29,6 +29,7 @@ from .pole_at_start import pole_at_start
 
 __all__ = [
     "Finding",
+    "Tally",
     "deficiency_findings",
     "findings_of",
     "notices_of_batch",
@@ -223,6 +224,12 @@ def _jumps(motion: Integrated) -> Iterable[Finding]:
     return [] if found is None or found.jump is None else [Finding("jump", found.jump[1], t=found.jump[0])]
 
 
+def _left_by_device(motion: Integrated) -> Iterable[Finding]:
+    """Return why a device did not integrate a motion; a failure says more."""
+    outcome = motion.outcome
+    return [Finding("left", outcome.left)] if outcome.left and outcome.failure is None else []
+
+
 ROWS: dict[str, _Row] = {
     "deficient": _Row(_deficiencies, "{subject}"),
     "overconstrained": _Row(
@@ -295,6 +302,10 @@ ROWS: dict[str, _Row] = {
         "the rates jump at t = {t:.6g} s, where {subject} passes zero, and the sensitivities jump there, too: after it "
         "they are not known, NaN; replace the jump by a smooth law, such as tanh(v/v0) for sign(v)",
     ),
+    "left": _Row(
+        _left_by_device,
+        "not the device, but a thread of this process integrated the motion: {subject}",
+    ),
     "stiff": _Row(
         _stiffness,
         "stability, not accuracy, limits the step size: the equations are stiff; method='bdf' may be faster",
@@ -319,29 +330,73 @@ def notices_of_motion(findings: Iterable[Finding], where: str = "simulate") -> l
     return [f"{where}: {_sentence(finding)}" for finding in findings]
 
 
-def notices_of_batch(findings: Sequence[Iterable[Finding]], where: str) -> list[str]:
+def notices_of_batch(findings: Sequence[Sequence[Finding]], where: str) -> list[str]:
     """Return a message for each kind and subject of findings, with the number of cases that have it.
 
     Args:
         findings: the findings of each case.
         where: the function that the user called.
     """
-    grouped: dict[tuple[str, str], dict[int, Finding]] = {}
+    tally = Tally()
     for case, found in enumerate(findings):
-        for finding in found:
-            grouped.setdefault((finding.kind, finding.subject), {})[case] = finding
-    kinds = list(ROWS)
-    ordered = sorted(grouped.values(), key=lambda cases: kinds.index(next(iter(cases.values())).kind))
-    return [f"{where}: {_counted(cases, len(findings))}" for cases in ordered]
+        if found:
+            tally.add(case, found)
+    return tally.notices(len(findings), where)
 
 
-def _counted(cases: Mapping[int, Finding], count: int) -> str:
+@dataclass
+class _Counted:
+    """The cases with findings of one kind and subject: their number, the first one, and the worst one."""
+
+    number: int
+    first: int
+    worst: int
+    finding: Finding
+
+
+class Tally:
+    """The findings of many cases, counted as they come; its size depends on the kinds and subjects alone."""
+
+    def __init__(self) -> None:
+        self._groups: dict[tuple[str, str], _Counted] = {}
+
+    def add(self, case: int, findings: Iterable[Finding]) -> None:
+        """Count the findings of a case; of several with one kind and subject, the last one."""
+        for finding in {(each.kind, each.subject): each for each in findings}.values():
+            key = finding.kind, finding.subject
+            group = self._groups.get(key)
+            if group is None:
+                self._groups[key] = _Counted(1, case, case, finding)
+                continue
+            group.number, group.first = group.number + 1, min(group.first, case)
+            if (_severity(finding), -case) > (_severity(group.finding), -group.worst):
+                group.worst, group.finding = case, finding
+
+    def notices(self, count: int, where: str) -> list[str]:
+        """Return a message for each kind and subject, in the order of the kinds.
+
+        Args:
+            count: the number of all cases.
+            where: the function that the user called.
+        """
+        kinds = list(ROWS)
+        groups = sorted(
+            self._groups.values(), key=lambda group: (kinds.index(group.finding.kind), group.first)
+        )
+        return [f"{where}: {_counted(group, count)}" for group in groups]
+
+
+def _severity(finding: Finding) -> tuple[bool, float]:
+    """Return a key that sorts findings by size; those without a number come first."""
+    return (True, finding.size) if finding.size > -1 else (False, 0.0)
+
+
+def _counted(group: _Counted, count: int) -> str:
     """Return the message for some cases; its size is that of the worst case."""
-    first = min(cases)
-    worst = max(cases, key=lambda case: (cases[case].size > -1, cases[case].size))
+    first, worst = group.first, group.worst
     named = f"first case {first}" if worst == first else f"first case {first}, worst case {worst}"
     noun = "case" if count == 1 else "cases"
-    return f"in {len(cases)} of {count} {noun}, {named}: {_sentence(cases[worst])}"
+    return f"in {group.number} of {count} {noun}, {named}: {_sentence(group.finding)}"
 
 
 def _sentence(finding: Finding) -> str:

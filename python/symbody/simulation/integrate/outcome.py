@@ -94,6 +94,7 @@ class Outcome:
             the motion on its branch of the constraints.
         uncertain: the instant of the first step for which the integrator could not ensure that.
         sensitivities: the derivatives of the state by parameters; None if none were asked for.
+        left: why a device left the motion to the host; empty for all others.
     """
 
     states: NDArray[np.float64]
@@ -106,6 +107,7 @@ class Outcome:
     trail: NDArray[np.float64] = field(default_factory=lambda: np.empty((0, 1)))
     uncertain: float | None = None
     sensitivities: Sensitivities | None = None
+    left: str = ""
 
 
 def with_deficiencies(outcome: Outcome, found: Iterable[Deficiency]) -> Outcome:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from types import MappingProxyType
 
 from symbody.errors import ArgumentError, SimulationError
 from symbody.simulation.given.closing_joint import measured_note
@@ -55,9 +56,20 @@ def given_events(events: Sequence[Event] | None, where: str = "simulate") -> tup
 
 
 def check_observed(
-    model: Model, outputs: Mapping[str, Expr], events: Sequence[Event], where: str = "simulate"
+    model: Model,
+    outputs: Mapping[str, Expr],
+    events: Sequence[Event],
+    where: str = "simulate",
+    measures: Mapping[str, Expr] = MappingProxyType({}),
 ) -> None:
     """Check that inputs, outputs and events contain only variables that have values along a motion of the model.
+
+    Args:
+        model: the model.
+        outputs: the outputs, by name.
+        events: the events.
+        where: the function that the user called.
+        measures: the expressions of measures, by name.
 
     Raises:
         ModelError: an input brings accelerations into the equations of motion.
@@ -65,6 +77,7 @@ def check_observed(
     """
     check_explicit(model.equations, model.inputs, where)
     wanted = {f"the output {name!r}": value for name, value in outputs.items()}
+    wanted |= {f"the measure {name!r}": value for name, value in measures.items()}
     wanted |= {f"the event {event}": event.expression for event in events}
     known = {*model.code_variables, *model.accelerations, *model.multipliers}
     for name, value in wanted.items():

@@ -12,8 +12,9 @@ from numpy.typing import NDArray
 from symbody.simulation.constraint.consistent_position import listed_values
 from symbody.simulation.given.wording import joined_by_and
 from symbody.simulation.model.model import Model
+from symbody.symbolic.numeric.deficiency import noting
 
-__all__ = ["pole_at_start"]
+__all__ = ["may_have_pole", "pole_at_start"]
 
 Array = NDArray[np.float64]
 
@@ -52,3 +53,24 @@ def pole_at_start(model: Model, parameters: Array, t: float, state: Array) -> st
     poles = [str(a) for a, size in zip(model.accelerations, here, strict=True) if size > 1e-3 * here.max()]
     place = listed_values(model.coordinates, dict(zip(model.coordinates, map(float, state), strict=False)))
     return f"{joined_by_and(poles)} {'is' if len(poles) == 1 else 'are'} infinite at {place} but for rounding errors"
+
+
+def may_have_pole(model: Model, parameters: Array, t: float, states: Array) -> NDArray[np.bool_]:
+    """Return at which states an acceleration is so large that it may have a pole, shape (k,).
+
+    Args:
+        model: the model.
+        parameters: the values of its parameters, as in `pole_at_start`, shape (k, p).
+        t: the time, in s.
+        states: coordinates, speeds and states, shape (k, n).
+    """
+    n, count = len(model.coordinates), len(model.accelerations)
+    if not count:
+        return np.zeros(len(states), dtype=bool)
+    rows = np.zeros((len(states), 1 + model.width))
+    rows[:, 0], rows[:, 1 : 1 + states.shape[1]] = t, states
+    with noting(), np.errstate(all="ignore"):
+        rates = np.abs(model.rates_code.evaluate_many(parameters, rows))
+        usual = np.maximum(1.0, rates[:, :n].max(axis=1, initial=0.0))
+        largest = rates[:, n : n + count].max(axis=1)
+    return np.asarray(np.isfinite(largest) & (largest > _HUGE * usual))

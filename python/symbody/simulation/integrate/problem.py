@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TypeAlias
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,11 +13,47 @@ from numpy.typing import NDArray
 from symbody.codegen import PreparedCode
 from symbody.simulation.given.event import Event
 from symbody.symbolic import Expr
-from symbody.symbolic._core import Dynamics
+from symbody.symbolic._core import Dynamics, tableau
 
-__all__ = ["Problem"]
+__all__ = ["Problem", "Tableau", "tableau_of"]
 
 _Code: TypeAlias = tuple[int, int, int, tuple[int, int] | None]
+_Rows: TypeAlias = list[list[tuple[int, float]]]
+
+
+class Tableau(NamedTuple):
+    """The coefficients of an explicit Runge-Kutta method, as the native integrator has them.
+
+    Attributes:
+        order: the power of the step that the error estimate is proportional to.
+        stages: how many stages make a step; the stage after them is at its end, further ones serve the dense output.
+        evaluates_end: whether the error estimate needs the rates at the end of the step.
+        stability: the product of step and eigenvalue at which the method becomes unstable, a little less.
+        c: when the stages are, in steps.
+        a: the places and values of the weights of the earlier stages in each stage.
+        errors: the same in the estimates of the error.
+        dense: the same in the terms of the dense output beyond the cubic Hermite polynomial.
+    """
+
+    order: int
+    stages: int
+    evaluates_end: bool
+    stability: float
+    c: list[float]
+    a: _Rows
+    errors: _Rows
+    dense: _Rows
+
+
+def tableau_of(method: str) -> Tableau:
+    """Return the coefficients of an explicit method.
+
+    >>> tableau_of("tsit5").order
+    5
+    """
+    found = tableau(method)
+    assert found is not None, "only explicit methods have coefficients"
+    return Tableau(*found)
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,6 +100,11 @@ class Problem:
     def constants(self, parameters: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the constants of all functions for given parameters, one after another."""
         return np.concatenate([code.prepare(parameters[: len(code.parameters)]) for code in self.codes])
+
+    def constants_of_many(self, parameters: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the constants for k sets of parameters, in rows."""
+        parts = [code.prepare_many(parameters[:, : len(code.parameters)]) for code in self.codes]
+        return np.concatenate(parts, axis=1)
 
     @cached_property
     def native(self) -> Dynamics:

@@ -81,6 +81,7 @@ class Task:
         keeps_states: whether the states of many motions are results, or only the outputs.
         redundancy: the constraints that are redundant where the mechanism moves, if the model is without these.
         by: the parameters and initial values by which the state is differentiated.
+        device: the device that integrates many motions, by name; None for threads of this process.
     """
 
     model: Model
@@ -94,6 +95,7 @@ class Task:
     keeps_states: bool = True
     redundancy: Redundancy | None = None
     by: tuple[Expr, ...] = ()
+    device: str | None = None
 
     def __getstate__(self) -> dict[str, Any]:
         """Drop what is compiled: it belongs to this process."""

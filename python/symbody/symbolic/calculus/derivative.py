@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, overload
-
-from numpy.typing import NDArray
+from typing import TYPE_CHECKING, Any, overload
 
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
@@ -13,6 +11,9 @@ from symbody.symbolic.expression.container import Kind, derived, is_container, s
 from symbody.symbolic.expression.leaves import ExprLike
 from symbody.symbolic.expression.matrix import Matrix
 from symbody.symbolic.given.arguments import size
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 __all__ = [
     "diff",

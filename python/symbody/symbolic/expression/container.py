@@ -8,16 +8,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
-from typing import Any, NamedTuple, TypeAlias, TypeVar
-
-import numpy as np
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias, TypeVar
 
 from symbody.errors import ArgumentError
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
+from symbody.symbolic.expression.array import array_like, is_array
 from symbody.symbolic.expression.latex_layout import aligned, bmatrix, upright, with_definitions
 from symbody.symbolic.expression.matrix import Matrix
 from symbody.symbolic.given.arguments import described, expression
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 __all__ = [
     "Container",
@@ -194,8 +196,10 @@ class _Pass:
 
 
 def _entry(value: object) -> Container | None:
-    if isinstance(value, Expr) or (isinstance(value, np.ndarray) and not value.ndim):
+    if isinstance(value, Expr):
         return None
+    if is_array(value):
+        return _ARRAY if value.ndim else None
     return next((_TABLE[kind] for kind in type(value).__mro__ if kind in _TABLE), None)
 
 
@@ -203,7 +207,7 @@ def _names(value: object, parts: Sequence[Any]) -> Sequence[str]:
     """Return the subscripts of the parts of lists and dictionaries."""
     if isinstance(value, dict):
         return [f"[{key!r}]" for key in value]
-    if isinstance(value, list | tuple | np.ndarray):
+    if isinstance(value, list | tuple) or is_array(value):
         return [f"[{place}]" for place in range(len(parts))]
     return [""] * len(parts)
 
@@ -212,14 +216,7 @@ def _like_tuple(like: Any, parts: Sequence[Any]) -> Any:
     return type(like)(*parts) if hasattr(like, "_fields") else type(like)(parts)
 
 
-def _array(like: np.ndarray[Any, Any], parts: Sequence[Any]) -> Any:
-    made = np.empty(like.shape, dtype=object)
-    for index, part in zip(np.ndindex(made.shape), parts, strict=True):
-        made[index] = part
-    return made
-
-
-def _array_layout(array: np.ndarray[Any, Any], texts: list[str]) -> str:
+def _array_layout(array: NDArray[Any], texts: list[str]) -> str:
     return bmatrix(texts, array.shape[1] if array.ndim == 2 else 1)
 
 
@@ -260,7 +257,7 @@ contains(
         shown=_keys_and_values,
     ),
 )
-contains(np.ndarray, _alike(lambda array: list(array.flat), _array, layout=_array_layout))
+_ARRAY = _alike(lambda array: list(array.flat), array_like, layout=_array_layout)
 contains(
     Matrix,
     _alike(

@@ -5,20 +5,25 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import chain
-from typing import Any, overload
+from typing import TYPE_CHECKING, Any, overload
 
-import numpy as np
-from numpy.typing import NDArray
-
+from symbody.deferred import Deferred
 from symbody.errors import ArgumentError, ExpressionError
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
+from symbody.symbolic.expression.array import is_array
 from symbody.symbolic.expression.encoding import Encoded, decode, encode
 from symbody.symbolic.expression.latex_layout import bmatrix, displayed, with_definitions
 from symbody.symbolic.expression.leaves import ExprLike
 from symbody.symbolic.expression.to_sympy import ToSympy, import_sympy
 from symbody.symbolic.given.arguments import counted, described, size
 from symbody.symbolic.given.hint import no_attribute
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+else:
+    np = Deferred("numpy")
 
 __all__ = ["Matrix", "identity", "zeros"]
 
@@ -109,7 +114,7 @@ class Matrix:
 
         arrays = [np.asarray(each, dtype=object) if isinstance(each, Matrix) else each for each in inputs]
         result = array_ufunc(ufunc, method, arrays, options)
-        is_matrix = isinstance(result, np.ndarray) and result.ndim == 2 and result.dtype == object
+        is_matrix = is_array(result) and result.ndim == 2 and result.dtype == object
         return Matrix(result.tolist()) if is_matrix else result
 
     def __getattr__(self, name: str) -> Any:
@@ -263,8 +268,7 @@ def _rows(rows: object) -> list[Sequence[ExprLike]]:
                 "One column is Matrix.column([a, b]), one row Matrix([[a, b]])"
             )
     return [
-        row.tolist() if isinstance(row, np.ndarray) and row.ndim == 1 and row.dtype.kind in "fiu" else row
-        for row in listed
+        row.tolist() if is_array(row) and row.ndim == 1 and row.dtype.kind in "fiu" else row for row in listed
     ]
 
 

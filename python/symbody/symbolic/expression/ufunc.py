@@ -8,10 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
+from symbody.deferred import Deferred
 from symbody.errors import ArgumentError
 from symbody.symbolic._core import Expr
 from symbody.symbolic.expression import functions
@@ -19,6 +18,11 @@ from symbody.symbolic.expression.derived_functions import DERIVED, WITHOUT_COUNT
 from symbody.symbolic.expression.functions import Abs, Max, Min, atan2, sqrt
 from symbody.symbolic.expression.leaves import ExprLike, number
 from symbody.symbolic.given.hint import no_attribute
+
+if TYPE_CHECKING:
+    import numpy as np
+else:
+    np = Deferred("numpy")
 
 __all__ = ["array_ufunc", "attribute", "refuse"]
 

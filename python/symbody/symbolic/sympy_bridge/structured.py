@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
-import numpy as np
-
 from symbody.errors import ArgumentError
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
+from symbody.symbolic.expression.array import array_like, is_array
 from symbody.symbolic.expression.matrix import Matrix
 from symbody.symbolic.expression.to_sympy import ToSympy, import_sympy
 from symbody.symbolic.given.arguments import described
@@ -85,11 +84,8 @@ def _structured(item: Any, convert: Callable[[Any], Any]) -> Any:
         }
     if isinstance(item, list | tuple | set | frozenset):
         return type(item)([_structured(each, convert) for each in item])
-    if isinstance(item, np.ndarray) and item.ndim:
-        made = np.empty(item.shape, dtype=object)
-        for index in np.ndindex(item.shape):
-            made[index] = convert(item[index])
-        return made
+    if is_array(item) and item.ndim:
+        return array_like(item, [convert(each) for each in item.flat])
     return convert(item)
 
 

@@ -13,9 +13,12 @@ from symbody.worksheet.builtins import (
     arrays,
     calculus,
     code,
+    complex_numbers,
     containers,
+    eigenvalues,
     elementary,
     files,
+    integrals,
     matrices,
     motions,
     plots,
@@ -52,11 +55,26 @@ __all__ = [
 ]
 
 _FAMILIES = (
-    *(elementary, calculus, algebra, solving, structural, containers, sets, arrays, matrices),
+    *(
+        elementary,
+        complex_numbers,
+        calculus,
+        integrals,
+        algebra,
+        solving,
+        structural,
+        containers,
+        sets,
+        arrays,
+        matrices,
+        eigenvalues,
+    ),
     *(texts, files, display_family, code, motions, plots),
 )
 
-KERNEL: dict[str, Command] = {name: each for family in _FAMILIES for name, each in family.COMMANDS.items()}
+KERNEL: dict[str, Command] = {
+    name: each for family in _FAMILIES for name, each in getattr(family, "COMMANDS", {}).items()
+}
 """Commands that are always known."""
 
 PACKAGES: dict[str, dict[str, Command]] = {}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import partial
 
 from symbody.errors import ExpressionError, WorksheetError
@@ -226,6 +226,42 @@ def degree_of(session: Session, value: Value, variable: Value | None = None) -> 
     return number(degree(expression, by))
 
 
+def _extreme(choose: Callable[[Iterable[int]], int], *, exponent: bool) -> Command:
+    """Return the lowest or highest exponent of a polynomial, or its coefficient."""
+
+    def command(session: Session, value: Value, variable: Value) -> Value:
+        found = coefficients(expanded(scalar(session, value)), scalar(session, variable))
+        if not found:
+            return number(0)
+        power = choose(found)
+        return number(power) if exponent else found[power]
+
+    return command
+
+
+def _division(*, remainder: bool) -> Command:
+    """Return quo or rem: the quotient or the remainder of polynomials."""
+
+    def command(session: Session, value: Value, divisor: Value, variable: Value) -> Value:
+        x = scalar(session, variable)
+        rest = coefficients(expanded(scalar(session, value)), x)
+        by = coefficients(expanded(scalar(session, divisor)), x)
+        if not by:
+            raise WorksheetError("quo, rem: division by zero")
+        quotient, lead = number(0), max(by)
+        while rest and max(rest) >= lead:
+            power = max(rest)
+            factor = rest[power] / by[lead]
+            quotient = quotient + factor * x ** (power - lead)
+            changed = {
+                n: rest.get(n, number(0)) - factor * by.get(n - power + lead, number(0)) for n in range(power)
+            }
+            rest = {n: each for n, each in changed.items() if not each.is_zero}
+        return sum((each * x**n for n, each in rest.items()), start=number(0)) if remainder else quotient
+
+    return command
+
+
 def isolate(session: Session, equation: Value, unknown: Value) -> Value:
     """isolate(equation, x): the equation solved for x."""
     by = scalar(session, unknown)
@@ -263,5 +299,10 @@ COMMANDS: dict[str, Command] = {
     "coeff": coeff,
     "coeffs": coeffs,
     "degree": degree_of,
+    "ldegree": _extreme(min, exponent=True),
+    "lcoeff": _extreme(max, exponent=False),
+    "tcoeff": _extreme(min, exponent=False),
+    "quo": _division(remainder=False),
+    "rem": _division(remainder=True),
     "isolate": isolate,
 }

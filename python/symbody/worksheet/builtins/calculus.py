@@ -32,6 +32,8 @@ def _derived(session: Session, value: Value, variable: Value) -> Value:
     by = scalar(session, variable)
     if isinstance(value, Expr):
         return derivative(session, value, by)
+    if isinstance(value, Unevaluated):  # of a function of lists, no derivative is known
+        return Unevaluated(symbol("diff"), (value, by))
     return entrywise(session, value, lambda each: derivative(session, each, by))
 
 

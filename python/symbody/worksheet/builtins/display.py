@@ -22,11 +22,10 @@ from symbody.worksheet.value import (
     Reference,
     Relation,
     Sequence,
-    String,
     Value,
 )
 
-__all__ = ["COMMANDS", "display"]
+__all__ = ["COMMANDS", "alias", "aliases", "display"]
 
 
 def display(session: Session, value: Value) -> None:
@@ -124,22 +123,17 @@ def undeclare(session: Session, *arguments: Value) -> Value:
 # --- aliases ----------------------------------------------------------------------------------------------------------
 
 
-def alias(session: Session, *equations: Value) -> Value:
-    """alias(c = cos, x = x(t)): another name, in what is read and in what is printed."""
-    for equation in _flat(equations):
-        if not isinstance(equation, Relation):
-            continue
-        left, right = equation.left, equation.right
-        name = unparsed(session, left) if isinstance(left, Expr | Reference | String) else ""
-        if not name or not (
-            isinstance(left, Reference) or (isinstance(left, Expr) and left.kind == "symbol")
-        ):
-            raise WorksheetError(f"alias: {session.text(left)[:60]} is not a name")
-        if isinstance(right, Expr) and right.kind == "symbol" and right.name == name:
-            session.options.aliases.pop(name, None)
-        else:
-            session.options.aliases[name] = right
-        session.touch(name)
+def alias(session: Session, name: str, value: Value) -> None:
+    """Let a name stand for a value, in what is read and in what is printed; for itself, for nothing else."""
+    if isinstance(value, Expr) and value.kind == "symbol" and value.name == name:
+        session.options.aliases.pop(name, None)
+    else:
+        session.options.aliases[name] = value
+    session.touch(name)
+
+
+def aliases(session: Session) -> Value:
+    """Return the names that are aliases."""
     names = sorted(session.options.aliases)
     return NULL if not names else _names(names)
 
@@ -168,6 +162,16 @@ def nothing(session: Session, *arguments: Value) -> Value:
     return NULL
 
 
+def first(session: Session, value: Value, *options: Value) -> Value:
+    """evala(e): e, which is simplified where it has to be."""
+    return value
+
+
+def last(session: Session, *arguments: Value) -> Value:
+    """timelimit(seconds, e): e; a statement has its own limit."""
+    return arguments[-1] if arguments else NULL
+
+
 def forbidden(session: Session, *arguments: Value) -> Value:
     """Refuse to run commands of the system."""
     raise WorksheetError("a worksheet can't run commands of the system")
@@ -184,10 +188,11 @@ def version(session: Session, *arguments: Value) -> Value:
 
 
 COMMANDS: dict[str, Command] = {
+    "evala": first,
+    "timelimit": last,
     "print": print_values,
     "lprint": lprint,
     "interface": interface,
-    "alias": alias,
     "Describe": describe,
     "time": seconds,
     "version": version,

@@ -31,13 +31,17 @@ from symbody.symbolic import (
     tan,
     tanh,
 )
-from symbody.worksheet.arithmetic import scalar
+from symbody.worksheet.arithmetic import called_with, raised, scalar
+from symbody.worksheet.closed_roots import root_number
+from symbody.worksheet.complex_number import as_complex, of_number
 from symbody.worksheet.naming import symbol
-from symbody.worksheet.numeric import as_float, as_integer, decimal, power, with_decimals
-from symbody.worksheet.session import Command, Session
+from symbody.worksheet.numeric import as_float, as_integer, decimal, with_decimals
+from symbody.worksheet.quadrature import integral_number
+from symbody.worksheet.session import Command, Session, sequence
 from symbody.worksheet.structure import Tree, tree_of, walk
 from symbody.worksheet.value import (
     Array,
+    Boolean,
     Listed,
     MapleSet,
     Range,
@@ -117,13 +121,12 @@ def surd(session: Session, x: Value, n: Value) -> Value:
 
 def root(session: Session, x: Value, n: Value) -> Value:
     """root(x, n): the n-th root."""
-    return power(scalar(session, x), 1 / scalar(session, n))
+    return raised(session, scalar(session, x), 1 / scalar(session, n))
 
 
 def root_of_symbol(session: Session, x: Value) -> Value:
     """sqrt(x)."""
-    argument = scalar(session, x)
-    return with_decimals(sqrt(argument), argument)
+    return raised(session, scalar(session, x), number(1) / 2)
 
 
 def _extremum(function: Callable[..., Expr], choose: Callable[..., float]) -> Command:
@@ -191,6 +194,14 @@ def _irem(a: int, b: int) -> int:
     return a - b * int(Fraction(a, b))
 
 
+def is_prime(session: Session, n: Value) -> Value:
+    """isprime(n)."""
+    value = as_integer(n)
+    if value is None or abs(value) > 10**12:
+        return Unevaluated(symbol("isprime"), (n,))
+    return Boolean(truth=value > 1 and all(value % k for k in range(2, math.isqrt(value) + 1)))
+
+
 def _fraction_part(which: int) -> Command:
     def command(session: Session, x: Value) -> Value:
         expression = scalar(session, x)
@@ -233,10 +244,12 @@ def _branch(session: Session, condition: Value, value: Value) -> tuple[Expr, Exp
 # --- decimals ---------------------------------------------------------------------------------------------------------
 
 
-def evalf(session: Session, value: Value, digits: Value | None = None) -> Value:
-    """evalf(e [, n]): numbers as decimals."""
-    places = as_integer(digits) if digits is not None else None
-    return in_decimals(session, value, places or session.options.digits)
+def evalf(session: Session, *values: Value) -> Value:
+    """evalf(e [, n]): numbers as decimals; of a sequence, those of each."""
+    places = as_integer(values[1]) if len(values) == 2 else None
+    if places is not None:
+        return in_decimals(session, values[0], places)
+    return sequence([in_decimals(session, each, session.options.digits) for each in values])
 
 
 def in_decimals(session: Session, value: Value, digits: int) -> Value:
@@ -250,6 +263,8 @@ def in_decimals(session: Session, value: Value, digits: int) -> Value:
         return Relation(value.operator, left, right)
     if isinstance(value, Range):
         return Range(in_decimals(session, value.start, digits), in_decimals(session, value.stop, digits))
+    if isinstance(value, Unevaluated):
+        return root_number(integral_number(value, min(digits, 17)), min(digits, 17))
     found = session.resolve(value)
     if isinstance(found, Array):
         entries = [in_decimals(session, session.current(each), digits) for each in found.entries]
@@ -260,9 +275,9 @@ def in_decimals(session: Session, value: Value, digits: int) -> Value:
 def _scalar_in_decimals(session: Session, value: Expr, digits: int) -> Expr:
     found = as_float(value)
     if found is not None:
-        if value.is_number and value.is_decimal:
-            return decimal(found, min(digits, 17))
         return decimal(found, min(digits, 17))
+    if session.options.imaginary and (constant := as_complex(value)) is not None:
+        return of_number(constant, min(digits, 17))
     made: dict[int, Expr] = {}
     for node in walk(tree_of(value)):
         made[id(node)] = _node_in_decimals(session, node, [made[id(part)] for part in node.parts], digits)
@@ -286,7 +301,9 @@ def _node_in_decimals(session: Session, node: Tree, parts: list[Expr], digits: i
         return total
     if node.kind == "function" and not (len(node.parts) == 1 and node.parts[0].kind == "name"):
         called = (
-            session.call(symbol(node.name), tuple(parts)) if not node.name.startswith("D[") else node.value
+            session.call(symbol(node.name), called_with(node, [*parts]))
+            if not node.name.startswith("D[")
+            else node.value
         )
         return called if isinstance(called, Expr) else node.value
     return node.value
@@ -294,17 +311,6 @@ def _node_in_decimals(session: Session, node: Tree, parts: list[Expr], digits: i
 
 def _decimal_or(found: float | None, value: Expr, digits: int) -> Expr:
     return value if found is None else decimal(found, min(digits, 17))
-
-
-def complex_part(session: Session, x: Value) -> Value:
-    """Re(x), conjugate(x): all symbols are real."""
-    return scalar(session, x)
-
-
-def imaginary_part(session: Session, x: Value) -> Value:
-    """Im(x): all symbols are real."""
-    scalar(session, x)
-    return number(0)
 
 
 COMMANDS: dict[str, Command] = {
@@ -343,12 +349,12 @@ COMMANDS: dict[str, Command] = {
     "irem": _integers(_irem),
     "igcd": _integers(math.gcd),
     "ilcm": _integers(math.lcm),
+    "gcd": _integers(math.gcd),
+    "lcm": _integers(math.lcm),
+    "isprime": is_prime,
     "numer": _fraction_part(0),
     "denom": _fraction_part(1),
     "piecewise": piecewise,
     "evalf": evalf,
     "evalhf": evalf,
-    "Re": complex_part,
-    "conjugate": complex_part,
-    "Im": imaginary_part,
 }

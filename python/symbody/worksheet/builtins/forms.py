@@ -11,6 +11,9 @@ from symbody.symbolic import Expr, number
 from symbody.worksheet import syntax
 from symbody.worksheet.arithmetic import binary, matrix_product, rebuilt, scalar
 from symbody.worksheet.builtins.containers import assigned as is_assigned
+from symbody.worksheet.builtins.display import alias as set_alias
+from symbody.worksheet.builtins.display import aliases
+from symbody.worksheet.builtins.integrals import closed_sum
 from symbody.worksheet.builtins.structural import items_of
 from symbody.worksheet.condition import truth
 from symbody.worksheet.current import flattened
@@ -23,6 +26,7 @@ from symbody.worksheet.value import (
     Listed,
     MapleSet,
     Range,
+    Reference,
     Relation,
     Sequence,
     Unevaluated,
@@ -138,7 +142,7 @@ def summed(session: Session, body: syntax.Expression, *rest: syntax.Expression) 
     assert isinstance(bounds, Range)
     low, high = as_integer(bounds.start), as_integer(bounds.stop)
     if low is None or high is None:
-        return Unevaluated(symbol("sum"), (session.evaluate(body), Relation("=", symbol(name), bounds)))
+        return closed_sum(session, session.evaluate(body), name, bounds)
     session.limits.check_items(high - low + 1)
     total: Value = number(0)
     for k in range(low, high + 1):
@@ -303,7 +307,32 @@ def chosen(
     return session.evaluate(then if truth(session, session.evaluate(condition)) else otherwise)
 
 
+def alias(session: Session, *nodes: syntax.Expression) -> Value:
+    """alias(c = cos, x = x(t)): another name for what is on the right; alias(c = c) ends it."""
+    for node in nodes:
+        name = _unquoted(node.left) if isinstance(node, syntax.Infix) and node.operator == "=" else None
+        if isinstance(node, syntax.Infix) and isinstance(name, syntax.Name):
+            session.options.aliases.pop(name.name, None)
+            set_alias(session, name.name, session.evaluate(node.right))
+        else:
+            _aliases_of(session, session.evaluate(node))
+    return aliases(session)
+
+
+def _aliases_of(session: Session, value: Value) -> None:
+    """Make aliases of equations that are values: ``alias(op(L))``."""
+    for each in value.items if isinstance(value, Sequence | Listed | MapleSet) else (value,):
+        if not isinstance(each, Relation):
+            continue
+        if not isinstance(each.left, Expr | Reference) or (
+            isinstance(each.left, Expr) and each.left.kind != "symbol"
+        ):
+            raise WorksheetError(f"alias: {session.text(each.left)[:60]} is not a name")
+        set_alias(session, each.left.name, each.right)
+
+
 FORMS: dict[str, Form] = {
+    "alias": alias,
     "if": chosen,
     "ifelse": chosen,
     "seq": seq,

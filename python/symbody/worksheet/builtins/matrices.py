@@ -9,12 +9,13 @@ from symbody.errors import WorksheetError
 from symbody.symbolic import Abs, Expr, Matrix, jacobian, number, sqrt
 from symbody.worksheet.arithmetic import binary, identity, inverted, matrix_product, scalar, transposed
 from symbody.worksheet.builtins import arrays
-from symbody.worksheet.builtins.arrays import array_of, filled
+from symbody.worksheet.builtins.arrays import array_of, filled, from_columns, from_rows
 from symbody.worksheet.entrywise import parts_of
 from symbody.worksheet.numeric import as_integer
 from symbody.worksheet.session import Command, Session, sequence
 from symbody.worksheet.value import (
     Array,
+    Boolean,
     Listed,
     Range,
     Reference,
@@ -186,7 +187,14 @@ def generate_matrix(kind: str) -> Command:
         right: list[Value] = [-each.subs(zero) for each in residuals]
         matrix = Array(len(residuals), len(variables), entries, kind)
         vector = Array(len(right), 1, right, "Vector" if kind == "Matrix" else "vector")
-        return sequence([matrix, vector])
+        if kind == "Matrix":
+            return sequence([matrix, vector])
+        if not options:
+            return matrix
+        if isinstance(options[0], Expr) and options[0].name not in ("flag", ""):  # genmatrix(eqns, x, 'b')
+            session.assign(options[0].name, vector)
+            return matrix
+        return beside(session, matrix, vector)
 
     return command
 
@@ -202,6 +210,40 @@ def linear_solve(session: Session, matrix: Value, right: Value, *options: Value)
     array = array_of(session, matrix, "LinearSolve")
     column_ = array_of(session, right, "LinearSolve")
     return matrix_product(session, inverted(array), column_)
+
+
+def beside(session: Session, *values: Value) -> Value:
+    """augment(A, B), concat(A, B): matrices and columns one beside the other."""
+    made = from_rows(session, tuple(array_of(session, each, "augment") for each in values))
+    return replace(made, kind="matrix") if isinstance(made, Array) else made
+
+
+def stacked(session: Session, *values: Value) -> Value:
+    """stackmatrix(A, B): matrices and rows one below the other."""
+    parts = [array_of(session, each, "stackmatrix") for each in values]
+    rows = [transposed(each) if "ector" in each.kind and each.columns == 1 else each for each in parts]
+    made = from_columns(session, tuple(rows))
+    return replace(made, kind="matrix") if isinstance(made, Array) else made
+
+
+def zero_vector(session: Session, count: Value) -> Value:
+    """ZeroVector(n)."""
+    return filled(session, as_integer(count) or 0, 1, None, "Vector")
+
+
+def normalized(session: Session, value: Value, *options: Value) -> Value:
+    """Normalize(v, 2): a vector of length 1, by the norm that is given; by default that of the largest entry."""
+    array = array_of(session, value, "Normalize")
+    return binary(session, "/", array, norm(session, array, *options[:1]))
+
+
+def are_equal(session: Session, a: Value, b: Value) -> Value:
+    """Equal(A, B): whether two matrices have the same entries, by value."""
+    one, other = array_of(session, a, "Equal"), array_of(session, b, "Equal")
+    sizes = (one.rows, one.columns) == (other.rows, other.columns)
+    return Boolean(
+        truth=sizes and [*map(session.current, one.entries)] == [*map(session.current, other.entries)]
+    )
 
 
 def rank(session: Session, value: Value) -> Value:
@@ -251,6 +293,9 @@ _NEW: dict[str, Command] = {
     "ZeroMatrix": zero_matrix,
     "GenerateMatrix": generate_matrix("Matrix"),
     "LinearSolve": linear_solve,
+    "ZeroVector": zero_vector,
+    "Normalize": normalized,
+    "Equal": are_equal,
     "Rank": rank,
 }
 
@@ -275,6 +320,10 @@ _OLD: dict[str, Command] = {
     "diag": old_kind(diagonal),
     "genmatrix": generate_matrix("matrix"),
     "linsolve": linear_solve,
+    "augment": beside,
+    "concat": beside,
+    "stackmatrix": stacked,
+    "equal": are_equal,
     "rank": rank,
 }
 

@@ -4,22 +4,29 @@ from __future__ import annotations
 
 from collections.abc import Sequence as Items
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
-import numpy as np
-from numpy.typing import NDArray
-
+from symbody.deferred import Deferred
 from symbody.dynamics import Equations, equations_from_differential
 from symbody.errors import SymbodyError, WorksheetError
 from symbody.symbolic import Expr, free_symbols, substitute, t, time_derivative, time_function
+from symbody.worksheet.builtins.closed_motion import closed_solution
+from symbody.worksheet.builtins.plot_options import plot_options, styled
 from symbody.worksheet.drawing import Piece
 from symbody.worksheet.numeric import as_float, decimal
 from symbody.worksheet.session import Command, Session
 from symbody.worksheet.value import Array, Builtin, Listed, MapleSet, Plot, Range, Relation, Sequence, Value
 
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+else:
+    np = Deferred("numpy")
+
+
 __all__ = ["COMMANDS", "PACKAGES", "NumericSolution"]
 
-Column = NDArray[np.float64]
+Column: TypeAlias = "NDArray[np.float64]"
 _POINTS = 200
 """Points of a curve, unless the sheet says how many."""
 
@@ -80,7 +87,13 @@ def dsolve(session: Session, problem: Value, *arguments: Value) -> Value:
     }
     words = {str(each) for each in arguments if isinstance(each, Expr)} | {str(options.get("type", ""))}
     if "numeric" not in words:
-        raise WorksheetError("dsolve: only solutions in numbers are known; expected dsolve({..}, numeric)")
+        found = closed_solution(*_problem(session, problem))
+        if found is None:
+            raise WorksheetError(
+                "dsolve: no solution in closed form was found; expected dsolve({..}, numeric), or one linear equation "
+                "of one function"
+            )
+        return Relation("=", *found)
     for name in sorted(options.keys() - _KNOWN):
         session.notices.append(f"dsolve: the option {name} is not known, and is ignored")
     solution = _solution(session, problem)
@@ -155,6 +168,11 @@ def _number(session: Session, value: Value, what: str) -> float:
 
 def _solution(session: Session, problem: Value) -> NumericSolution:
     """Return the solution of equations and initial values in one set or list."""
+    return _made(session, *_problem(session, problem))
+
+
+def _problem(session: Session, problem: Value) -> tuple[list[Expr], dict[tuple[str, int], Expr], float]:
+    """Return equations as what is to be zero, initial values by function and order, and their time."""
     residuals: list[Expr] = []
     given: dict[tuple[str, int], Expr] = {}
     starts: set[float] = set()
@@ -176,7 +194,7 @@ def _solution(session: Session, problem: Value) -> NumericSolution:
     if len(starts) > 1:
         listed = ", ".join(f"{each:g}" for each in sorted(starts))
         raise WorksheetError(f"dsolve: initial values at several times, {listed}; expected one")
-    return _made(session, residuals, given, starts.pop() if starts else 0.0)
+    return residuals, given, starts.pop() if starts else 0.0
 
 
 def _initial(left: Expr) -> float | None:
@@ -236,7 +254,7 @@ def odeplot(session: Session, solution: Value, what: Value | None = None, *optio
         if span is None
         else (_number(session, each, "odeplot") for each in (span.start, span.stop))
     )
-    named: dict[str, Value] = {str(each.left): each.right for each in options if isinstance(each, Relation)}
+    named = plot_options(session, list(options))
     count = int(_number(session, named["numpoints"], "odeplot")) if "numpoints" in named else _POINTS
     session.limits.check_items(count)
     times = np.linspace(first, last, max(count, 2))
@@ -244,7 +262,7 @@ def odeplot(session: Session, solution: Value, what: Value | None = None, *optio
     for axes in _axes(session, motion, what):
         columns = motion.rows(session, [*times], axes)
         curves.append(Piece("curve", columns, tuple(session.text(each) for each in axes)))
-    return Plot("curves", tuple(curves), tuple(named.items()))
+    return Plot("curves", tuple(styled(session, curves, named)), tuple(named.items()))
 
 
 def _axes(session: Session, motion: NumericSolution, what: Value | None) -> list[list[Expr]]:

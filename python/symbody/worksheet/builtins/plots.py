@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
-import numpy as np
-from numpy.typing import NDArray
-
+from symbody.deferred import Deferred
 from symbody.errors import SymbodyError, WorksheetError
 from symbody.symbolic import Expr
+from symbody.worksheet.builtins.plot_options import number_of, plot_options, range_of, styled
 from symbody.worksheet.drawing import Piece, pieces_of
-from symbody.worksheet.numeric import as_float, decimal
+from symbody.worksheet.numeric import decimal
 from symbody.worksheet.session import Command, Session
 from symbody.worksheet.value import (
     NULL,
@@ -29,23 +29,16 @@ from symbody.worksheet.value import (
     Value,
 )
 
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+else:
+    np = Deferred("numpy")
+
+
 __all__ = ["COMMANDS", "PACKAGES"]
 
 _POINTS = 100
-_COLORS = {
-    "red",
-    "green",
-    "blue",
-    "black",
-    "cyan",
-    "magenta",
-    "yellow",
-    "orange",
-    "gray",
-    "grey",
-    "brown",
-    "purple",
-}
 
 
 def plot(session: Session, *arguments: Value) -> Value:
@@ -53,10 +46,13 @@ def plot(session: Session, *arguments: Value) -> Value:
     if not arguments:
         raise WorksheetError("plot: expected an expression and a range, such as plot(sin(x), x = 0..1)")
     what, *rest = arguments
-    options = _options(session, rest)
-    span = next((each for each in rest if _is_span(each)), None)
+    options = plot_options(session, rest)
+    spans = [each for each in rest if _is_span(each)]
+    span, others = spans[0] if spans else None, spans[1:]
+    if others and "view" not in options:
+        options["view"] = range_of(session, others[0])
     found = session.current(session.resolve(what)) if not _is_function(session, what) else what
-    curves = _curves(session, found, span, options)
+    curves = styled(session, _curves(session, found, span, options), options)
     return Plot("curves", tuple(curves), tuple(options.items()))
 
 
@@ -68,21 +64,11 @@ def _is_function(session: Session, value: Value) -> bool:
     return isinstance(session.resolve(value), ProcedureValue | Builtin)
 
 
-def _options(session: Session, arguments: list[Value]) -> dict[str, Value]:
-    """Return options by name; those that change nothing here are ignored."""
-    return {
-        str(each.left): each.right
-        for each in arguments
-        if isinstance(each, Relation) and each.operator == "=" and not isinstance(each.right, Range)
-    }
-
-
 def _curves(session: Session, what: Value, span: Value | None, options: dict[str, Value]) -> list[Piece]:
-    color = _color(session, options)
     points = _points(session, what)
     if points is not None:
         kind = "points" if str(options.get("style", "")).lower() == "point" else "curve"
-        return [Piece(kind, points, (), color)]
+        return [Piece(kind, points)]
     if isinstance(what, Listed | MapleSet | Sequence):
         last = what.items[-1] if what.items else None
         if isinstance(what, Listed) and len(what.items) == 3 and last is not None and _is_span(last):
@@ -91,7 +77,7 @@ def _curves(session: Session, what: Value, span: Value | None, options: dict[str
     variable, first, last_value = _span(session, span, what)
     x = np.linspace(first, last_value, _count(session, options))
     y = np.array([_at(session, what, variable, each) for each in x])
-    return [Piece("curve", np.column_stack([x, y]), (str(variable or ""), session.text(what)[:60]), color)]
+    return [Piece("curve", np.column_stack([x, y]), (str(variable or ""), session.text(what)[:60]))]
 
 
 def _parametric(session: Session, what: Listed, options: dict[str, Value]) -> Piece:
@@ -100,11 +86,11 @@ def _parametric(session: Session, what: Listed, options: dict[str, Value]) -> Pi
     variable, first, last = _span(session, span, f)
     times = np.linspace(first, last, _count(session, options))
     columns = [[_at(session, each, variable, time) for time in times] for each in (f, g)]
-    return Piece("curve", np.array(columns).T, (), _color(session, options))
+    return Piece("curve", np.array(columns).T)
 
 
 def _count(session: Session, options: dict[str, Value]) -> int:
-    count = int(_float(session, options["numpoints"])) if "numpoints" in options else _POINTS
+    count = int(number_of(session, options["numpoints"])) if "numpoints" in options else _POINTS
     session.limits.check_items(count)
     return max(count, 2)
 
@@ -120,7 +106,7 @@ def _span(session: Session, span: Value | None, what: Value) -> tuple[Expr | Non
         variable = free[0] if len(free) == 1 else None
     if not isinstance(span, Range):
         return variable, -10.0, 10.0
-    return variable, _float(session, span.start), _float(session, span.stop)
+    return variable, number_of(session, span.start), number_of(session, span.stop)
 
 
 def _at(session: Session, what: Value, variable: Expr | None, x: float) -> float:
@@ -135,21 +121,11 @@ def _at(session: Session, what: Value, variable: Expr | None, x: float) -> float
         return math.nan
 
 
-def _float(session: Session, value: Value) -> float:
-    found = session.current(value)
-    number = as_float(found) if isinstance(found, Expr) else None
-    if number is None:
-        raise WorksheetError(
-            f"plot: {session.text(found)[:60]} is no number; give all names in drawings a value"
-        )
-    return number
-
-
 def _points(session: Session, value: Value) -> NDArray[np.float64] | None:
     """Return the points of a list of points, or of a matrix of two or three columns; None for what is none."""
     found = session.resolve(value)
     if isinstance(found, Array) and found.columns in {2, 3}:
-        numbers = [_float(session, each) for each in found.entries]
+        numbers = [number_of(session, each) for each in found.entries]
         return np.array(numbers).reshape(found.rows, found.columns)
     if not isinstance(found, Listed) or not found.items:
         return None
@@ -159,20 +135,14 @@ def _points(session: Session, value: Value) -> NDArray[np.float64] | None:
     if any(_is_span(item) for row in rows if isinstance(row, Listed) for item in row.items):
         return None
     return np.array(
-        [[_float(session, item) for item in row.items] for row in rows if isinstance(row, Listed)]
+        [[number_of(session, item) for item in row.items] for row in rows if isinstance(row, Listed)]
     )
-
-
-def _color(session: Session, options: dict[str, Value]) -> str:
-    value = options.get("color", options.get("colour"))
-    name = value.text if isinstance(value, String) else "" if value is None else session.text(value)
-    return name.lower() if name.lower() in _COLORS else ""
 
 
 def display(session: Session, *arguments: Value) -> Value:
     """plots[display]([p, q, ...] [, insequence = true]): drawings over each other, or one after the other."""
     plots = [each for argument in arguments for each in _plots(session, argument)]
-    options = _options(session, list(arguments))
+    options = plot_options(session, list(arguments))
     moves = options.get("insequence") == Boolean(truth=True)
     data = tuple(plots) if moves else tuple(piece for each in plots for piece in pieces_of(each))
     inner = {name: value for each in plots for name, value in each.options}
@@ -191,9 +161,9 @@ def animate(session: Session, what: Value, *arguments: Value) -> Value:
     spans = [each for each in arguments if isinstance(each, Relation) and isinstance(each.right, Range)]
     if not spans:
         raise WorksheetError("animate: expected a range of the variable that moves, such as q = 0..1")
-    options = _options(session, list(arguments))
+    options = plot_options(session, list(arguments))
     variable, first, last = _span(session, spans[-1], what)
-    count = int(_float(session, options.get("frames", decimal(25.0))))
+    count = int(number_of(session, options.get("frames", decimal(25.0))))
     session.limits.check_items(count)
     pictures = []
     for value in np.linspace(first, last, max(count, 2)):
@@ -235,7 +205,9 @@ def _one_text(session: Session, value: Value) -> Plot:
         raise WorksheetError("textplot: expected [x, y, text]")
     *place, text = items
     shown = text.text if isinstance(text, String) else session.text(text)
-    return Plot("curves", (Piece("text", np.array([[_float(session, each) for each in place]]), (shown,)),))
+    return Plot(
+        "curves", (Piece("text", np.array([[number_of(session, each) for each in place]]), (shown,)),)
+    )
 
 
 # --- plottools ---
@@ -245,13 +217,13 @@ def _shape(
     kind: str, outline: Callable[[Session, tuple[Value, ...]], NDArray[np.float64]], usage: str
 ) -> Command:
     def shape(session: Session, *arguments: Value) -> Value:
-        options = _options(session, list(arguments))
+        options = plot_options(session, list(arguments))
         plain = tuple(each for each in arguments if not isinstance(each, Relation))
         try:
             points = outline(session, plain)
         except (IndexError, ValueError) as fault:
             raise WorksheetError(f"expected {usage}") from fault
-        return Plot("curves", (Piece(kind, points, (), _color(session, options)),), tuple(options.items()))
+        return Plot("curves", tuple(styled(session, [Piece(kind, points)], options)), tuple(options.items()))
 
     shape.__doc__ = usage
     return shape
@@ -260,7 +232,7 @@ def _shape(
 def _place(session: Session, value: Value) -> NDArray[np.float64]:
     found = session.resolve(value)
     items = found.items if isinstance(found, Listed) else found.entries if isinstance(found, Array) else ()
-    return np.array([_float(session, each) for each in items])
+    return np.array([number_of(session, each) for each in items])
 
 
 def _polyline(session: Session, arguments: tuple[Value, ...]) -> NDArray[np.float64]:
@@ -270,7 +242,9 @@ def _polyline(session: Session, arguments: tuple[Value, ...]) -> NDArray[np.floa
 
 def _arc(session: Session, arguments: tuple[Value, ...]) -> NDArray[np.float64]:
     center = _place(session, arguments[0])
-    radius = _float(session, arguments[1]) if len(arguments) > 1 and isinstance(arguments[1], Expr) else 1.0
+    radius = (
+        number_of(session, arguments[1]) if len(arguments) > 1 and isinstance(arguments[1], Expr) else 1.0
+    )
     angles = np.linspace(0, 2 * math.pi, 49)
     ring = radius * np.column_stack([np.cos(angles), np.sin(angles)])
     if len(center) == 2:

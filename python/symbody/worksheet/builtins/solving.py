@@ -2,16 +2,30 @@
 
 from __future__ import annotations
 
-from symbody.errors import WorksheetError
-from symbody.symbolic import Expr
+from collections.abc import Mapping
+
+from symbody.errors import SymbodyError, WorksheetError
+from symbody.symbolic import Expr, factor_terms
 from symbody.symbolic.roots.solutions import solutions as all_solutions
 from symbody.worksheet.arithmetic import scalar
+from symbody.worksheet.closed_roots import closed_roots, is_complex, numeric_roots, polynomial_in, roots_of
+from symbody.worksheet.complex_number import of_number
 from symbody.worksheet.current import set_of
 from symbody.worksheet.naming import symbol
 from symbody.worksheet.numeric import as_float, decimal
 from symbody.worksheet.root_finding import newton
 from symbody.worksheet.session import Command, Session, sequence
-from symbody.worksheet.value import NULL, Array, Listed, MapleSet, Range, Relation, Sequence, Value
+from symbody.worksheet.value import (
+    NULL,
+    Array,
+    Listed,
+    MapleSet,
+    Range,
+    Relation,
+    Sequence,
+    Unevaluated,
+    Value,
+)
 
 __all__ = ["COMMANDS", "residuals_of", "solutions"]
 
@@ -24,6 +38,8 @@ def residuals_of(session: Session, equations: Value) -> list[Expr]:
     if isinstance(found, Array):
         return [each for item in found.entries for each in residuals_of(session, session.current(item))]
     if isinstance(found, Relation):
+        if found.operator != "=":
+            raise WorksheetError(f"solve: {session.text(found)[:60]} is an inequality; expected equations")
         left, right = session.resolve(found.left), session.resolve(found.right)
         if isinstance(left, Listed | Array) and isinstance(right, Listed | Array):
             pairs = zip(_entries(left), _entries(right), strict=True)
@@ -51,11 +67,27 @@ def unknowns_of(session: Session, value: Value | None, residuals: list[Expr]) ->
     return [scalar(session, value)]
 
 
-def solutions(session: Session, residuals: list[Expr], unknowns: list[Expr]) -> list[dict[Expr, Expr]]:
+Solution = dict[Expr, Value]
+
+
+def solutions(session: Session, residuals: list[Expr], unknowns: list[Expr]) -> list[Solution]:
     """Return all solutions that are found; unknowns that stay free are themselves."""
     session.limits.check()
-    found = all_solutions([each for each in residuals if not each.is_zero], unknowns)
-    return [{each: solution.get(each, each) for each in unknowns} for solution in found]
+    left = [each for each in residuals if not each.is_zero]
+    try:
+        found = all_solutions(left, unknowns)
+    except (SymbodyError, ArithmeticError):
+        roots = closed_roots(left[0], unknowns[0]) if len(left) == len(unknowns) == 1 else None
+        if roots is None:
+            raise
+        session.options.imaginary |= is_complex(roots)
+        return [{unknowns[0]: root} for root in roots]
+    return [{each: _factored(solution.get(each, each)) for each in unknowns} for solution in found]
+
+
+def _factored(value: Expr) -> Expr:
+    """Return a solution with common factors before its sums, as Maple's solve does: a quotient by one cancels it."""
+    return factor_terms(value) if value.kind in ("sum", "product") else value
 
 
 def solve(session: Session, equations: Value, unknowns: Value | None = None, *options: Value) -> Value:
@@ -78,13 +110,42 @@ def solve(session: Session, equations: Value, unknowns: Value | None = None, *op
     return sequence([each[wanted[0]] for each in found]) if wanted else NULL
 
 
-def _equations(solution: dict[Expr, Expr], unknowns: list[Expr]) -> tuple[Value, ...]:
+def _equations(solution: Mapping[Expr, Value], unknowns: list[Expr]) -> tuple[Value, ...]:
     return tuple(Relation("=", each, solution[each]) for each in unknowns)
 
 
 def allvalues(session: Session, *values: Value) -> Value:
-    """allvalues(e): all branches; solve has returned them already."""
-    return sequence(list(values))
+    """allvalues(e): all branches; solve has returned them already, but for those of RootOf."""
+    made: list[Value] = []
+    for value in values:
+        polynomial = _polynomial_of_root(value)
+        if polynomial is None:
+            made.append(value)
+            continue
+        roots = roots_of(polynomial)
+        if any(isinstance(each, Unevaluated) for each in roots) and all(
+            each.is_number for each in polynomial
+        ):
+            roots = [of_number(each) for each in numeric_roots(polynomial)]
+        session.options.imaginary |= is_complex(roots)
+        made.extend(roots)
+    return sequence(made)
+
+
+def _polynomial_of_root(value: Value) -> list[Expr] | None:
+    """Return the coefficients of the polynomial in ``RootOf(p(_Z))``; None for another value."""
+    if not isinstance(value, Unevaluated) or getattr(value.function, "name", "") != "RootOf":
+        return None
+    first = value.arguments[0] if len(value.arguments) == 1 else None
+    return polynomial_in(first, symbol("_Z")) if isinstance(first, Expr) else None
+
+
+def root_of(session: Session, equation: Value, *options: Value) -> Value:
+    """RootOf(p(x), x [, index = k]): a root of a polynomial, as such."""
+    (residual,) = residuals_of(session, equation)
+    names = [each for each in options if isinstance(each, Expr) and each.kind == "symbol"]
+    rest = tuple(each for each in options if isinstance(each, Relation))
+    return Unevaluated(symbol("RootOf"), (residual.subs({each: symbol("_Z") for each in names}), *rest))
 
 
 def fsolve(session: Session, equations: Value, unknowns: Value | None = None, *options: Value) -> Value:
@@ -99,6 +160,10 @@ def fsolve(session: Session, equations: Value, unknowns: Value | None = None, *o
             if unknowns is not None and not starts
             else unknowns_of(session, None, residuals)
         )
+    several = isinstance(session.resolve(equations), MapleSet | Listed)
+    polynomial = None if several or starts else _polynomial(residuals, wanted)
+    if polynomial is not None:
+        return _real_roots(session, polynomial, ranges.get(wanted[0]), options)
     others = {each for residual in residuals for each in residual.free_symbols} - set(wanted)
     if others:
         names = ", ".join(sorted(session.text(each) for each in others))
@@ -113,10 +178,32 @@ def fsolve(session: Session, equations: Value, unknowns: Value | None = None, *o
         return NULL
     found = {each: decimal(value) for each, value in zip(wanted, values, strict=True)}
     given = session.resolve(unknowns) if unknowns is not None else None
-    if isinstance(session.resolve(equations), MapleSet | Listed) or isinstance(given, MapleSet | Listed):
+    if several or isinstance(given, MapleSet | Listed):
         made = _equations(found, wanted)
         return Listed(made) if isinstance(given, Listed) else set_of(made)
     return found[wanted[0]]
+
+
+def _polynomial(residuals: list[Expr], wanted: list[Expr]) -> list[Expr] | None:
+    """Return the coefficients of a polynomial with numbers, if this is what is to be solved."""
+    if len(residuals) != 1 or len(wanted) != 1:
+        return None
+    known = polynomial_in(residuals[0], wanted[0])
+    return known if known and len(known) > 1 and all(each.is_constant for each in known) else None
+
+
+def _real_roots(
+    session: Session, known: list[Expr], bounds: tuple[float, float] | None, options: tuple[Value, ...]
+) -> Value:
+    """Return the roots of a polynomial: the real ones, in ascending order; with the option complex, all."""
+    roots = numeric_roots(known)
+    if any(isinstance(each, Expr) and each == symbol("complex") for each in options):
+        session.options.imaginary = True
+        return sequence([of_number(each) for each in sorted(roots, key=lambda each: (each.real, each.imag))])
+    real = sorted(each.real for each in roots if not each.imag)
+    if bounds is not None:
+        real = [each for each in real if bounds[0] <= each <= bounds[1]]
+    return sequence([decimal(each) for each in real])
 
 
 def _ranges(
@@ -182,6 +269,7 @@ def _assign_one(session: Session, left: Expr, right: Value) -> None:
 COMMANDS: dict[str, Command] = {
     "solve": solve,
     "allvalues": allvalues,
+    "RootOf": root_of,
     "fsolve": fsolve,
     "assign": assign,
 }

@@ -276,6 +276,11 @@ def remove(session: Session, function: Value, value: Value, *rest: Value) -> Val
     return _selected(session, function, value, rest, wanted=False)
 
 
+def select_and_remove(session: Session, function: Value, value: Value, *rest: Value) -> Value:
+    """selectremove(f, e, ..): the operands for which f is true, and the others."""
+    return sequence([select(session, function, value, *rest), remove(session, function, value, *rest)])
+
+
 def _selected(
     session: Session, function: Value, value: Value, rest: tuple[Value, ...], *, wanted: bool
 ) -> Value:
@@ -393,6 +398,7 @@ COMMANDS: dict[str, Command] = {
     "zip": zipped,
     "select": select,
     "remove": remove,
+    "selectremove": select_and_remove,
     "subsop": subsop,
     "sort": sort,
     "member": member,

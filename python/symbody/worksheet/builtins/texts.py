@@ -107,7 +107,9 @@ def nprintf(session: Session, template: Value, *values: Value) -> Value:
 
 def cat(session: Session, *values: Value) -> Value:
     """cat(a, b, ..): a name, or a string if the first argument is one."""
-    text = "".join(unparsed(session, each) for each in values)
+    parts = [unparsed(session, each) for each in values]
+    session.limits.check_items(sum(map(len, parts)))
+    text = "".join(parts)
     return String(text) if values and isinstance(values[0], String) else session.value(text)
 
 

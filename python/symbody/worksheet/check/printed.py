@@ -18,6 +18,7 @@ import symbody.symbolic as sb
 from symbody.errors import SymbodyError
 from symbody.symbolic import Expr, UndefinedFunction, number, pi, symbol, t
 from symbody.worksheet import syntax
+from symbody.worksheet.complex_number import normal
 from symbody.worksheet.reading.parse import Failure, next_statement, terminator_after, tokens_of
 from symbody.worksheet.source import Line
 from symbody.worksheet.value import Listed, MapleSet, Range, Relation, Sequence, String, Unevaluated, Value
@@ -173,8 +174,9 @@ def value_of(node: syntax.Expression, functions: frozenset[str]) -> Value:
     Raises:
         NotComparable: something in it has no value here.
     """
+    is_complex = any(isinstance(part, syntax.Name) and part.name == "I" for part in _parts(node))
     try:
-        return _Values(functions).value(node)
+        return _Values(functions, is_complex).value(node)
     except (SymbodyError, ArithmeticError, TypeError, RecursionError) as error:
         raise NotComparable(f"a part of it can't be read: {error}") from None
 
@@ -182,6 +184,7 @@ def value_of(node: syntax.Expression, functions: frozenset[str]) -> Value:
 @dataclass(frozen=True, slots=True)
 class _Values:
     functions: frozenset[str]
+    is_complex: bool = False
 
     def value(self, node: syntax.Expression) -> Value:
         reader = _READERS.get(type(node))
@@ -230,7 +233,8 @@ class _Values:
         arithmetic = _ARITHMETIC.get(operator)
         if arithmetic is None:
             raise NotComparable(f"{operator} in it has no value")
-        return arithmetic(self._scalar(left), self._scalar(right))
+        made = arithmetic(self._scalar(left), self._scalar(right))
+        return normal(made) if self.is_complex else made
 
     def call(self, node: syntax.Call) -> Value:
         match node:

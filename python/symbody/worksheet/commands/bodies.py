@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from symbody.errors import WorksheetError
-from symbody.geometry import Vector
+from symbody.geometry import Vector, velocity
 from symbody.geometry.motion.translation import Translation
 from symbody.multibody import Body, Load
 from symbody.multibody import angular_momentum as angular_momentum_of
@@ -11,7 +11,7 @@ from symbody.multibody import gravitational_energy as weight_energy
 from symbody.multibody import kinetic_energy as kinetic_energy_of
 from symbody.multibody import linear_momentum as linear_momentum_of
 from symbody.multibody import power as power_of
-from symbody.symbolic import ENERGY, Expr, derivation, number
+from symbody.symbolic import ENERGY, Expr, derivation, dot3, number
 from symbody.worksheet import frame_face
 from symbody.worksheet.mechanics import mechanics
 from symbody.worksheet.objects import (
@@ -27,7 +27,7 @@ from symbody.worksheet.objects import (
     written,
 )
 from symbody.worksheet.session import Command, Session
-from symbody.worksheet.small_variables import left
+from symbody.worksheet.small_variables import result
 from symbody.worksheet.value import Array, Listed, Table, Value
 
 __all__ = ["COMMANDS", "gravity"]
@@ -141,7 +141,7 @@ def _body(reader: Reader, value: Value) -> Value:
     found = reader.session.resolve(value)
     if kind_of(found) == "BODY" or frame_face.is_frame(found):
         return value
-    raise WorksheetError(f"{reader.where}: a {described(found)}; expected a body on which it acts")
+    raise WorksheetError(f"{reader.where}: {described(found)}; expected a body on which it acts")
 
 
 def _reacting(reader: Reader, rest: tuple[Value, ...]) -> Value | None:
@@ -175,7 +175,18 @@ def _bodies(reader: Reader, value: Value) -> list[Body]:
 def kinetic_energy(session: Session, objects: Value) -> Value:
     """kinetic_energy(body): the kinetic energy of a body, or of a set of bodies."""
     reader = Reader(session, "kinetic_energy")
-    return left(mechanics(session), [kinetic_energy_of(_bodies(reader, objects))], ENERGY)[0]
+    energies = result(mechanics(session), _kinetic_energies(_bodies(reader, objects)), ENERGY)
+    return min(energies, key=lambda energy: len(str(energy)))
+
+
+def _kinetic_energies(bodies: list[Body]) -> tuple[Expr, Expr]:
+    """Return the kinetic energy by velocities along the axes of each body, and along those of the ground."""
+    spins = [Body.of_inertia(body.center_of_mass, 0, body.inertia) for body in bodies if not body.is_particle]
+    fixed = kinetic_energy_of(spins) if spins else number(0)
+    for body in bodies:
+        v = velocity(body.center_of_mass).components
+        fixed += body.mass * dot3(v, v) / 2
+    return kinetic_energy_of(bodies), fixed
 
 
 def gravitational_energy(session: Session, objects: Value) -> Value:
@@ -183,7 +194,7 @@ def gravitational_energy(session: Session, objects: Value) -> Value:
     reader = Reader(session, "gravitational_energy", hung=False)
     bodies, g = _bodies(reader, objects), gravity(reader)
     energy = number(0) if g is None else weight_energy(bodies, g)
-    return left(mechanics(session), [energy], ENERGY)[0]
+    return result(mechanics(session), [energy], ENERGY)[0]
 
 
 def linear_momentum(session: Session, objects: Value) -> Value:
@@ -208,7 +219,7 @@ def power(session: Session, loads: Value) -> Value:
     found: list[Load] = [load for item in members(session, loads) if (load := reader.load(item)) is not None]
     with derivation(order=ENERGY):
         total = sum((power_of(load) for load in found), start=number(0))
-    return left(mechanics(session), [total], ENERGY)[0]
+    return result(mechanics(session), [total], ENERGY)[0]
 
 
 COMMANDS: dict[str, Command] = {

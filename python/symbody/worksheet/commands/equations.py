@@ -15,7 +15,7 @@ from symbody.worksheet.commands.bodies import gravity
 from symbody.worksheet.mechanics import mechanics
 from symbody.worksheet.objects import Reader, described, kind_of, members, table_of_vector
 from symbody.worksheet.session import Command, Session
-from symbody.worksheet.small_variables import left
+from symbody.worksheet.small_variables import result
 from symbody.worksheet.value import Boolean, Listed, MapleSet, Sequence, Value
 
 __all__ = ["COMMANDS"]
@@ -61,7 +61,7 @@ def _options(reader: Reader, options: tuple[Value, ...]) -> tuple[Frame | None, 
         elif kind_of(found) in {"POINT", "BODY"}:
             about = reader.point(option)
         elif not (isinstance(found, Boolean) or found == Sequence(()) or isinstance(found, Expr)):
-            raise WorksheetError(f"{reader.where}: a {described(found)}; expected a point or a frame")
+            raise WorksheetError(f"{reader.where}: {described(found)}; expected a point or a frame")
     return axes, shown, about
 
 
@@ -72,16 +72,14 @@ def generalized_force(session: Session, loads: Value, variables: Value) -> Value
     several = reader.session.resolve(variables)
     items = several.items if isinstance(several, Listed | MapleSet | Sequence) else (several,)
     coordinates = [_coordinate(reader, item) for item in items]
-    forces = left(mechanics(session), generalized_force_of(found, coordinates))
+    forces = result(mechanics(session), generalized_force_of(found, coordinates))
     return Listed(forces) if isinstance(several, Listed | MapleSet | Sequence) else forces[0]
 
 
 def _coordinate(reader: Reader, value: Value) -> Expr:
     """Return a coordinate with its mark, if it is small."""
     if not isinstance(value, Expr) or value.is_number:
-        raise WorksheetError(
-            f"{reader.where}: a {described(value)}; expected a coordinate, such as q or x(t)"
-        )
+        raise WorksheetError(f"{reader.where}: {described(value)}; expected a coordinate, such as q or x(t)")
     return small(value) if value in mechanics(reader.session).small else value
 
 
@@ -92,7 +90,7 @@ def lagrange(session: Session, energy: Value, variable: Value, time: Value | Non
     L, several = reader.scalar(energy), session.resolve(variable)
     items = several.items if isinstance(several, Listed | MapleSet | Sequence) else (variable,)
     found = [lagrange_of(L, _coordinate(reader, item)) for item in items]
-    equations = left(mechanics(session), found)
+    equations = result(mechanics(session), found)
     return Listed(equations) if isinstance(several, Listed | MapleSet | Sequence) else equations[0]
 
 
@@ -112,7 +110,7 @@ def lagrange_equations(session: Session, system: Value, variables: Value, *optio
     coordinates = [_coordinate(reader, item) for item in items]
     forces = generalized_force_of(loads, coordinates)
     modes = mechanics(session)
-    found = [left(modes, [lagrange_of(L, q) - Q])[0] for q, Q in zip(coordinates, forces, strict=True)]
+    found = [result(modes, [lagrange_of(L, q) - Q])[0] for q, Q in zip(coordinates, forces, strict=True)]
     return Listed(tuple(found))
 
 

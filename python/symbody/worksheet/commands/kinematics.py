@@ -10,9 +10,9 @@ from symbody.geometry import velocity as velocity_of
 from symbody.symbolic import ENERGY, Expr, derivation, number
 from symbody.worksheet import frame_face
 from symbody.worksheet.mechanics import mechanics
-from symbody.worksheet.objects import Reader, fields_of, get, kind_of, table_of_vector, written
+from symbody.worksheet.objects import Reader, computed, fields_of, get, kind_of, table_of_vector, written
 from symbody.worksheet.session import Command, Session
-from symbody.worksheet.small_variables import left
+from symbody.worksheet.small_variables import result
 from symbody.worksheet.value import Array, Reference, Sequence, String, Table, Value
 
 __all__ = ["COMMANDS", "join_points"]
@@ -40,7 +40,7 @@ def join_points(session: Session, P: Value, Q: Value) -> Value:
     """join_points(P, Q): the vector from P to Q, in the frame of P."""
     reader = Reader(session, "join_points")
     vector = reader.point(Q) - reader.point(P)
-    table = written(session, "VECTOR", vector.components, reader.frame_value(P))
+    table = computed(session, "VECTOR", vector.components, reader.frame_value(P))
     table.memory = vector
     return table
 
@@ -77,12 +77,12 @@ def project(session: Session, thing: Value, frame: Value) -> Value:
     table = reader.object(thing, "POINT", "VECTOR", "FORCE", "TORQUE")
     axes, shown = reader.frame(frame), _named(session, reader.frame_value(frame))
     if kind_of(table) == "POINT":
-        return written(session, "POINT", reader.point(table).projected(axes).coordinates, shown)
+        return computed(session, "POINT", reader.point(table).projected(axes).coordinates, shown)
     vector = reader.vector(table).projected(axes)
     fields = fields_of(table, "acting", "reacting", "applied")
-    found = written(session, kind_of(table), vector.components, shown, **fields)
-    found.memory = vector
-    return found
+    projected = computed(session, kind_of(table), vector.components, shown, **fields)
+    projected.memory = vector
+    return projected
 
 
 def _named(session: Session, frame: Value) -> Value:
@@ -96,7 +96,7 @@ def _named(session: Session, frame: Value) -> Value:
 def dot_prod(session: Session, u: Value, v: Value) -> Value:
     """dot_prod(u, v): the scalar product."""
     reader = Reader(session, "dot_prod")
-    return left(mechanics(session), [dot(reader.vector(u), reader.vector(v))])[0]
+    return result(mechanics(session), [dot(reader.vector(u), reader.vector(v))])[0]
 
 
 def cross_prod(session: Session, u: Value, v: Value) -> Value:
@@ -106,8 +106,8 @@ def cross_prod(session: Session, u: Value, v: Value) -> Value:
     forces = [table for table in map(session.resolve, (u, v)) if kind_of(table) == "FORCE"]
     if len(forces) == 1 and isinstance(forces[0], Table):
         bodies = fields_of(forces[0], "acting", "reacting")
-        return written(session, "TORQUE", product, reader.frame_value(u), **bodies)
-    return written(session, "VECTOR", product, reader.frame_value(u))
+        return computed(session, "TORQUE", product, reader.frame_value(u), **bodies)
+    return computed(session, "VECTOR", product, reader.frame_value(u))
 
 
 # --- components ---
@@ -116,11 +116,11 @@ def cross_prod(session: Session, u: Value, v: Value) -> Value:
 def _components(session: Session, where: str, thing: Value, frame: Value | None) -> tuple[Expr, ...]:
     reader = Reader(session, where)
     table = reader.object(thing, "POINT", "VECTOR", "FORCE", "TORQUE")
-    found: Point | Vector = reader.point(table) if kind_of(table) == "POINT" else reader.vector(table)
+    seen: Point | Vector = reader.point(table) if kind_of(table) == "POINT" else reader.vector(table)
     if frame is not None:
-        found = found.projected(reader.frame(frame))
-    entries = found.coordinates if isinstance(found, Point) else found.components
-    return left(mechanics(session), entries)
+        seen = seen.projected(reader.frame(frame))
+    entries = seen.coordinates if isinstance(seen, Point) else seen.components
+    return result(mechanics(session), entries)
 
 
 def comp_X(session: Session, thing: Value, frame: Value | None = None) -> Value:

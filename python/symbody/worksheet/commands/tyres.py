@@ -21,7 +21,7 @@ from symbody.worksheet.session import Command, Session
 from symbody.worksheet.small_variables import left
 from symbody.worksheet.value import Listed, Relation, Sequence, Value
 
-__all__ = ["COMMANDS"]
+__all__ = ["COMMANDS", "tyre_axes"]
 
 
 def make_TIRE(session: Session, wheel: Value, *arguments: Value) -> Value:
@@ -81,7 +81,7 @@ def _contact(reader: Reader, table: Value) -> _Contact:
     # profiles are to the right and downwards here; in `tire_shape`, to the left and towards the road
     shape = tire_shape(-y, z, spin_deformation=-spin, y_deformation=-y_def, z_deformation=z_def)
     with derivation(order=ENERGY):
-        axes, is_carrier = _tyre_axes(wheel.frame, road)
+        axes, is_carrier = tyre_axes(wheel.frame, road)
         place = Point(axes, 0, y + y_def, z + z_def)
         depth = place.projected(road).coordinates[2]
         surface = road * translate(0, 0, depth) * rotate("X", pi)
@@ -92,7 +92,7 @@ def _kinematics(wheel: Body, shape: TireShape, surface: Frame, carrier: Frame | 
     return kinematics_of(wheel, shape, road=surface, carrier=carrier, spin_axis="-Y")
 
 
-def _tyre_axes(wheel: Frame, road: Frame) -> tuple[Frame, bool]:
+def tyre_axes(wheel: Frame, road: Frame) -> tuple[Frame, bool]:
     """Return the axes of a tyre: the wheel's without its spin, if x is along the road then; and whether it is so."""
     carrier = wheel
     while (

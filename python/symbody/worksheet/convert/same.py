@@ -1,173 +1,177 @@
-"""Values of the program and of the session: whether they are the same, and a value as text of Python."""
+"""Whether values of the program and of the session are the same."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from io import TextIOBase
 from typing import Any
 
 from symbody.errors import SymbodyError
-from symbody.geometry import Frame, Point
-from symbody.multibody import Body, Force, Torque
-from symbody.symbolic import Expr, identity, number
-from symbody.worksheet.convert.python_text import Names, identifier
+from symbody.geometry import Frame
+from symbody.multibody import Body, Force, TireKinematics, Torque
+from symbody.symbolic import Expr, Matrix, number, substitute
 from symbody.worksheet.objects import Reader, kind_of
 from symbody.worksheet.session import Session
-from symbody.worksheet.value import Array, Listed, MapleSet, Relation, Sequence, Table, Value
+from symbody.worksheet.value import (
+    Array,
+    Boolean,
+    Builtin,
+    Listed,
+    MapleSet,
+    ProcedureValue,
+    Relation,
+    Sequence,
+    String,
+    Table,
+    Value,
+)
 
-__all__ = ["literal", "same"]
+__all__ = ["order_of", "same"]
 
 
-def same(session: Session, made: Any, value: Value) -> bool:
-    """Whether a value of the program is that of the session."""
-    try:
-        return _same(session, made, session.current(session.resolve(value)))
-    except (SymbodyError, TypeError, ValueError, AttributeError):
+def same(session: Session, made: Any, value: Value, small: Mapping[Expr, Expr] | None = None) -> bool:
+    """Whether a value of the program is that of the session.
+
+    Args:
+        session: the session.
+        made: the value of the program.
+        value: that of the session.
+        small: small variables by those that the program has marked.
+    """
+    return _Comparison(session, small or {}).same(made, value)
+
+
+def order_of(session: Session, made: Any, value: Value) -> list[int] | None:
+    """Return the places of the items of a list in the order of the session; None if they are others.
+
+    A list that was a set has the order that the session gives to sets.
+    """
+    found = session.current(session.resolve(value))
+    if not isinstance(made, list) or not isinstance(found, Listed) or len(made) != len(found.items):
+        return None
+    left = list(range(len(made)))
+    order = []
+    for item in found.items:
+        place = next((k for k in left if same(session, made[k], item)), None)
+        if place is None:
+            return None
+        left.remove(place)
+        order.append(place)
+    return order
+
+
+class _Comparison:
+    def __init__(self, session: Session, small: Mapping[Expr, Expr]) -> None:
+        self.session, self.small = session, dict(small)
+
+    def same(self, made: Any, value: Value) -> bool:
+        """Whether values are the same; values of other kinds are not."""
+        try:
+            return self.alike(made, value)
+        except (SymbodyError, TypeError, ValueError, AttributeError, LookupError):
+            return False
+
+    def alike(self, made: Any, value: Value) -> bool:
+        """Whether a value is the same as one of its kind."""
+        found = self.session.current(self.session.resolve(value))
+        match found:
+            case Expr():
+                return isinstance(made, TextIOBase) or self.equal(made, found)  # an open file is a number
+            case String(text=text) | Boolean(truth=text):
+                return type(made) is type(text) and bool(made == text)
+            case ProcedureValue() | Builtin():
+                return callable(made)
+            case Relation(operator="=", left=left, right=right):
+                return self.equation(made, left, right)
+            case MapleSet(items=items) | Listed(items=items) | Sequence(items=items):
+                return self.items(made, items, is_set=isinstance(found, MapleSet))
+            case Array():
+                return self.matrix(made, found)
+            case Table():
+                return self.object(made, found) if kind_of(found) else self.table(made, found)
         return False
 
+    def items(self, made: Any, items: tuple[Value, ...], *, is_set: bool) -> bool:
+        """Whether a list has the items of a list or a set; a dictionary is a solution."""
+        if isinstance(made, dict):
+            return self.solution(made, items)
+        if not is_set:
+            return len(made) == len(items) and all(map(self.same, made, items))
+        return all(any(self.same(one, item) for one in made) for item in items) and all(
+            any(self.same(one, item) for item in items) for one in made
+        )
 
-def _same(session: Session, made: Any, value: Value) -> bool:
-    match value:
-        case Expr():
-            return isinstance(made, Expr | int) and bool(number(made) == value)
-        case Relation(operator="=", left=Expr() as left, right=Expr() as right):
-            return isinstance(made, Expr) and bool(made == left - right)
-        case MapleSet(items=items) if isinstance(made, dict):
-            return _same_solution(session, made, items)
-        case MapleSet(items=items):
-            return len(made) == len(items) and all(
-                any(same(session, one, item) for one in made) for item in items
-            )
-        case Listed(items=items) | Sequence(items=items):
-            return len(made) == len(items) and all(
-                same(session, one, item) for one, item in zip(made, items, strict=True)
-            )
-        case Array():
-            return _same_matrix(session, made, value)
-        case Table() if kind_of(value):
-            return _same_object(session, made, value)
-    return False
+    def equal(self, made: Any, value: Expr) -> bool:
+        """Whether an expression is equal, where marks of small variables don't count."""
+        if isinstance(made, float):
+            return value.is_constant and abs(made - float(value)) <= 1e-9 * (1 + abs(made))
+        plain = self.plain([number(made)])[0]
+        return bool(plain == value)
 
+    def plain(self, expressions: Iterable[Expr]) -> list[Expr]:
+        """Return expressions without marks of small variables."""
+        found = list(expressions)
+        return list(substitute(found, self.small)) if self.small else found
 
-def _same_solution(session: Session, made: dict[Expr, Expr], items: Iterable[Value]) -> bool:
-    pairs = {item.left: item.right for item in items if isinstance(item, Relation)}
-    return len(pairs) == len(made) and all(
-        key in pairs and same(session, one, pairs[key]) for key, one in made.items()
-    )
+    def equation(self, made: Any, left: Value, right: Value) -> bool:
+        """Whether ``{left: right}``, or a difference, is an equation."""
+        if isinstance(made, dict):
+            ((key, one),) = made.items()
+            return self.same(key, left) and self.same(one, right)
+        sides = self.session.current(left), self.session.current(right)
+        if not all(isinstance(side, Expr) for side in sides):
+            return isinstance(made, Matrix | list | tuple) and self.same(made, right)
+        return isinstance(made, Expr) and self.equal(made, sides[0] - sides[1])  # type: ignore[operator]
 
+    def solution(self, made: dict[Expr, Expr], items: Iterable[Value]) -> bool:
+        pairs = [(item.left, item.right) for item in items if isinstance(item, Relation)]
+        pairs = [(left, right) for left, right in pairs if left != right or left in made]
+        return len(pairs) == len(made) and all(
+            any(self.same(key, left) and self.same(one, right) for left, right in pairs)
+            for key, one in made.items()
+        )
 
-def _same_matrix(session: Session, made: Any, value: Array) -> bool:
-    matrix = made.matrix if isinstance(made, Frame) else made
-    entries = [session.current(entry) for entry in value.entries]
-    rows = [[matrix[i, j] for j in range(value.columns)] for i in range(value.rows)]
-    return [entry for row in rows for entry in row] == entries
+    def table(self, made: dict[Any, Any], value: Table) -> bool:
+        """Whether a dictionary has the entries of a table: its keys are numbers and texts."""
+        entries = {_key(key): entry for key, entry in value.entries.items()}
+        return made.keys() == entries.keys() and all(self.same(made[key], entries[key]) for key in made)
 
+    def matrix(self, made: Any, value: Array) -> bool:
+        matrix = made.matrix if isinstance(made, Frame) else made
+        entries = [self.session.current(entry) for entry in value.entries]
+        if isinstance(matrix, tuple | list):
+            return len(matrix) == len(entries) and all(map(self.same, matrix, entries))
+        listed = self.plain(matrix.entries)
+        return matrix.shape in {(value.rows, value.columns)} and listed == entries
 
-def _same_object(session: Session, made: Any, value: Table) -> bool:
-    reader, kind = Reader(session, "convert"), kind_of(value)
-    if kind == "POINT":
-        point = reader.point(value)
-        return _same_in_frame(made, point, made.coordinates, point.coordinates)
-    if kind == "VECTOR":
-        vector = reader.vector(value)
-        return _same_in_frame(made, vector, made.components, vector.components)
-    if kind == "BODY":
-        body = reader.body(value)
-        return _same_in_frame(made, body, (made.mass, *_entries(made)), (body.mass, *_entries(body)))
-    load = reader.load(value)
-    return isinstance(load, Force | Torque) and _same_in_frame(made, load, made.components, load.components)
+    def object(self, made: Any, value: Table) -> bool:
+        reader, kind = Reader(self.session, "convert"), kind_of(value)
+        if kind == "POINT":
+            point = reader.point(value)
+            return self.in_frame(made, point, made.coordinates, point.coordinates)
+        if kind == "VECTOR":
+            vector = reader.vector(value)
+            return self.in_frame(made, vector, made.components, vector.components)
+        if kind == "BODY":
+            body = reader.body(value)
+            return self.in_frame(made, body, (made.mass, *_entries(made)), (body.mass, *_entries(body)))
+        if kind == "TIRE":
+            return isinstance(made, TireKinematics)
+        load = reader.load(value)
+        return isinstance(load, Force | Torque) and self.in_frame(
+            made, load, made.components, load.components
+        )
+
+    def in_frame(self, made: Any, thing: Any, left: Iterable[Expr], right: Iterable[Expr]) -> bool:
+        frames = [*made.frame.matrix.entries, *left], [*thing.frame.matrix.entries, *right]
+        return self.plain(frames[0]) == self.plain(frames[1])
 
 
 def _entries(body: Body) -> list[Expr]:
     return [body.inertia[i, j] for i in range(3) for j in range(3)]
 
 
-def _same_in_frame(made: Any, object_: Any, left: Iterable[Expr], right: Iterable[Expr]) -> bool:
-    frames = bool(made.frame.matrix == object_.frame.matrix)
-    return frames and all(bool(a == b) for a, b in zip(left, right, strict=True))
-
-
-def literal(session: Session, value: Value, names: Names) -> str | None:
-    """Return a value as text of Python, or None."""
-    value = session.current(session.resolve(value))
-    match value:
-        case Expr():
-            return _scalar(value, names)
-        case Relation(operator="=", left=Expr() as left, right=Expr() as right):
-            return _scalar(left - right, names)
-        case MapleSet(items=items) if items and all(isinstance(item, Relation) for item in items):
-            pairs = [
-                (literal(session, i.left, names), literal(session, i.right, names))
-                for i in items
-                if isinstance(i, Relation)
-            ]
-            return (
-                None
-                if any(None in pair for pair in pairs)
-                else f"{{{', '.join(f'{a}: {b}' for a, b in pairs)}}}"
-            )
-        case Listed(items=items) | Sequence(items=items) | MapleSet(items=items):
-            texts = [literal(session, item, names) for item in items]
-            return None if None in texts else f"[{', '.join(str(text) for text in texts)}]"
-        case Array():
-            rows = [value.entries[i * value.columns : (i + 1) * value.columns] for i in range(value.rows)]
-            texts = [literal(session, Listed(tuple(row)), names) for row in rows]
-            kind = "sb.Frame" if value.frame is not None else "sb.Matrix"
-            return None if None in texts else f"{kind}([{', '.join(str(text) for text in texts)}])"
-        case Table() if kind_of(value) in {"POINT", "VECTOR", "BODY"}:
-            return _object(session, value, names)
-    return None
-
-
-def _object(session: Session, value: Table, names: Names) -> str | None:
-    """Return a point, a vector or a body, in a frame that the program has, if it has it."""
-    reader, kind = Reader(session, "convert"), kind_of(value)
-    if kind == "BODY":
-        body = reader.body(value)
-        rows = [[_scalar(body.inertia[i, j], names) for j in range(3)] for i in range(3)]
-        texts = [_frame(body.frame, names), _scalar(body.mass, names)]
-        if None in texts or any(None in row for row in rows):
-            return None
-        inertia = ", ".join(f"[{', '.join(str(entry) for entry in row)}]" for row in rows)
-        return f"sb.Body.of_inertia(sb.origin({texts[0]}), {texts[1]}, sb.Matrix([{inertia}]))"
-    thing = reader.point(value) if kind == "POINT" else reader.vector(value)
-    entries = thing.coordinates if isinstance(thing, Point) else thing.components
-    texts = [_frame(thing.frame, names), *(_scalar(entry, names) for entry in entries)]
-    return None if None in texts else f"sb.{kind.capitalize()}({', '.join(str(text) for text in texts)})"
-
-
-def _frame(frame: Frame, names: Names) -> str | None:
-    matrix = frame.matrix
-    if matrix == identity(4):
-        return "sb.ground"
-    for name, made in names.values.items():
-        if isinstance(made, Frame) and made.matrix == matrix:
-            return name
-    texts = [[_scalar(matrix[i, j], names) for j in range(4)] for i in range(4)]
-    if any(None in row for row in texts):
-        return None
-    rows = ", ".join(f"[{', '.join(map(str, row))}]" for row in texts)
-    return f"sb.Frame([{rows}])"
-
-
-def _scalar(value: Expr, names: Names) -> str | None:
-    """Return an expression by its text, with the names that occur in it."""
-    if value.kind in {"integer", "rational"} and "/" not in str(value):
-        return str(value)
-    if value.is_variable and names.values.get(identifier(str(value))) is not None:
-        declared = names.values[identifier(str(value))]
-        if isinstance(declared, Expr) and declared == value:
-            return identifier(str(value))
-    known = {}
-    for leaf in sorted(value.free_symbols, key=str):
-        name = str(leaf).rstrip("'")
-        if name in {"t", "pi"}:
-            continue
-        if not name.isidentifier():
-            return None
-        if leaf.kind != "symbol":
-            names.functions.add(name)
-        known[name] = (
-            f"sb.functions_of_time({name!r})" if name in names.functions else f"sb.symbols({name!r})"
-        )
-    pairs = ", ".join(f"{name!r}: {text}" for name, text in known.items())
-    return f"sb.parse({str(value)!r}, names={{{pairs}}})" if pairs else f"sb.parse({str(value)!r})"
+def _key(key: tuple[Value, ...]) -> Any:
+    """Return the key of an entry as Python has it."""
+    parts = [int(str(part)) if str(part).isdigit() else str(getattr(part, "text", part)) for part in key]
+    return parts[0] if len(parts) == 1 else tuple(parts)

@@ -226,6 +226,13 @@ class Builder(Transformer_NonRecursive[Token, Statement]):
         entries = tuple(part.items[0] if len(part.items) == 1 else part for part in parts)
         return syntax.Rows(entries, place=_place(meta))
 
+    def rows(self, meta: Meta, parts: Items) -> Expression:
+        """``<a, b; c, d>``: rows one below the other."""
+        rows = [part for part in parts if isinstance(part, syntax.Columns)]
+        return syntax.Columns(
+            tuple(syntax.Rows(row.items, place=row.place) for row in rows), place=_place(meta)
+        )
+
     # --- procedures ---
 
     def parameter(self, meta: Meta, parts: Items) -> Parameter:

@@ -18,6 +18,8 @@ _PROMPT = re.compile(r"^ *>", re.MULTILINE)
 def read_source(path: Path | str) -> tuple[Cell, ...]:
     """Return the cells of a worksheet: a text export, Maple's XML, or a file with input only."""
     data = Path(path).read_bytes()
+    if data[:2] in (b"\xff\xfe", b"\xfe\xff"):
+        return source_cells(data.decode("utf-16", errors="replace"))
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError:

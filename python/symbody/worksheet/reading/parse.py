@@ -11,6 +11,7 @@ from lark import Lark, Token, UnexpectedToken
 from lark import __version__ as version
 from lark.exceptions import VisitError
 from lark.lark import PostLex
+from lark.parsers.lalr_interactive_parser import InteractiveParser
 
 from symbody.files.cache_folder import folder
 from symbody.worksheet.reading.builder import Builder, Mistake, one_place
@@ -22,6 +23,7 @@ __all__ = [
     "Failure",
     "Parsed",
     "accepted",
+    "is_statement",
     "next_statement",
     "opened",
     "terminator_after",
@@ -109,7 +111,7 @@ def next_statement(tokens: Sequence[Token], begin: int = 0) -> Parsed | Failure:
             if len(parser.parser_state.state_stack) > _DEEPEST:
                 return Failure(index, place=one_place(tokens[index]), message=_TOO_DEEP)
             depth += opened(tokens, index)
-            if depth <= 0 and tokens[index].type in TERMINATORS:
+            if depth <= 0 and tokens[index].type in TERMINATORS and _ends(parser, tokens[index]):
                 tree = parser.feed_token(Token.new_borrow_pos("$END", "", tokens[index]))
                 return Parsed(Builder().transform(tree), index + 1)
     except UnexpectedToken:
@@ -117,6 +119,11 @@ def next_statement(tokens: Sequence[Token], begin: int = 0) -> Parsed | Failure:
     except VisitError as error:
         return _failure(index, error.orig_exc)
     return Failure(len(tokens))
+
+
+def _ends(parser: InteractiveParser, token: Token) -> bool:
+    """Whether a terminator ends the statement: ``<a, b; c, d>`` has one between its rows."""
+    return token.type != "SEMICOLON" or "$END" in parser.choices()  # type: ignore[no-untyped-call]
 
 
 def accepted(tokens: Sequence[Token]) -> frozenset[str]:
@@ -129,11 +136,18 @@ def accepted(tokens: Sequence[Token]) -> frozenset[str]:
     return frozenset(parser.accepts())  # type: ignore[no-untyped-call]
 
 
+def is_statement(tokens: Sequence[Token]) -> bool:
+    """Whether tokens without a terminator are a whole statement."""
+    return bool(tokens) and isinstance(next_statement([*tokens, terminator_after(tokens[-1])]), Parsed)
+
+
 def opened(tokens: Sequence[Token], index: int) -> int:
     """Return 1 for a word that opens a list of statements, -1 for one that closes it; words of Maple are reserved."""
     kind = tokens[index].type
     if kind in _CLOSE:
         return -1
+    if kind == "NAME" and tokens[index] == "module":  # which isn't read, but has an end
+        kind = "PROC" if index + 1 < len(tokens) and tokens[index + 1].type == "LPAR" else kind
     return int(kind in _OPEN and not (index and tokens[index - 1].type == "END"))
 
 

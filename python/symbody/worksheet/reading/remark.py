@@ -13,7 +13,7 @@ from itertools import pairwise
 from lark import Token
 
 from symbody.worksheet import syntax
-from symbody.worksheet.reading.parse import TERMINATORS, Failure, Parsed, next_statement
+from symbody.worksheet.reading.parse import TERMINATORS, Failure, Parsed, is_statement, next_statement
 
 __all__ = ["Span", "is_trailing_remark", "remark_in", "used_names"]
 
@@ -156,6 +156,8 @@ def _is_prose(tokens: Sequence[Token], span: Span, begin: int) -> bool:
             and first[0].type in {"NAME", "UNKNOWN"}
             and _is_prose_sign(first[1])
         )
+    if any(_is_code(piece) for piece in _pieces(text)[1:]):  # behind a mistake, the line goes on with code
+        return False
     if any(token.type == "UNKNOWN" for token in text):
         return True
     if all(token.type in _WORDS | _MARKS for token in text):
@@ -164,6 +166,17 @@ def _is_prose(tokens: Sequence[Token], span: Span, begin: int) -> bool:
         {first.type, second.type} <= _OPERANDS and "NAME" in {first.type, second.type}
         for first, second in pairwise(text)
     )
+
+
+def _pieces(text: Sequence[Token]) -> list[Sequence[Token]]:
+    """Return the tokens between terminators."""
+    ends = [k for k, token in enumerate(text) if token.type in TERMINATORS]
+    return [text[a:b] for a, b in pairwise([0, *(end + 1 for end in ends), len(text) + 1])]
+
+
+def _is_code(piece: Sequence[Token]) -> bool:
+    """Whether tokens are a statement, and more than words."""
+    return any(token.type not in _WORDS | _MARKS for token in piece) and is_statement(piece)
 
 
 def _is_prose_sign(token: Token) -> bool:

@@ -6,11 +6,13 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 
 from lark import Token
 
+from symbody.worksheet.reading.block_remark import without_block_remarks
 from symbody.worksheet.reading.builder import one_place
 from symbody.worksheet.reading.mistake import mistake
 from symbody.worksheet.reading.parse import (
     TERMINATORS,
     Failure,
+    is_statement,
     next_statement,
     opened,
     terminator_after,
@@ -19,6 +21,9 @@ from symbody.worksheet.reading.parse import (
 from symbody.worksheet.reading.remark import Span, is_trailing_remark, remark_in, used_names
 from symbody.worksheet.source import Cell, Line, Remark, SyntaxMistake
 from symbody.worksheet.syntax import Place, Statement
+
+#: Words that begin a statement, and can't be part of an expression.
+_STATEMENTS = frozenset({"IF", "FOR", "CLAUSE", "TRY", "READ", "SAVE", "RETURN", "ERROR"})
 
 #: How many times as much as a sheet without mistakes may be read.
 _EFFORT = 8
@@ -32,7 +37,7 @@ def statements(cell: Cell, used: Collection[str] = ()) -> Iterator[Statement | R
     The end of the cell ends a statement. Behind a mistake, reading goes on with the next statement. ``used`` are the
     names in the code of the whole sheet (`names_in_code`); words that are not among them can be remarks.
     """
-    lines = [tokens_of(line) for line in cell.input]
+    lines = [tokens_of(line) for line in without_block_remarks(cell.input)]
     used = used or used_names(lines)
     tokens = [token for line in lines for token in line]
     if tokens and tokens[-1].type not in TERMINATORS:
@@ -42,6 +47,11 @@ def statements(cell: Cell, used: Collection[str] = ()) -> Iterator[Statement | R
         found = next_statement(tokens, begin)
         if isinstance(found, Failure):
             effort -= 10 + found.index - begin
+            if _comma_ends(tokens, begin, found):
+                comma = tokens[found.index - 1]
+                yield _remark(cell, [comma])
+                tokens[found.index - 1] = Token.new_borrow_pos("SEMICOLON", ";", comma)
+                continue
             span = remark_in(tokens, begin, found, used) if effort > 0 else None
             if span is None:
                 yield mistake(cell, tokens, begin, found)
@@ -59,13 +69,23 @@ def statements(cell: Cell, used: Collection[str] = ()) -> Iterator[Statement | R
 
 def names_in_code(cells: Iterable[Cell]) -> frozenset[str]:
     """Return the names that occur in the code of a sheet."""
-    return used_names(tokens_of(line) for cell in cells for line in cell.input)
+    return used_names(tokens_of(line) for cell in cells for line in without_block_remarks(cell.input))
 
 
 def is_open(lines: Sequence[Line]) -> bool:
     """Whether the last statement of lines goes on: it needs more than a terminator."""
     *_, last = [None, *statements(Cell(tuple(lines)))]
     return isinstance(last, SyntaxMistake) and last.is_open
+
+
+def _comma_ends(tokens: Sequence[Token], begin: int, failure: Failure) -> bool:
+    """Whether a statement ends with a comma, before a line that begins another: ``printf("ready"),`` before an if."""
+    index = failure.index
+    if not begin + 1 < index < len(tokens) or failure.place is not None:
+        return False
+    comma, word = tokens[index - 1], tokens[index]
+    begins = word.type in _STATEMENTS and word.line != comma.line
+    return comma.type == "COMMA" and begins and is_statement(tokens[begin : index - 1])
 
 
 def _next_begin(tokens: Sequence[Token], begin: int, index: int) -> int:

@@ -1,0 +1,1 @@
+"""The classic systems of `symbody.models`, from bodies to a motion."""

@@ -1,0 +1,190 @@
+"""Chunks: some cases of a study, run and summed up."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.simulation.batch.case_arrays import Results, Status
+from symbody.simulation.batch.cases import Cases
+from symbody.simulation.batch.run_cases import run_cases
+from symbody.simulation.integrate.notices import Finding, deficiency_findings
+from symbody.simulation.integrate.task import KeepGoing, Task
+from symbody.simulation.model.model import DAMPING
+from symbody.symbolic import Expr
+from symbody.symbolic.numeric.deficiency import noting
+
+from .measures.measure import Course, Crossings
+from .plan import Plan
+from .statistics.statistic import Partial
+
+__all__ = ["Chunk", "run_chunk"]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Chunk:
+    """The results of k cases of a study.
+
+    Attributes:
+        status: how each case ended, a `Status`, shape (k,).
+        t_reached: the last known instant of each case, shape (k,).
+        messages: why cases failed, by their number in the chunk.
+        findings: what a user should know of cases, by their number in the chunk.
+        values: the numbers of the measures, shape (k, columns); NaN for cases that failed.
+        partials: the partial result of each statistic.
+        histories: the outputs, shape (k, outputs, N), if they are kept.
+    """
+
+    status: NDArray[np.int8]
+    t_reached: Array
+    messages: Mapping[int, str]
+    findings: Mapping[int, tuple[Finding, ...]]
+    values: Array
+    partials: tuple[Partial, ...]
+    histories: Array | None
+
+
+def run_chunk(plan: Plan, cases: Cases, first: int, threads: int, keep_going: KeepGoing) -> Chunk | None:
+    """Run some cases and sum them up; return None if `keep_going` ended them.
+
+    Args:
+        plan: what the cases share.
+        cases: the cases.
+        first: the number of the first of them in the study.
+        threads: how many run at a time.
+        keep_going: called from time to time with the number of finished cases; False ends all of them.
+    """
+    results = run_cases(plan.task, cases, threads, keep_going)
+    if len(results.missing):
+        return None
+    with noting() as found:
+        values = _Motions(plan, cases, results)
+        outputs, columns = values.outputs(), values.columns()
+    findings = {case: each for case, each in enumerate(results.findings) if each}
+    met = deficiency_findings(found, plan.task.model)
+    if met:
+        findings[0] = tuple(dict.fromkeys((*findings.get(0, ()), *met)))
+    failed = np.flatnonzero(results.status == Status.FAILED).tolist()
+    return Chunk(
+        results.status,
+        results.t_reached,
+        {case: str(results.messages[case]) for case in failed},
+        findings,
+        columns,
+        tuple(statistic.of(outputs, first) for statistic in plan.statistics),
+        outputs if plan.keeps_histories else None,
+    )
+
+
+class _Motions:
+    """The motions of a chunk as arrays, in which expressions are evaluated for all cases at once.
+
+    Args:
+        plan: the plan.
+        cases: the cases.
+        results: their states at the instants, and their events.
+    """
+
+    def __init__(self, plan: Plan, cases: Cases, results: Results) -> None:
+        self._plan, self._task, self._results = plan, plan.task, results
+        self._size = len(plan.task.model.state)
+        self._count, self._instants = cases.count, len(plan.task.instants)
+        self._is_good = results.status != Status.FAILED
+        self._parameters = _with_damping(plan.task, cases, results.states[:, 0, : self._size])
+        case, self._event, self._event_t, at = _occurrences(results, self._size)
+        self._event_case, self._event_states = case, at
+        self._end_t, self._end_states = self._ends()
+
+    def outputs(self) -> Array:
+        """Return the outputs, shape (k, outputs, N); NaN after the end of a motion."""
+        return self._along([*self._plan.outputs.values()])
+
+    def columns(self) -> Array:
+        """Return the numbers of all measures, shape (k, columns)."""
+        plan, measures = self._plan, self._plan.measures
+        if not measures:
+            return np.empty((self._count, 0))
+        expressions = [measure.expression for measure in measures.values()]
+        along, end = self._along(expressions), self._at_end(expressions)
+        totals = self._at_end([*plan.integrals.values()])
+        integrals = dict(zip(plan.integrals, totals, strict=True))
+        unknown = np.full(self._count, np.nan)
+        found: list[Array] = []
+        for k, (name, measure) in enumerate(measures.items()):
+            crossings = self._crossings(measure.expression, plan.event_ranges[name])
+            course = Course(
+                self._task.instants,
+                along[:, k],
+                self._end_t,
+                end[k],
+                integrals.get(name, unknown),
+                crossings,
+            )
+            found += measure.of(course)
+        return np.where(self._is_good[:, np.newaxis], np.array(found).T, np.nan)
+
+    def _along(self, expressions: list[Expr]) -> Array:
+        """Return expressions at all instants, shape (k, expressions, N)."""
+        count, n = self._count, self._instants
+        states = self._results.states[:, :, : self._size].reshape(count * n, self._size)
+        case, t = np.repeat(np.arange(count), n), np.tile(self._task.instants, count)
+        values = self._values(expressions, states, t, case)
+        return np.moveaxis(values.reshape(len(expressions), count, n), 0, 1)
+
+    def _at_end(self, expressions: list[Expr]) -> Array:
+        """Return expressions where each motion ended, shape (expressions, k)."""
+        return self._values(expressions, self._end_states, self._end_t, np.arange(self._count))
+
+    def _ends(self) -> tuple[Array, Array]:
+        """Return the instants and the states where the motions ended: at the last instant, or a terminal event."""
+        t = np.full(self._count, self._task.instants[-1])
+        states = self._results.states[:, -1, : self._size].copy()
+        ended = self._results.status == Status.ENDED_BY_EVENT
+        last = np.searchsorted(self._event_case, np.arange(self._count), "right") - 1
+        t[ended], states[ended] = self._event_t[last[ended]], self._event_states[last[ended]]
+        return t, states
+
+    def _crossings(self, expression: Expr, own: range) -> Crossings:
+        """Return the occurrences of the events of one measure."""
+        chosen = np.flatnonzero((self._event >= own.start) & (self._event < own.stop))
+        case = self._event_case[chosen]
+        (values,) = self._values([expression], self._event_states[chosen], self._event_t[chosen], case)
+        return Crossings(case, self._event[chosen] - own.start, self._event_t[chosen], values)
+
+    def _values(self, expressions: list[Expr], states: Array, t: Array, case: NDArray[np.intp]) -> Array:
+        """Return expressions at states, shape (expressions, points); NaN at states that are not known."""
+        values = np.full((len(expressions), len(t)), np.nan)
+        known = np.flatnonzero(np.isfinite(states).all(axis=1))
+        if expressions and known.size:
+            function = self._task.model.function(expressions, tuple(self._parameters))
+            given = [values[case[known]] for values in self._parameters.values()]
+            values[:, known] = np.asarray(function(t[known], *states[known].T, *given))
+        return values
+
+
+def _with_damping(task: Task, cases: Cases, starts: Array) -> dict[Expr, Array]:
+    """Return the parameters, with those of Baumgarte's stabilisation if it is used; NaN for cases without a start."""
+    if not task.model.is_stabilized:
+        return cases.parameters
+    rows = np.full((cases.count, len(DAMPING)), np.nan)
+    for case in np.flatnonzero(np.isfinite(starts).all(axis=1)).tolist():
+        rows[case] = [*task.damping_of(cases.parameters_of(case), starts[case]).values()]
+    return {**cases.parameters, **dict(zip(DAMPING, rows.T, strict=True))}
+
+
+def _occurrences(results: Results, size: int) -> tuple[NDArray[Any], NDArray[Any], Array, Array]:
+    """Return the case, the event, the instant and the state of all occurrences, by case and then by instant."""
+    rows: Sequence[tuple[int, int, float, Array]] = [
+        (case, event, t, state)
+        for case, entries in enumerate(results.occurrences)
+        for event, t, state, _ in entries
+    ]
+    states = np.array([row[3] for row in rows], dtype=np.float64).reshape(len(rows), size)
+    case, event = (np.array([row[place] for row in rows], dtype=np.intp) for place in (0, 1))
+    return case, event, np.array([row[2] for row in rows], dtype=np.float64), states

@@ -1,0 +1,1 @@
+"""Fits: parameters and initial values from measured motions."""

@@ -1,0 +1,1 @@
+"""Samples: tables of random values for `simulate_many` and `study`."""

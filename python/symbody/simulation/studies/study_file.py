@@ -1,0 +1,282 @@
+"""Files of studies: a Zarr store to which chunks are appended, which xarray and other programs read."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from io import BytesIO
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.errors import ResultsError
+from symbody.simulation.batch.case_arrays import Status
+from symbody.simulation.batch.cases import Cases
+from symbody.simulation.given.extra import loaded
+from symbody.simulation.given.wording import joined_by_and
+from symbody.symbolic.given.arguments import brief
+
+from .chunk import Chunk
+from .plan import PLACE, Plan
+from .statistics.statistic import Partial
+
+__all__ = ["StudyFile"]
+
+FORMAT = "symbody study 1"
+"""The number increases when the meaning of the arrays changes."""
+
+MESSAGE = 500
+"""The most bytes of a message."""
+
+COMMIT = 16
+"""The number of chunks after which their merged statistics are stored."""
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class StudyFile:
+    """A Zarr store whose arrays are divided as the study is, so that each chunk is written by itself.
+
+    A chunk counts as finished when its status is there, which is written last: after an accident, no more is lost than
+    the chunks in flight.
+
+    Attributes:
+        path: the folder of the store.
+        plan: what is computed.
+        cases: all cases.
+        size: the number of cases of a chunk.
+        problem: the digest of each part of the study, by the name of the part.
+        units: the units of parameters, measures and outputs, by name.
+    """
+
+    path: Path
+    plan: Plan
+    cases: Cases
+    size: int
+    problem: Mapping[str, str]
+    units: Mapping[str, str]
+
+    def open(self) -> None:
+        """Make the store, or check that the one that is there holds this study.
+
+        Raises:
+            ResultsError: it can't be written, is no study, or is another one.
+        """
+        zarr = loaded("zarr", f"{PLACE}: path={str(self.path)!r}")
+        try:
+            if self.path.exists() and any(self.path.iterdir()):
+                self._check(zarr)
+            else:
+                self._make(zarr)
+        except OSError as error:
+            if isinstance(error, ResultsError):
+                raise
+            raise ResultsError(
+                f"{PLACE}: {self.path} can't be written ({error.strerror or error}); nothing was changed there. Choose "
+                "another path"
+            ) from error
+
+    def _check(self, zarr: Any) -> None:
+        try:
+            found = dict(zarr.open_group(self.path, mode="r").attrs)
+        except Exception as error:
+            raise self._unreadable(brief(error)) from error
+        if found.get("format") != FORMAT:
+            raise self._unreadable(f"it doesn't say '{FORMAT}'")
+        stored = found.get("problem", {})
+        other = [part for part, text in self.problem.items() if stored.get(part) != text]
+        if other:
+            parts = joined_by_and(other, most=len(other))
+            raise ResultsError(
+                f"{PLACE}: {self.path} contains another study: {parts} differ; the file was not changed. Give another "
+                "path, or remove the file to start again"
+            )
+        if not found.get("is_made"):
+            self._make(zarr)
+
+    def _unreadable(self, reason: str) -> ResultsError:
+        return ResultsError(
+            f"{PLACE}: {self.path} can't be read as a study ({reason}); it was not changed. Give another path, or "
+            "remove it"
+        )
+
+    def _make(self, zarr: Any) -> None:
+        """Make all arrays, empty; mark the store as made at the end."""
+        group = zarr.open_group(self.path, mode="w")
+        group.attrs.update({"format": FORMAT, "problem": dict(self.problem)})
+        self._make_coordinates(group)
+        k, n = self.cases.count, len(self.plan.task.instants)
+        meaning = {
+            "flag_values": [*map(int, Status)],
+            "flag_meanings": " ".join(s.name.lower() for s in Status),
+        }
+        self._array(group, "status", (k,), "i1", 0, ("case",), meaning)
+        self._array(group, "t_reached", (k,), "f8", np.nan, ("case",), {"units": "s"})
+        self._array(group, "message", (k, MESSAGE), "u1", 0, ("case", "byte"), {"encoding": "utf-8"})
+        for name in self.plan.columns:
+            self._array(group, name, (k,), "f8", np.nan, ("case",), self._unit(name))
+        if self.plan.keeps_histories:
+            for name in self.plan.outputs:
+                self._array(group, name, (k, n), "f8", np.nan, ("case", "t"), self._unit(name))
+        group.create_group("progress")
+        group.attrs["is_made"] = True
+
+    def _make_coordinates(self, group: Any) -> None:
+        """Write the instants, and the values in which cases differ; values that all share are attributes."""
+        cases = self.cases
+        columns = {str(name): column for name, column in cases.parameters.items()}
+        columns |= {f"initial_{name}": column for name, column in cases.initial.items()}
+        varied = {name: column for name, column in columns.items() if np.any(column != column[0])}
+        group.attrs["given"] = {
+            name: float(column[0]) for name, column in columns.items() if name not in varied
+        }
+        group.attrs["coordinates"] = " ".join(["case", *varied])
+        self._array(group, "case", (cases.count,), "i8", 0, ("case",), {})[:] = np.arange(cases.count)
+        instants = self.plan.task.instants
+        self._array(group, "t", instants.shape, "f8", np.nan, ("t",), {"units": "s"})[:] = instants
+        for name, column in varied.items():
+            self._array(group, name, column.shape, "f8", np.nan, ("case",), self._unit(name))[:] = column
+
+    def _unit(self, name: str) -> dict[str, str]:
+        unit = self.units.get(name, "s" if name.endswith(" instant") else "")
+        return {"long_name": name} | ({"units": unit} if unit else {})
+
+    def _array(
+        self,
+        group: Any,
+        name: str,
+        shape: tuple[int, ...],
+        dtype: str,
+        empty: float,
+        dims: tuple[str, ...],
+        attributes: Mapping[str, Any],
+    ) -> Any:
+        """Make an array, and return it.
+
+        Args:
+            group: the group of the store.
+            name: the name of the array.
+            shape: its shape.
+            dtype: the type of its numbers.
+            empty: what it is filled with.
+            dims: the names of its dimensions.
+            attributes: its attributes.
+        """
+        chunks = (self.size, *shape[1:]) if dims[0] == "case" else shape
+        return group.create_array(
+            name,
+            shape=shape,
+            dtype=dtype,
+            chunks=chunks,
+            fill_value=empty,
+            dimension_names=dims,
+            attributes=dict(attributes),
+            overwrite=True,
+        )
+
+    @property
+    def _group(self) -> Any:
+        return loaded("zarr", PLACE).open_group(self.path, mode="r+")
+
+    def read(self) -> tuple[NDArray[np.int8], Array, dict[str, Array]]:
+        """Return the status of all cases, where they ended, and the numbers of the measures."""
+        group = self._group
+        columns = {name: np.asarray(group[name][:]) for name in self.plan.columns}
+        return np.asarray(group["status"][:]), np.asarray(group["t_reached"][:]), columns
+
+    def messages(self, failed: NDArray[np.intp]) -> dict[int, str]:
+        """Return why cases failed."""
+        if not failed.size:
+            return {}
+        rows = self._group["message"].oindex[failed]
+        return {
+            int(case): bytes(row).rstrip(b"\0").decode(errors="ignore")
+            for case, row in zip(failed, rows, strict=True)
+        }
+
+    def write(self, number: int, chunk: Chunk) -> None:
+        """Append a chunk; its status comes last.
+
+        Raises:
+            ResultsError: the store can't be written.
+        """
+        rows = slice(number * self.size, number * self.size + len(chunk.status))
+        try:
+            group = self._group
+            for k, name in enumerate(self.plan.columns):
+                group[name][rows] = chunk.values[:, k]
+            if chunk.histories is not None:
+                for k, name in enumerate(self.plan.outputs):
+                    group[name][rows] = chunk.histories[:, k]
+            if chunk.messages:
+                texts = np.zeros((len(chunk.status), MESSAGE), dtype=np.uint8)
+                for case, message in chunk.messages.items():
+                    data = message.encode()[:MESSAGE]
+                    texts[case, : len(data)] = np.frombuffer(data, dtype=np.uint8)
+                group["message"][rows] = texts
+            if chunk.partials:
+                _put(group, f"chunk_{number}", chunk.partials)
+            group["t_reached"][rows] = chunk.t_reached
+            group["status"][rows] = chunk.status
+        except OSError as error:
+            raise ResultsError(
+                f"{PLACE}: {self.path} can't be written ({error.strerror or error}); the chunks before are there"
+            ) from error
+
+    def merged(self) -> tuple[int, list[Partial]]:
+        """Return the number of chunks whose statistics are merged, and these."""
+        group = self._group
+        upto = int(group.attrs.get("merged", 0))
+        return upto, _got(group, f"merged_{upto}") if upto else []
+
+    def partials(self, number: int) -> list[Partial]:
+        """Return the partial statistics of a finished chunk."""
+        return _got(self._group, f"chunk_{number}") if self.plan.statistics else []
+
+    def commit(self, upto: int, merged: list[Partial]) -> None:
+        """Store the merged statistics of the first chunks; then the parts that they replace are removed."""
+        group = self._group
+        before = int(group.attrs.get("merged", 0))
+        if upto == before or not self.plan.statistics:
+            return
+        _put(group, f"merged_{upto}", merged)
+        group.attrs["merged"] = upto
+        for name in [f"merged_{before}", *(f"chunk_{number}" for number in range(before, upto))]:
+            if name in group["progress"]:
+                del group["progress"][name]
+
+    def finish(self, over_time: Mapping[str, Mapping[str, Array]]) -> None:
+        """Write the statistics over time for other programs: one array for each output and column."""
+        group = self._group
+        for output, columns in over_time.items():
+            for column, values in columns.items():
+                has_unit = column not in {"count", "variance"} and " case" not in column
+                unit = (
+                    self._unit(output) if has_unit and "with" not in column and "probab" not in column else {}
+                )
+                attributes = unit | {"long_name": f"{column} of {output}"}
+                self._array(group, f"{output} {column}", values.shape, "f8", np.nan, ("t",), attributes)[
+                    :
+                ] = values
+
+
+def _put(group: Any, name: str, partials: Sequence[Partial]) -> None:
+    """Write partial results as one array of bytes, which are a file ``.npz``."""
+    content = BytesIO()
+    arrays = {f"{k}/{key}": each for k, partial in enumerate(partials) for key, each in partial.items()}
+    np.savez(content, allow_pickle=False, **arrays)
+    data = np.frombuffer(content.getvalue(), dtype=np.uint8)
+    group["progress"].create_array(name, data=data, chunks=data.shape, overwrite=True)
+
+
+def _got(group: Any, name: str) -> list[Partial]:
+    """Return partial results as `_put` wrote them."""
+    found: dict[int, dict[str, NDArray[Any]]] = {}
+    with np.load(BytesIO(np.asarray(group["progress"][name][:]).tobytes()), allow_pickle=False) as stored:
+        for place, values in stored.items():
+            k, key = place.split("/")
+            found.setdefault(int(k), {})[key] = values
+    return [found[k] for k in sorted(found)]

@@ -1,0 +1,48 @@
+"""The first lines of a program: its symbols and functions of time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from symbody.worksheet.convert.names import Names
+
+__all__ = ["declarations"]
+
+#: How many names are declared on a line.
+_PER_LINE = 15
+
+
+def declarations(names: Names) -> list[str]:
+    """Return the lines that declare the symbols and functions of time of a program."""
+    return [*_declared(names, "sb.functions_of_time"), *_declared(names, "sb.symbols")]
+
+
+def _declared(names: Names, maker: str) -> Iterator[str]:
+    """Return the lines that declare symbols, or functions of time."""
+    functions = names.functions
+    pairs = [
+        (text, name)
+        for text, name in names.symbols.items()
+        if (name in functions) == (maker == "sb.functions_of_time")
+    ]
+    plain = [name for text, name in pairs if text == name]
+    for begin in range(0, len(plain), _PER_LINE):
+        line = plain[begin : begin + _PER_LINE]
+        yield f'{", ".join(line)} = {maker}("{" ".join(line)}")'
+    yield from _indexed(names, [(text, name) for text, name in pairs if text != name])
+
+
+def _indexed(names: Names, pairs: Sequence[tuple[str, str]]) -> Iterator[str]:
+    """Return the lines that declare names that Python doesn't have, ``X[1], X[2]`` on one line."""
+    wholes: dict[str, list[tuple[str, str]]] = {}
+    for text, name in sorted(pairs):
+        whole, _, index = name.removesuffix("]").partition("[")
+        wholes.setdefault(whole if index.isdigit() else name, []).append((text, name))
+    for whole, found in wholes.items():
+        if len(found) == 1:
+            yield f"{found[0][0]} = {names.declaration(found[0][1])}"
+            continue
+        kind = "time_function" if found[0][1] in names.functions else "symbol"
+        numbers = ", ".join(name.removesuffix("]").partition("[")[2] for _, name in found)
+        texts = ", ".join(text for text, _ in found)
+        yield f'{texts} = (sb.symbolic.{kind}(f"{whole}[{{k}}]") for k in ({numbers}))'

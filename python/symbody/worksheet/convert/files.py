@@ -1,0 +1,47 @@
+"""Files of a worksheet as Python opens, writes and reads them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import TypeAlias
+
+from symbody.worksheet.convert.writer import Arguments, Writer
+
+__all__ = ["FILES"]
+
+Call: TypeAlias = Callable[[Writer, Arguments], str]
+_MODES = {"WRITE": "w", "READ": "r", "APPEND": "a"}
+
+
+def _opened(text: Writer, arguments: Arguments) -> str:
+    mode = _MODES.get(getattr(arguments[1], "name", ""), "r") if len(arguments) > 1 else "r"
+    return f'open({text.text(arguments[0])}, "{mode}")'
+
+
+def _printed(text: Writer, arguments: Arguments) -> str:
+    """Return ``fprintf`` as a format of Python."""
+    file, form, *rest = [text.text(each) for each in arguments]
+    values = f" % ({', '.join(rest)},)" if rest else ""
+    return f"{file}.write({form}{values})"
+
+
+def _path(method: str) -> Call:
+    return lambda text, arguments: f"Path({text.text(arguments[0])}).{method}"
+
+
+def _lines(text: Writer, arguments: Arguments) -> str:
+    file, *lines = [text.text(each) for each in arguments]
+    return f'Path({file}).write_text("\\n".join([{", ".join(lines)}]) + "\\n")'
+
+
+FILES: Mapping[str, Call] = {
+    "fopen": _opened,
+    "fprintf": _printed,
+    "fclose": lambda text, arguments: f"{text.text(arguments[0])}.close()",
+    "writeline": _lines,
+    "MakeDirectory": _path("mkdir(parents=True, exist_ok=True)"),
+    "Exists": _path("exists()"),
+    **dict.fromkeys(("Remove", "fremove"), _path("unlink()")),
+    "RemoveDirectory": _path("rmdir()"),
+}
+"""Writers by the names of commands; what they do is what a statement is for."""

@@ -1,0 +1,105 @@
+"""A procedure of a worksheet as a function of Python, whose value is that of its last statement."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+from symbody.worksheet import syntax
+from symbody.worksheet.convert.expressions import PythonText
+from symbody.worksheet.convert.names import Names, identifier
+from symbody.worksheet.convert.statements import INDENT, block, branch_words, target_text
+
+__all__ = ["definition"]
+
+
+def definition(
+    name: str,
+    procedure: syntax.Procedure | syntax.Arrow,
+    names: Names,
+    text: PythonText,
+    values: Sequence[Any],
+    keywords: dict[str, Any],
+) -> list[str]:
+    """Return a procedure as a function, written for the kinds of values of a call.
+
+    Args:
+        name: the name of the procedure.
+        procedure: its parameters and statements.
+        names: the names around it.
+        text: writes expressions.
+        values: the values of the arguments of the call.
+        keywords: those that are given by name.
+    """
+    inner = names.inner()
+    writer = text.within(inner)
+    parameters = [each for each in procedure.parameters if not each.rest]
+    heads = list(_parameters(parameters, text))
+    for parameter, value in zip((each for each in parameters if not each.keyword), values, strict=False):
+        inner.values[identifier(parameter.name)] = value
+    for parameter in parameters:
+        given = keywords.get(parameter.name)
+        if (
+            parameter.default is not None and identifier(parameter.name) not in inner.values
+        ) or parameter.keyword:
+            inner.values[identifier(parameter.name)] = (
+                given if given is not None else text.value(text.text(parameter.default or _zero(procedure)))
+            )
+    inner.values[identifier(name)] = _recursion
+    if not parameters and isinstance(procedure, syntax.Procedure):
+        heads, inner.arguments = ["*arguments"], "arguments"
+        inner.values["arguments"] = tuple(values)
+    if isinstance(procedure, syntax.Arrow):
+        body: tuple[syntax.Statement, ...] = (
+            (procedure.body,)
+            if isinstance(procedure.body, syntax.If)
+            else (syntax.Evaluation(procedure.body, place=procedure.place),)
+        )
+    else:
+        body = procedure.body
+        for local in procedure.local:
+            inner.values.pop(identifier(local), None)
+    return [f"def {identifier(name)}({', '.join(heads)}):", *_body(body, writer)]
+
+
+def _recursion(*values: Any) -> None:
+    """Stand for a function that is being written."""
+
+
+def _zero(procedure: syntax.Node) -> syntax.Expression:
+    return syntax.Integer(0, place=procedure.place)
+
+
+def _parameters(parameters: Sequence[syntax.Parameter], text: PythonText) -> Iterator[str]:
+    is_starred = False
+    for parameter in parameters:
+        if parameter.keyword and not is_starred:
+            is_starred = True
+            yield "*"
+        default = "" if parameter.default is None else f"={text.text(parameter.default)}"
+        yield f"{identifier(parameter.name)}{default}"
+
+
+def _body(statements: tuple[syntax.Statement, ...], text: PythonText) -> list[str]:
+    """Return the lines of a procedure, whose value is that of its last statement."""
+    *first, last = [each for each in statements if not isinstance(each, syntax.Empty)]
+    lines = block(tuple(first), text) if first else []
+    return [*lines, *_returned(last, text)]
+
+
+def _returned(statement: syntax.Statement, text: PythonText) -> list[str]:
+    match statement:
+        case syntax.Evaluation(expression=syntax.Call(function=syntax.Name(name="print" | "printf"))):
+            return block((statement,), text)
+        case syntax.Evaluation(expression=expression):
+            return [f"{INDENT}return {text.text(expression)}"]
+        case syntax.Assignment(targets=(target,)):
+            return [*block((statement,), text), f"{INDENT}return {target_text(text, target)}"]
+        case syntax.If(branches=branches, otherwise=otherwise):
+            lines: list[str] = []
+            for word, (condition, body) in zip(branch_words(), branches, strict=False):
+                lines += [f"{INDENT}{word} {text.condition(condition)}:"]
+                lines += [f"{INDENT}{line}" for line in _body(body, text.within(text.names.inner()))]
+            rest = _body(otherwise, text.within(text.names.inner())) if otherwise else []
+            return [*lines, *rest]
+    return block((statement,), text)

@@ -1,0 +1,363 @@
+"""Maple's commands, and the Python that says the same."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import fields, replace
+from typing import Any, TypeAlias
+
+from symbody.geometry import Frame, Point, Vector
+from symbody.multibody import Body, Force, Torque
+from symbody.symbolic import Expr, Matrix
+from symbody.worksheet import syntax
+from symbody.worksheet.convert.names import NoText, identifier
+from symbody.worksheet.convert.operations import SUM, grouped
+from symbody.worksheet.convert.selections import key
+from symbody.worksheet.convert.sheet_names import names_in
+from symbody.worksheet.convert.substitutions import generated, simplified, solution, substitution
+from symbody.worksheet.convert.writer import Arguments, Writer
+
+__all__ = ["MAPLE"]
+
+Call: TypeAlias = Callable[[Writer, Arguments], str]
+_SHOWN = Frame | Point | Vector | Body | Force | Torque
+
+
+def _plain(function: str, *counts: int) -> Call:
+    """Return the writer of a function with the same arguments; ``counts`` are how many it may have."""
+
+    def write(text: Writer, arguments: Arguments) -> str:
+        written = text.items(arguments)
+        if counts and len(arguments) not in counts and "*" not in written:
+            raise NoText(function)
+        return f"{function}({written})"
+
+    return write
+
+
+def _first(function: str) -> Call:
+    """Return the writer of a function of the first argument: options choose Maple's methods."""
+    return lambda text, arguments: f"{function}({text.text(arguments[0])})"
+
+
+def _derivative(text: Writer, arguments: Arguments) -> str:
+    written = text.text(arguments[0])
+    if isinstance(text.value(written), Frame):
+        written = f"{grouped(written)}.matrix"
+    variables: list[tuple[str, str]] = []
+    for argument in arguments[1:]:
+        match argument:
+            case syntax.Infix(operator="$", left=variable, right=count):
+                variables.append((text.text(variable), text.text(count)))
+            case _:
+                name = text.text(argument)
+                if variables and variables[-1][0] == name and variables[-1][1].isdigit():
+                    variables[-1] = (name, str(int(variables[-1][1]) + 1))
+                else:
+                    variables.append((name, "1"))
+    for name, times in variables:
+        written = f"sb.diff({written}, {name}{'' if times == '1' else f', {times}'})"
+    return written
+
+
+def _mapped(text: Writer, arguments: Arguments) -> str:
+    function, whole, *rest = arguments
+    over = text.text(whole)
+    found = text.value(over)
+    if isinstance(function, syntax.Name) and function.name in _OF_CONTAINERS:
+        return text.text(syntax.Call(function=function, arguments=tuple(arguments[1:]), place=function.place))
+    if isinstance(found, Matrix) and not rest:
+        return f"{grouped(over)}.map(lambda each: {_applied(text, function, found[0, 0], ())})"
+    if not isinstance(found, list | tuple) or not found:
+        raise NoText("map")
+    return f"[{_applied(text, function, found[0], tuple(rest))} for each in {over}]"
+
+
+_OF_CONTAINERS = {"simplify", "expand", "diff", "evalm", "collect"}
+
+
+def _applied(text: Writer, function: syntax.Expression, first: object, rest: Arguments) -> str:
+    """Return a function of ``each``, whose value is that of a first item."""
+    names = text.names.inner()
+    names.values["each"] = first
+    each = syntax.Name(name="each", place=function.place)
+    if isinstance(function, syntax.Arrow):
+        (parameter,) = function.parameters
+        names.values[parameter.name] = first
+        if isinstance(function.body, syntax.If):
+            raise NoText("if")
+        body = text.within(names).text(function.body)
+        return f"({text.text(function)})(each)" if parameter.name != "each" and body else body
+    return text.within(names).text(
+        syntax.Call(function=function, arguments=(each, *rest), place=function.place)
+    )
+
+
+def _sequence(text: Writer, arguments: Arguments) -> str:
+    return text.comprehension(*arguments)
+
+
+def _summed(text: Writer, arguments: Arguments) -> str:
+    body, span = arguments
+    while isinstance(body, syntax.Delayed):
+        body = body.body
+    return f"sum({text.comprehension(body, span)[1:-1]})"
+
+
+def _part(text: Writer, arguments: Arguments) -> str:
+    if len(arguments) == 1:
+        return f"{text.text(arguments[0])}"
+    place, whole = text.text(arguments[0]), text.text(arguments[1])
+    if not isinstance(text.value(whole), list | tuple):
+        raise NoText("op")
+    return f"{grouped(whole)}[{int(place) - 1}]" if place.isdigit() else f"{grouped(whole)}[{place} - 1]"
+
+
+def _count(text: Writer, arguments: Arguments) -> str:
+    whole = text.text(arguments[0])
+    if not isinstance(text.value(whole), list | tuple | None):
+        raise NoText("nops")
+    return f"len({whole})"
+
+
+def _side(index: int) -> Call:
+    def write(text: Writer, arguments: Arguments) -> str:
+        whole = text.text(arguments[0])
+        if not isinstance(text.value(whole), dict):
+            raise NoText("lhs" if index == 0 else "rhs")
+        return f"next(iter({whole}.{'keys' if index == 0 else 'values'}()))"
+
+    return write
+
+
+def _has(text: Writer, arguments: Arguments) -> str:
+    whole, what = (text.text(each) for each in arguments)
+    found, wanted = text.value(whole), text.value(what)
+    if isinstance(found, Matrix):
+        whole, found = f"{grouped(whole)}.entries", list(found.entries)
+    if not isinstance(found, Expr | list | tuple) or not isinstance(wanted, Expr | list):
+        raise NoText("has")
+    one = "each" if not isinstance(found, Expr) else grouped(whole)
+    loops = f" for each in {whole}" if not isinstance(found, Expr) else ""
+    if isinstance(wanted, list):
+        return f"any({one}.has(x){loops} for x in {what})"
+    return f"any({one}.has({what}){loops})" if loops else f"{one}.has({what})"
+
+
+def _converted(text: Writer, arguments: Arguments) -> str:
+    whole, kind = text.text(arguments[0]), arguments[1]
+    word = kind.body if isinstance(kind, syntax.Delayed) else kind
+    found = text.value(whole)
+    if isinstance(word, syntax.Name) and word.name in {"list", "set"}:
+        if isinstance(found, tuple):
+            return f"list({whole})"
+        if isinstance(found, list):
+            return whole
+        if isinstance(found, Matrix):
+            entries = f"{grouped(whole)}.entries"
+            return f"list({entries if word.name == 'list' else f'dict.fromkeys({entries})'})"
+        if isinstance(found, dict):
+            return f"list({whole}.values())"
+    raise NoText("convert")
+
+
+def _matrix(text: Writer, arguments: Arguments) -> str:
+    """Return a matrix of rows, or of a list of entries."""
+    counts = [text.text(each) for each in arguments[:2]]
+    if len(arguments) == 3 and all(each.isdigit() for each in counts):
+        rows, columns = map(int, counts)
+        content = text.text(arguments[2])
+        found = text.value(content)
+        if isinstance(found, list) and len(found) == rows * columns and rows * columns != rows:
+            return f"sb.Matrix.from_entries({rows}, {columns}, {content})"
+        if isinstance(found, list):
+            return f"sb.Matrix({content})"
+    if len(arguments) == 2 and all(each.isdigit() for each in counts):
+        return f"sb.zeros({counts[0]}, {counts[1]})"
+    if len(arguments) == 1:
+        found = text.value(counts[0])
+        if isinstance(found, Matrix):
+            return counts[0]
+        if isinstance(found, list) and all(isinstance(each, list) for each in found):
+            return f"sb.Matrix({counts[0]})"
+    raise NoText("Matrix")
+
+
+def _column(text: Writer, arguments: Arguments) -> str:
+    content = text.text(arguments[-1])
+    if not isinstance(text.value(content), list):
+        raise NoText("Vector")
+    return f"sb.Matrix.column({content})"
+
+
+def _method(name: str, *, called: bool = True) -> Call:
+    return lambda text, arguments: f"{grouped(text.text(arguments[0]))}.{name}{'()' if called else ''}"
+
+
+def _evaluated(text: Writer, arguments: Arguments) -> str:
+    """Return ``eval(e, x = a)``, or the expression itself."""
+    if len(arguments) == 1:
+        return text.text(arguments[0])
+    return substitution(text, (arguments[1], arguments[0]))
+
+
+def _in_decimals(text: Writer, arguments: Arguments) -> str:
+    whole = text.text(arguments[0])
+    found = text.value(whole)
+    if isinstance(found, Expr) and found.is_constant:
+        return f"float({whole})"
+    raise NoText("evalf")
+
+
+def _shown(text: Writer, arguments: Arguments) -> str:
+    """Return what is shown, as a value."""
+    return text.text(arguments[0])
+
+
+def _entrywise(text: Writer, arguments: Arguments) -> str:
+    """Return an expression of matrices; one of a list is a list of expressions."""
+    (node,) = arguments
+    lists = {name for name in names_in(node) if isinstance(text.names.values.get(identifier(name)), list)}
+    if len(lists) != 1:
+        return text.text(node)
+    (name,) = lists
+    inner = text.names.inner()
+    over = identifier(name)
+    inner.values["each"] = inner.values[over][0]
+    inner.values.pop(over)
+    each = syntax.Name("each", place=node.place)
+    return f"[{text.within(inner).text(_replaced(node, name, each))} for each in {over}]"
+
+
+def _replaced(node: Any, name: str, other: syntax.Expression) -> Any:
+    """Return a node in which a name is replaced by another expression."""
+    if isinstance(node, syntax.Name) and node.name == name:
+        return other
+    if isinstance(node, tuple):
+        return tuple(_replaced(part, name, other) for part in node)
+    if isinstance(node, syntax.Infix | syntax.Prefix | syntax.Call):
+        return replace(
+            node, **{part.name: _replaced(getattr(node, part.name), name, other) for part in fields(node)}
+        )
+    return node
+
+
+def _coefficient(text: Writer, arguments: Arguments) -> str:
+    return f"sb.coeff({text.items(arguments)})"
+
+
+def _arctangent(text: Writer, arguments: Arguments) -> str:
+    return f"sb.{'atan' if len(arguments) == 1 else 'atan2'}({text.items(arguments)})"
+
+
+def _reciprocal(function: str) -> Call:
+    return lambda text, arguments: f"1/sb.{function}({text.items(arguments)})"
+
+
+def _table(text: Writer, arguments: Arguments) -> str:
+    if not arguments:
+        return "{}"
+    if len(arguments) == 1 and isinstance(arguments[0], syntax.ListDisplay):
+        return f"{{{', '.join(_entry(text, each) for each in arguments[0].items)}}}"
+    raise NoText("table")
+
+
+def _entry(text: Writer, node: syntax.Expression) -> str:
+    match node:
+        case syntax.Infix(operator="=", left=left, right=right):
+            return f"{key(text, (left,))}: {text.text(right)}"
+    raise NoText("table")
+
+
+def _member(text: Writer, arguments: Arguments) -> str:
+    if len(arguments) != 2:
+        raise NoText("member")
+    return f"{text.text(arguments[0])} in {text.text(arguments[1])}"
+
+
+def _unapplied(text: Writer, arguments: Arguments) -> str:
+    """Return ``unapply(e, x)`` as a function."""
+    whole, names = text.text(arguments[0]), [text.text(each) for each in arguments[1:]]
+    changes = ", ".join(f"{name}: {name}_" for name in names)
+    return f"lambda {', '.join(f'{name}_' for name in names)}: sb.subs({whole}, {{{changes}}})"
+
+
+def _jacobian(text: Writer, arguments: Arguments) -> str:
+    return f"sb.jacobian({text.items(arguments[:2])})"
+
+
+def _cost(text: Writer, arguments: Arguments) -> str:
+    whole = text.text(_without_decimals(arguments[0]))
+    return f"sb.cost(*{grouped(whole)})" if isinstance(text.value(whole), list) else f"sb.cost({whole})"
+
+
+def _without_decimals(node: syntax.Expression) -> syntax.Expression:
+    """Return what is counted, without ``evalf``: numbers of an expression are no operations."""
+    match node:
+        case syntax.Call(function=syntax.Name(name="evalf"), arguments=(whole,)):
+            return whole
+        case syntax.Call(function=function, arguments=arguments):
+            inner = tuple(_without_decimals(each) for each in arguments)
+            return syntax.Call(function=function, arguments=inner, place=node.place)
+    return node
+
+
+def _texts(text: Writer, arguments: Arguments) -> str:
+    """Return ``cat(a, b)``."""
+    parts = [text.text(each) for each in arguments]
+    if not all(isinstance(text.value(each), str) for each in parts):
+        raise NoText("cat")
+    return " + ".join(grouped(each, SUM) for each in parts)
+
+
+MAPLE: Mapping[str, Call] = {
+    **{
+        name: _plain(f"sb.{name}", 1) for name in ("sin", "cos", "tan", "sqrt", "exp", "sinh", "cosh", "tanh")
+    },
+    "arcsin": _plain("sb.asin", 1),
+    "arccos": _plain("sb.acos", 1),
+    "arctan": _arctangent,
+    **{name: _reciprocal(of) for name, of in (("sec", "cos"), ("csc", "sin"), ("cot", "tan"))},
+    **dict.fromkeys(("ln", "log"), _plain("sb.log", 1)),
+    "abs": _plain("abs", 1),
+    "signum": _plain("sb.sign", 1),
+    "simplify": simplified,
+    "expand": _first("sb.expand"),
+    "combine": _first("sb.combine_trig"),
+    "factor": _first("sb.factor_terms"),
+    "collect": _plain("sb.collect", 2),
+    "coeff": _coefficient,
+    "diff": _derivative,
+    "subs": substitution,
+    "solve": solution,
+    "map": _mapped,
+    "seq": _sequence,
+    **dict.fromkeys(("add", "sum"), _summed),
+    "op": _part,
+    "nops": _count,
+    "lhs": _side(0),
+    "rhs": _side(1),
+    "has": _has,
+    "member": _member,
+    "convert": _converted,
+    **dict.fromkeys(("Matrix", "matrix"), _matrix),
+    **dict.fromkeys(("Vector", "vector"), _column),
+    "Transpose": _method("T", called=False),
+    "transpose": _method("T", called=False),
+    **dict.fromkeys(("Determinant", "det"), _method("det")),
+    **dict.fromkeys(("MatrixInverse", "inverse"), _method("inverse")),
+    "IdentityMatrix": _plain("sb.identity", 1),
+    "evalm": _entrywise,
+    "value": _shown,
+    "eval": _evaluated,
+    "evalf": _in_decimals,
+    "table": _table,
+    "show": _shown,
+    "print": _shown,
+    "unapply": _unapplied,
+    "jacobian": _jacobian,
+    **dict.fromkeys(("GenerateMatrix", "genmatrix"), generated),
+    "cost": _cost,
+    "cat": _texts,
+}
+"""Writers by the names of commands."""

@@ -1,0 +1,242 @@
+"""MBSymba's commands, and the calls of symbody that say the same."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import TypeAlias
+
+from symbody.geometry import Frame, Vector
+from symbody.multibody import Body
+from symbody.symbolic import Expr, Matrix
+from symbody.worksheet.convert.names import NoText
+from symbody.worksheet.convert.operations import SUM, grouped, product
+from symbody.worksheet.convert.tyres import tyre_forces, tyre_motion
+from symbody.worksheet.convert.writer import Arguments, Writer
+
+__all__ = ["MECHANICS"]
+
+Call: TypeAlias = Callable[[Writer, Arguments], str]
+
+
+def _framed(function: str, *places: int) -> Call:
+    """Return the writer of a function with the same arguments, of which those at some places are frames."""
+
+    def write(text: Writer, arguments: Arguments) -> str:
+        parts = [text.frame(each) if k in places else text.item(each) for k, each in enumerate(arguments)]
+        return f"{function}({', '.join(parts)})"
+
+    return write
+
+
+def _moved(function: str, count: int) -> Call:
+    """Return the writer of ``translate`` and ``rotate``, which also move an object."""
+
+    def write(text: Writer, arguments: Arguments) -> str:
+        first = text.axis(arguments[0]) if count == 2 else text.item(arguments[0])
+        motion = f"{function}({', '.join([first, *map(text.item, arguments[1:count])])})"
+        if len(arguments) <= count:
+            return motion
+        if len(arguments) > count + 1:
+            raise NoText(function)
+        whole = text.text(arguments[count])
+        if isinstance(text.value(whole), Frame):
+            return product(whole, motion)
+        moved = f"sb.displaced({whole}, {motion})"
+        found = text.value(whole)
+        if isinstance(found, Body):
+            return moved
+        return f"sb.project({moved}, {grouped(whole)}.frame)"
+
+    return write
+
+
+def _point(text: Writer, arguments: Arguments) -> str:
+    if len(arguments) == 3:
+        return f"sb.Point({text.names.master or 'sb.ground'}, {text.items(arguments)})"
+    return f"sb.Point({text.frame(arguments[0])}, {text.items(arguments[1:])})"
+
+
+def _vector(text: Writer, arguments: Arguments) -> str:
+    if len(arguments) == 4:
+        return f"sb.Vector({text.frame(arguments[0])}, {text.items(arguments[1:])})"
+    if len(arguments) == 3:
+        return f"sb.Vector({text.names.master or 'sb.ground'}, {text.items(arguments)})"
+    first, second = (text.text(each) for each in arguments)
+    return f"sb.project({grouped(second, SUM)} - {grouped(first)}, {grouped(first)}.frame)"
+
+
+def _force(text: Writer, arguments: Arguments) -> str:
+    what, rest = _loaded(text, arguments, 4, 3)
+    named = zip(("at", "on", "reaction"), rest, strict=False)
+    return f"sb.Force({what}, {', '.join(f'{name}={value}' for name, value in named if value != '0')})"
+
+
+def _torque(text: Writer, arguments: Arguments) -> str:
+    what, rest = _loaded(text, arguments, 4, 2)
+    named = zip(("on", "reaction"), rest, strict=False)
+    return f"sb.Torque({what}, {', '.join(f'{name}={value}' for name, value in named if value != '0')})"
+
+
+def _loaded(text: Writer, arguments: Arguments, count: int, most: int) -> tuple[str, list[str]]:
+    """Return what a load does, by components or by a vector, and the other arguments."""
+    first = text.text(arguments[0])
+    by_components = len(arguments) > most and isinstance(text.value(first), Frame | Matrix)
+    taken = count if by_components else 1
+    what = f"{text.frame(arguments[0])}, {text.items(arguments[1:taken])}" if by_components else first
+    return what, [text.text(each) for each in arguments[taken:]]
+
+
+def _body(text: Writer, arguments: Arguments) -> str:
+    place = text.frame(arguments[0])
+    if len(arguments) == 3:
+        inertia = text.text(arguments[2])
+        if isinstance(text.value(inertia), Matrix):
+            return f"sb.Body.of_inertia({place}, {text.text(arguments[1])}, {inertia})"
+    return f"sb.Body({place}, {text.items(arguments[1:])})"
+
+
+def _heavy(function: str, *places: int) -> Call:
+    """Return the writer of a function to which gravity is given, once the sheet has assigned it."""
+
+    def write(text: Writer, arguments: Arguments) -> str:
+        gravity = ", gravity=gravity" if isinstance(text.names.values.get("gravity"), Vector) else ""
+        return f"{_framed(function, *places)(text, arguments)[:-1]}{gravity})"
+
+    return write
+
+
+def _component(index: int) -> Call:
+    return lambda text, arguments: f"{text.components(arguments)}[{index}]"
+
+
+def _unit(index: int) -> Call:
+    components = ", ".join(str(int(k == index)) for k in range(3))
+    return lambda text, arguments: f"sb.Vector({text.frame(arguments[0])}, {components})"
+
+
+def _center(text: Writer, arguments: Arguments) -> str:
+    whole = text.text(arguments[0])
+    if isinstance(text.value(whole), list):
+        return f"sb.center_of_mass({whole})"
+    return f"{grouped(whole)}.center_of_mass"
+
+
+def _velocity(function: str) -> Call:
+    """Return the writer of a velocity: of a point, which may be the origin of a frame."""
+
+    def write(text: Writer, arguments: Arguments) -> str:
+        first = text.text(arguments[0])
+        if isinstance(text.value(first), Frame):
+            first = f"sb.origin({text.frame(arguments[0])})"
+        elif isinstance(text.value(first), Body):
+            first = f"{grouped(first)}.center_of_mass"
+        rest = [text.frame(each) for each in arguments[1:]]
+        return f"{function}({', '.join([first, *rest])})"
+
+    return write
+
+
+def _lagrange(text: Writer, arguments: Arguments) -> str:
+    return f"sb.lagrange({text.items(arguments[:2])})"
+
+
+def _lagrange_of_system(text: Writer, arguments: Arguments) -> str:
+    """Return d/dt dT/dq' - dT/dq - Q of bodies and loads, with their weight."""
+    objects, unknown = text.text(arguments[0]), text.text(arguments[1])
+    found = text.value(objects)
+    if not isinstance(found, list):
+        raise NoText("lagrange_equations")
+    bodies = [each for each in found if isinstance(each, Body)]
+    gravity = "gravity" if isinstance(text.names.values.get("gravity"), Vector) else ""
+    if len(bodies) == len(found) and not gravity:
+        return f"sb.lagrange(sb.kinetic_energy({objects}), {unknown})"
+    if len(bodies) == len(found):
+        return f"sb.lagrange(sb.kinetic_energy({objects}) - sb.gravitational_energy({objects}, {gravity}), {unknown})"
+    raise NoText("lagrange_equations")
+
+
+def _linearized(text: Writer, arguments: Arguments) -> str:
+    whole = text.text(arguments[0])
+    if len(arguments) == 1:
+        return f"sb.taylor({whole})"
+    about = text.text(arguments[1])
+    found = text.value(about)
+    if isinstance(found, list) and all(isinstance(each, Expr) for each in found):
+        return f"sb.taylor({whole}, dict.fromkeys({about}, 0))"
+    return f"sb.taylor({whole}, {about})"
+
+
+def _summed(sign: str) -> Call:
+    return lambda text, arguments: (
+        f"{grouped(text.text(arguments[0]), SUM)} {sign} {grouped(text.text(arguments[1]), SUM + 1)}"
+    )
+
+
+def _inverse(text: Writer, arguments: Arguments) -> str:
+    whole = text.text(arguments[0])
+    return (
+        f"sb.Frame({whole}).inverse()"
+        if isinstance(text.value(whole), Matrix)
+        else f"{grouped(whole)}.inverse()"
+    )
+
+
+def _state_space(text: Writer, arguments: Arguments) -> str:
+    """Return A and B of linear equations: E x' = -(F x + G u)."""
+    equations, _, states, inputs = (text.text(each) for each in arguments)
+    inverse = f"sb.jacobian({equations}, sb.diff({states}, sb.t)).inverse()"
+    return ", ".join(f"-{inverse} @ sb.jacobian({equations}, {each})" for each in (states, inputs)).join("()")
+
+
+def _copied(text: Writer, arguments: Arguments) -> str:
+    whole = text.text(arguments[0])
+    found = text.value(whole)
+    return (
+        f"dict({whole})"
+        if isinstance(found, dict)
+        else f"list({whole})"
+        if isinstance(found, list)
+        else whole
+    )
+
+
+MECHANICS: Mapping[str, Call] = {
+    **dict.fromkeys(("translate", "Translate"), _moved("sb.translate", 3)),
+    **dict.fromkeys(("rotate", "Rotate"), _moved("sb.rotate", 2)),
+    "inv_frame": _inverse,
+    "make_POINT": _point,
+    **dict.fromkeys(("make_VECTOR", "join_points"), _vector),
+    "make_BODY": _body,
+    "make_FORCE": _force,
+    "make_TORQUE": _torque,
+    "origin": _framed("sb.origin", 0),
+    "CoM": _center,
+    "frame_frozen_velocity": _framed("sb.frozen_velocity", 1),
+    "project": _framed("sb.project", 1),
+    "dot_prod": _framed("sb.dot"),
+    "cross_prod": _framed("sb.cross"),
+    **dict.fromkeys(("comp_X", "Xcomp"), _component(0)),
+    **dict.fromkeys(("comp_Y", "Ycomp"), _component(1)),
+    **dict.fromkeys(("comp_Z", "Zcomp"), _component(2)),
+    **dict.fromkeys(("comp_XYZ", "Comps"), lambda text, arguments: text.components(arguments)),
+    **{f"uvec_{axis}": _unit(index) for index, axis in enumerate("XYZ")},
+    **{name: _velocity(f"sb.{name}") for name in ("velocity", "acceleration")},
+    "angular_velocity": _framed("sb.angular_velocity", 0, 1),
+    "linear_momentum": _framed("sb.linear_momentum", 1),
+    "angular_momentum": _framed("sb.angular_momentum", 2),
+    "kinetic_energy": _framed("sb.kinetic_energy"),
+    "power": _framed("sb.power"),
+    "generalized_force": _framed("sb.generalized_force"),
+    "gravitational_energy": _heavy("sb.gravitational_energy"),
+    "newton_equations": _heavy("sb.newton_equations", 1),
+    "euler_equations": _heavy("sb.euler_equations", 2),
+    "lagrange": _lagrange,
+    "lagrange_equations": _lagrange_of_system,
+    "linearize": _linearized,
+    "add_vectors": _summed("+"),
+    "copy": _copied,
+    "tire_forces": tyre_forces,
+    "tire_kinematics": tyre_motion,
+    "state_space": _state_space,
+}
+"""Writers by the names of commands."""

@@ -1,0 +1,160 @@
+"""What the names of a worksheet stand for in the Python program."""
+
+from __future__ import annotations
+
+import keyword
+import re
+from dataclasses import dataclass, field
+from typing import Any
+
+from symbody.symbolic import Expr, symbol, time_function
+
+__all__ = ["Names", "NoText", "identifier"]
+
+_TAKEN = frozenset(
+    {"sb", "print", "range", "len", "value", "list", "set", "abs", "sum", "min", "max", "dict"}
+)
+
+
+class NoText(Exception):
+    """An expression or a statement that has no text here; its value is written instead."""
+
+
+def identifier(name: str) -> str:
+    """Return a name of Python for a name of Maple: ``_gravity`` becomes ``gravity``, ``theta[1]`` ``theta_1``."""
+    text = re.sub(r"\W+", "_", name).strip("_") or "name"
+    if text[0].isdigit():
+        text = f"_{text}"
+    return f"{text}_" if keyword.iskeyword(text) or text in _TAKEN else text
+
+
+def _imported() -> dict[str, Any]:
+    """Return what the first lines of a program import."""
+    values: dict[str, Any] = {}
+    exec("from pathlib import Path\nimport symbody as sb", values)
+    return values
+
+
+@dataclass
+class Names:
+    """What names stand for in the program.
+
+    Attributes:
+        values: the variables of the program so far; inside a loop or a function, those of its first pass.
+        functions: names of Maple that are functions of time.
+        symbols: names of Maple that the program declares as symbols or as functions of time, by their identifiers.
+        outer: the names around a function.
+        master: the variable that holds the moving master frame; nothing without it.
+        small: small variables, by those that are marked.
+        arguments: inside a function, the name of the arguments that ``args`` and ``nargs`` mean.
+        as_differences: whether equations that a statement gives are to be solved.
+        solved: names in calls of ``solve``: their equations are differences.
+        tyres: the tyres of the program, by their variables.
+        used: identifiers that had values before a ``restart``; as symbols, they are declared again.
+        late: lines of such declarations, which stand before the statement.
+    """
+
+    values: dict[str, Any] = field(default_factory=_imported)
+    functions: set[str] = field(default_factory=set)
+    symbols: dict[str, str] = field(default_factory=dict)
+    outer: Names | None = None
+    master: str = ""
+    small: dict[Expr, Expr] = field(default_factory=dict)
+    arguments: str = ""
+    as_differences: bool = False
+    solved: set[str] = field(default_factory=set)
+    tyres: dict[str, Any] = field(default_factory=dict)
+    used: set[str] = field(default_factory=set)
+    late: list[str] = field(default_factory=list)
+
+    def text(self, name: str) -> str:
+        """Return the identifier of a name, which is declared if it has no value."""
+        text = identifier(name)
+        if text not in self.values:
+            self.declare(name)
+        return text
+
+    def declare(self, name: str) -> None:
+        """Make a name a symbol, or a function of time."""
+        text = identifier(name)
+        made = time_function(name) if name in self.functions else symbol(name)
+        scope: Names | None = self
+        while scope is not None:
+            scope.values.setdefault(text, made)
+            scope = scope.outer
+        if text in self.used:
+            self.used.discard(text)
+            self.late.append(f"{text} = {self.declaration(name)}")
+        else:
+            self.symbols[text] = name
+
+    def declaration(self, name: str) -> str:
+        """Return what makes a symbol, or a function of time; some names of Maple are none in Python."""
+        is_function = name in self.functions
+        if not name.isidentifier():
+            return f"sb.symbolic.{'time_function' if is_function else 'symbol'}({name!r})"
+        return f'sb.functions_of_time("{name}")' if is_function else f'sb.symbols("{name}")'
+
+    def restart(self) -> None:
+        """Forget all values; names that have had one are declared again where they are used."""
+        kept = {
+            text: made
+            for text, made in self.values.items()
+            if text in {"sb", "Path", "__builtins__"}
+            or (text in self.symbols and str(made) == self.symbols[text] and made not in self.small)
+        }
+        self.used |= self.values.keys() - kept.keys()
+        self.values.clear()
+        self.values.update(kept)
+        self.master = ""
+        self.small = {}
+
+    def snapshot(self) -> tuple[dict[str, Any], dict[str, str], str, dict[Expr, Expr], set[str]]:
+        """Return what a statement may change."""
+        return dict(self.values), dict(self.symbols), self.master, dict(self.small), set(self.used)
+
+    def restore(self, before: tuple[dict[str, Any], dict[str, str], str, dict[Expr, Expr], set[str]]) -> None:
+        """Undo the changes of a statement; the dictionary of values stays the same, as functions hold it."""
+        values, self.symbols, self.master, self.small, self.used = before
+        self.values.clear()
+        self.values.update(values)
+        self.late.clear()
+
+    def inner(self) -> Names:
+        """Return the names inside a loop or a function, where values are tried out."""
+        return Names(
+            dict(self.values),
+            self.functions,
+            self.symbols,
+            self,
+            self.master,
+            self.small,
+            self.arguments,
+            self.as_differences,
+            self.solved,
+            self.tyres,
+            self.used,
+            self.late,
+        )
+
+    def value(self, text: str) -> Any:
+        """Return the value of a text that has been written; None where it isn't known."""
+        try:
+            return eval(text, self.values)
+        except Exception:
+            return None
+
+    def define(self, text: str) -> None:
+        """Let inner names know a function that has been defined in the program."""
+        scope: Names | None = self
+        while scope is not None:
+            scope.values[text] = self.root().values[text]
+            scope = scope.outer
+
+    def root(self) -> Names:
+        """Return the names of the program itself."""
+        return self if self.outer is None else self.outer.root()
+
+    def forget(self, name: str) -> None:
+        """Let a name be a symbol again."""
+        self.values.pop(identifier(name), None)

@@ -1,0 +1,104 @@
+"""Substitutions and solutions: what equations say of variables, put into expressions."""
+
+from __future__ import annotations
+
+from symbody.symbolic import Expr
+from symbody.worksheet import syntax
+from symbody.worksheet.convert.names import NoText
+from symbody.worksheet.convert.writer import Arguments, Writer
+
+__all__ = ["generated", "simplified", "solution", "substitution"]
+
+
+def substitution(text: Writer, arguments: Arguments) -> str:
+    """Return substitutions one after the other; those of a list or a set are simultaneous."""
+    *changes, expression = arguments
+    written = text.text(expression)
+    plain: list[str] = []
+    for change in changes:
+        made = _change(text, change)
+        if made.startswith("{") and not _depends(text, plain, made):
+            plain.append(made[1:-1])
+            continue
+        if plain:
+            written, plain = f"sb.subs({written}, {{{', '.join(plain)}}})", []
+        written = f"sb.subs({written}, {made})"
+    return f"sb.subs({written}, {{{', '.join(plain)}}})" if plain else written
+
+
+def _depends(text: Writer, plain: list[str], made: str) -> bool:
+    """Whether a substitution has an effect on the values of those before it, so that it must come after them."""
+    before, after = text.value(f"{{{', '.join(plain)}}}"), text.value(made)
+    if not isinstance(before, dict) or not isinstance(after, dict):
+        return True
+    values = [each for each in before.values() if isinstance(each, Expr)]
+    leaves = {leaf for key in after for leaf in key.free_symbols}
+    known = {leaf for key in before for leaf in key.free_symbols}
+    return any(leaves & each.free_symbols for each in values) or bool(leaves & known and leaves != known)
+
+
+def _change(text: Writer, change: syntax.Expression) -> str:
+    match change:
+        case syntax.Infix(operator="=", left=left, right=right):
+            return f"{{{text.text(left)}: {text.text(right)}}}"
+        case syntax.SetDisplay(items=items) | syntax.ListDisplay(items=items):
+            parts = [_change(text, each) for each in items]
+            if all(part.startswith("{") for part in parts):
+                return f"{{{', '.join(part[1:-1] for part in parts)}}}"
+    made = text.text(change)
+    found = text.value(made)
+    if isinstance(found, dict):
+        return made
+    if isinstance(found, list) and all(isinstance(each, dict) for each in found):
+        return f"{{key: value for each in {made} for key, value in each.items()}}"
+    raise NoText("subs")
+
+
+def solution(text: Writer, arguments: Arguments) -> str:
+    """Return ``solve``: a value for one unknown, a dictionary for several, and a list of it where they are a list."""
+    if len(arguments) != 2:
+        raise NoText("solve")
+    unknowns = text.text(arguments[1])
+    before, text.as_differences = text.as_differences, True
+    try:
+        equations = text.text(arguments[0])
+    finally:
+        text.as_differences = before
+    if not isinstance(text.value(equations), list):
+        return f"sb.solve({equations}, {unknowns})[{unknowns}]"
+    if isinstance(text.value(unknowns), Expr):
+        unknowns = f"[{unknowns}]"
+    equations = _differences(text, equations)
+    solved = f"sb.solve({equations}, {unknowns})"
+    return f"[{solved}]" if isinstance(arguments[1], syntax.ListDisplay | syntax.Call) else solved
+
+
+def simplified(text: Writer, arguments: Arguments) -> str:
+    """Return ``simplify(e)``, with a method or without; with equations, what they say of unknowns is put in."""
+    whole = text.text(arguments[0])
+    if len(arguments) == 3:
+        place = arguments[0].place
+        solved = solution(text, (arguments[1], _as_set(arguments[2], place)))
+        return f"sb.simplify(sb.subs({whole}, {solved}))"
+    if len(arguments) == 2 and not isinstance(arguments[1], syntax.Name | syntax.Delayed):
+        raise NoText("simplify")
+    return f"sb.simplify({whole})"
+
+
+def _as_set(node: syntax.Expression, place: syntax.Place) -> syntax.Expression:
+    return syntax.SetDisplay(node.items, place=place) if isinstance(node, syntax.ListDisplay) else node
+
+
+def _differences(text: Writer, equations: str) -> str:
+    """Return a list of equations as one of differences."""
+    found = text.value(equations)
+    if isinstance(found, list) and found and all(isinstance(each, dict) for each in found):
+        return f"[left - right for each in {equations} for left, right in each.items()]"
+    return equations
+
+
+def generated(text: Writer, arguments: Arguments) -> str:
+    """Return the matrix of linear equations, and their right sides."""
+    equations, unknowns = text.text(arguments[0]), text.text(arguments[1])
+    right = f"sb.Matrix.column([-each for each in sb.subs({equations}, dict.fromkeys({unknowns}, 0))])"
+    return f"(sb.jacobian({equations}, {unknowns}), {right})"

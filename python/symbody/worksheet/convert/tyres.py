@@ -1,0 +1,107 @@
+"""The tyre of MBSymba's add-on by the functions of symbody: contact, slip velocities, force and torque."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from symbody.geometry import Frame
+from symbody.multibody import Body
+from symbody.worksheet.commands.tyres import tyre_axes
+from symbody.worksheet.convert.names import NoText
+from symbody.worksheet.convert.operations import POWER, SUM, grouped
+from symbody.worksheet.convert.writer import Arguments, Writer
+
+__all__ = ["Tyre", "tyre_forces", "tyre_lines", "tyre_motion"]
+
+
+@dataclass(frozen=True, slots=True)
+class Tyre:
+    """A tyre of the program by texts: its variable, wheel, axes, contact point, and loads along the contact's axes."""
+
+    variable: str
+    wheel: str
+    axes: str
+    contact: str
+    loads: tuple[str, ...]
+
+
+def tyre_lines(text: Writer, variable: str, arguments: Arguments) -> list[str]:
+    """Return the line that makes a tyre: how its wheel moves at the contact."""
+    wheel, *scalars = arguments[:12]
+    written = [text.text(each) for each in scalars] + ["0"] * (11 - len(scalars))
+    y, z, spin, y_def, z_def, *loads = written
+    body = text.text(wheel)
+    road = text.frame(arguments[12]) if len(arguments) > 12 else text.names.master or "sb.ground"
+    axes = _axes(text, body, road)
+    contact = f"sb.Point({axes}, 0, {_sum(y, y_def)}, {_sum(z, z_def)})"
+    more = {"spin_deformation": _minus(spin), "y_deformation": _minus(y_def), "z_deformation": z_def}
+    shape = ", ".join([_minus(y), z, *(f"{name}={value}" for name, value in more.items() if value != "0")])
+    depth = f"sb.project({contact}, {road}).coordinates[2]"
+    surface = f'{road}*sb.translate(0, 0, {depth})*sb.rotate("X", sb.pi)'
+    text.names.tyres[variable] = Tyre(variable, body, axes, contact, tuple(loads))
+    return [
+        f"{variable} = sb.tire_kinematics(",
+        f"    {body},",
+        f"    sb.tire_shape({shape}),",
+        f"    road={surface},",
+        f"    carrier={axes},",
+        '    spin_axis="-Y",',
+        ")",
+    ]
+
+
+def _axes(text: Writer, body: str, road: str) -> str:
+    """Return the frame of the wheel without its spin."""
+    wheel, on = text.value(body), text.value(road)
+    if not isinstance(wheel, Body) or not isinstance(on, Frame):
+        raise NoText("make_TIRE")
+    frame, is_carrier = tyre_axes(wheel.frame, on)
+    if not is_carrier:
+        raise NoText("make_TIRE")
+    path = f"{grouped(body)}.frame"
+    while isinstance(text.value(path), Frame) and text.value(path).matrix != frame.matrix:
+        path = f"{path}.parent"
+    return path
+
+
+def _sum(a: str, b: str) -> str:
+    return a if b == "0" else b if a == "0" else f"{a} + {grouped(b, SUM + 1)}"
+
+
+def _minus(text: str) -> str:
+    return text if text == "0" else text[1:] if text.startswith("-") else f"-{grouped(text, POWER)}"
+
+
+def _found(text: Writer, arguments: Arguments) -> Tyre:
+    found: Tyre | None = text.names.tyres.get(text.text(arguments[0]))
+    if found is None:
+        raise NoText("tyre")
+    return found
+
+
+def tyre_motion(text: Writer, arguments: Arguments) -> str:
+    """Return the contact, and the speeds VS, VN and VR with the signs of the add-on."""
+    tyre = _found(text, arguments)
+    name = tyre.variable
+    return f"({tyre.contact}, sb.simplify({name}.VS), sb.simplify(-{name}.VN), sb.simplify({name}.VR))"
+
+
+def tyre_forces(text: Writer, arguments: Arguments) -> str:
+    """Return the force at the centre of the wheel, and the torque with the moment of the contact force."""
+    tyre = _found(text, arguments)
+    force, moment = (_along(tyre.variable, loads) for loads in (tyre.loads[:3], tyre.loads[3:]))
+    center = f"{grouped(tyre.wheel)}.center_of_mass"
+    lever = f"sb.project({tyre.contact} - {center}, {tyre.axes})"
+    pushed = f"sb.project({force}, {tyre.axes})" if force else "0"
+    torque = f"sb.cross({lever}, {pushed})"
+    if moment:
+        torque = f"sb.project({moment}, {tyre.axes}) + {torque}"
+    return f"(sb.Force({pushed}, at={center}, on={tyre.wheel}), sb.Torque({torque}, on={tyre.wheel}))"
+
+
+def _along(name: str, loads: tuple[str, ...]) -> str:
+    """Return the sum of loads along the axes of the contact: ahead, to the right, downwards."""
+    axes = (f"{name}.longitudinal", f"-{name}.lateral", f"-{name}.normal")
+    return " + ".join(
+        f"{axis}*{grouped(load, POWER)}" for axis, load in zip(axes, loads, strict=False) if load != "0"
+    ).replace("+ -", "- ")
