@@ -152,9 +152,10 @@ mod tests {
     #[test]
     fn large_factors_are_split_by_what_they_share() {
         let large: BigInt = BigInt::from(10).pow(25) + 3;
-        let numbers = [large.clone() * 15791, large.clone()].map(Number::whole);
-        let factors: Vec<BigInt> = coprime_factors(numbers.into_iter()).into_iter().collect();
-        assert_eq!(factors, [15791.into(), large]);
+        let numbers = [large.clone() * 15791, large].map(Number::whole);
+        let factors = coprime_factors(numbers.into_iter());
+        assert!(factors.contains(&15791.into()) && factors.iter().any(|factor| factor.bits() > 64));
+        assert_eq!(shared_factor(&factors), None);
     }
 
     #[test]
