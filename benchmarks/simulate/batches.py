@@ -23,7 +23,7 @@ CRANKS = (0.6, 2.5)
 """The angles at which cranks are let go, in rad."""
 
 PENDULUMS = (
-    "motions of the double pendulum over {duration:g} s, released from rest at a grid of angles, 0.1 to 0.8."
+    "motions of the double pendulum over {duration:g} s, released from rest at angles of 0.1 to 0.8 rad."
 )
 LINKAGES = (
     "motions of the slider-crank with spring and damper of SUNDIALS' examples over {duration:g} s, from crank angles "

@@ -24,6 +24,7 @@ from symbody.simulation.integrate.task_of import task_of
 
 GOLDEN = Path(__file__).parents[1] / "golden" / "cuda" / "pendulum.cu"
 LOOP = files("symbody.simulation.device").joinpath("integrator.cu").read_text(encoding="utf-8")
+NVRTC = find_spec("nvidia.cuda_nvrtc") if find_spec("nvidia") else None
 
 
 def kernel(model: ClassicSystem, method: str) -> Kernel:
@@ -67,9 +68,8 @@ def test_a_shortcut_does_not_stand_for_the_general_solution() -> None:
 
 def compiled_by_nvrtc(text: str) -> bytes:
     """The code for a virtual processor; the log of the compiler if that fails."""
-    found = find_spec("nvidia.cuda_nvrtc")
-    assert found is not None
-    (folder,) = found.submodule_search_locations or [""]
+    assert NVRTC is not None
+    (folder,) = NVRTC.submodule_search_locations or [""]
     (path,) = (Path(folder) / "lib").glob("libnvrtc.so.1?")
     nvrtc, program, size = ctypes.CDLL(str(path)), ctypes.c_void_p(), ctypes.c_size_t()
     assert not nvrtc.nvrtcCreateProgram(ctypes.byref(program), text.encode(), b"kernel.cu", 0, None, None)
@@ -86,7 +86,7 @@ def compiled_by_nvrtc(text: str) -> bytes:
     return code.value
 
 
-@pytest.mark.skipif(find_spec("nvidia") is None, reason="the package nvidia-cuda-nvrtc-cu12 is not installed")
+@pytest.mark.skipif(NVRTC is None, reason="the package nvidia-cuda-nvrtc-cu12 is not installed")
 @pytest.mark.parametrize(
     ("name", "method"), [("free", "dop853"), pytest.param("loop", "tsit5", marks=pytest.mark.repeated)]
 )

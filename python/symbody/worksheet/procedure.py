@@ -85,7 +85,15 @@ def _called(
     arguments: tuple[Value, ...],
     name: str,
 ) -> Value:
-    """Return the value of a procedure, worked out; the arguments are those of `call_procedure`."""
+    """Return the value of a procedure, worked out.
+
+    Args:
+        session: the session.
+        execute: executes statements, and returns the last value.
+        procedure: the procedure.
+        arguments: the values of its arguments.
+        name: what it is called by.
+    """
     if len(session.scopes) >= session.limits.depth:
         raise WorksheetError(f"{name}: too many levels of recursion ({session.limits.depth})")
     session.limits.check()

@@ -23,7 +23,19 @@ def shortest(expressions: Iterable[Expr]) -> tuple[Expr, ...]:
     >>> shortest([m * (u**2 + v**2) / 2])[0]
     m*(x'**2 + y'**2)/2
     """
-    return tuple(_shorter(each) for each in expressions)
+    return tuple(_known_or_shorter(each) for each in expressions)
+
+
+_known: dict[int, Expr] = {}
+"""The shortest forms that were found, by the nodes: sheets ask for the components of one vector again and again."""
+
+
+def _known_or_shorter(expression: Expr) -> Expr:
+    if len(_known) > 200_000:
+        _known.clear()
+    if expression.id not in _known:
+        _known[expression.id] = _shorter(expression)
+    return _known[expression.id]
 
 
 def _shorter(expression: Expr) -> Expr:

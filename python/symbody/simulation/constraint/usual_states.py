@@ -84,7 +84,15 @@ def _may_be_usual(kinematics: Kinematics, fixed: Mapping[Expr, Array], guess: Ma
 def _positions(
     kinematics: Kinematics, p: Array, t: float, fixed: Mapping[Expr, Array], guess: Mapping[Expr, float]
 ) -> tuple[Array, Flags]:
-    """Return the coordinates nearest to their guess, and where they satisfy the constraints."""
+    """Return the coordinates nearest to their guess, and where they satisfy the constraints.
+
+    Args:
+        kinematics: the coordinates and constraints.
+        p: the values of the parameters, a row for each case.
+        t: the time.
+        fixed: coordinates that are given, a value for each case.
+        guess: where to look for the others.
+    """
     coordinates, neutral = kinematics.system.coordinates, neutral_position(kinematics.system)
     start = np.empty((len(p), len(coordinates)))
     for place, (name, zero) in enumerate(zip(coordinates, neutral, strict=True)):
@@ -111,6 +119,15 @@ class _Positions:
 
     @classmethod
     def at(cls, kinematics: Kinematics, p: Array, t: float, q: Array, free: Flags) -> _Positions:
+        """Return the equations with the sizes of their terms at the start.
+
+        Args:
+            kinematics: the coordinates and constraints.
+            p: the values of the parameters, a row for each case.
+            t: the time.
+            q: the coordinates at the start, a row for each case.
+            free: which coordinates are not given.
+        """
         _, phi_q, sizes = kinematics.position_of_many(t, q.T, p.T)
         return cls(kinematics, p, t, term_sizes_of_many(q.T, phi_q, sizes).T, free)
 
@@ -213,7 +230,15 @@ def _velocities(
 def _violations(
     kinematics: Kinematics, p: Array, t: float, q: Array, equations: tuple[Array, Array, Array]
 ) -> Array:
-    """Return the residuals of ``A u = b`` relative to the sizes of their terms, shape (k, m)."""
+    """Return the residuals of ``A u = b`` relative to the sizes of their terms, shape (k, m).
+
+    Args:
+        kinematics: the coordinates and constraints.
+        p: the values of the parameters, a row for each case.
+        t: the time.
+        q: the coordinates, a row for each case.
+        equations: A, b and u.
+    """
     A, b, u = equations
     sizes = kinematics.position_of_many(t, q.T, p.T)[2].T
     usual = np.zeros(b.shape)

@@ -86,7 +86,15 @@ _Made = Callable[[Any, Any, Any, Any], Any]
 
 
 def _applied(session: Session, name: str, value: Value, place: Value, make: _Made) -> Value:
-    """Return what SymPy makes of an expression, a variable and its bounds; what it doesn't know, unevaluated."""
+    """Return what SymPy makes of an expression, a variable and its bounds; what it doesn't know, unevaluated.
+
+    Args:
+        session: the session.
+        name: the command.
+        value: the expression, or what holds several.
+        place: the variable, or an equation of it and its bounds.
+        make: calls SymPy.
+    """
     if isinstance(value, Listed | MapleSet | Array | Relation):
         return entrywise(session, value, lambda each: _applied(session, name, each, place, make))
     plain = Unevaluated(symbol(name), (value, place))
@@ -137,6 +145,15 @@ def _integral_of(sympy: Any, value: Any, variable: Any, bounds: list[Any]) -> An
 
 
 def _limit_of(sympy: Any, value: Any, variable: Any, bounds: list[Any], *, side: str) -> Any:
+    """Return the limit of an expression.
+
+    Args:
+        sympy: the module.
+        value: the expression.
+        variable: its variable.
+        bounds: the place.
+        side: from where the variable comes, "+", "-" or "+-"; infinite places have one side.
+    """
     return sympy.limit(value, variable, bounds[0], side if bounds[0].is_finite else "+")
 
 

@@ -9,7 +9,7 @@ from symbody.worksheet.convert.names import Names
 __all__ = ["declarations"]
 
 #: How many names are declared on a line.
-_PER_LINE = 15
+_PER_LINE = 10
 
 
 def declarations(names: Names) -> list[str]:

@@ -31,7 +31,7 @@ def identifier(name: str) -> str:
 def _imported() -> dict[str, Any]:
     """Return what the first lines of a program import."""
     values: dict[str, Any] = {}
-    exec("from pathlib import Path\nimport symbody as sb", values)
+    exec("import pickle\nfrom pathlib import Path\nimport symbody as sb", values)
     return values
 
 
@@ -100,7 +100,7 @@ class Names:
         kept = {
             text: made
             for text, made in self.values.items()
-            if text in {"sb", "Path", "__builtins__"}
+            if text in {"sb", "Path", "pickle", "__builtins__"}
             or (text in self.symbols and str(made) == self.symbols[text] and made not in self.small)
         }
         self.used |= self.values.keys() - kept.keys()

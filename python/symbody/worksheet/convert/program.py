@@ -21,6 +21,7 @@ from symbody.files.replacement import write_texts
 from symbody.worksheet import syntax
 from symbody.worksheet.convert.declarations import declarations
 from symbody.worksheet.convert.expressions import PythonText
+from symbody.worksheet.convert.layout import laid_out
 from symbody.worksheet.convert.names import Names, NoText, identifier
 from symbody.worksheet.convert.procedures import Procedures
 from symbody.worksheet.convert.same import order_of, same
@@ -37,7 +38,7 @@ __all__ = ["Converted", "convert_file", "converted"]
 
 _HEAD = '''"""{title}, converted from a worksheet of MBSymba."""
 
-import symbody as sb
+{imports}import symbody as sb
 
 '''
 _LOADING = frozenset(
@@ -147,15 +148,16 @@ class _Program:
         return self._text(title)
 
     def _text(self, title: str) -> str:
-        head = declarations(self.names)
+        head = [one for line in declarations(self.names) for one in laid_out(line)]
         lines, left_out = self.procedures.inserted(self.lines)
         self.left_out += left_out
         self.written -= left_out
-        body = "\n".join(lines).strip("\n")
+        written = (one for block in lines for line in block.split("\n") for one in laid_out(line))
+        body = "\n".join(written).strip("\n")
         while "\n\n\n" in body:
             body = body.replace("\n\n\n", "\n\n")
-        head = ["from pathlib import Path\n", *head] if "Path(" in body else head
-        return _HEAD.format(title=title.replace('"', "'")) + "\n".join(head) + "\n\n" + body + "\n"
+        title = title.replace('"', "'")
+        return _HEAD.format(title=title, imports=_imports(body)) + "\n".join(head) + "\n\n" + body + "\n"
 
     def _add(self, statement: syntax.Statement, *, keeps: bool) -> bool:
         """Add a statement; return whether the sheet goes on."""
@@ -382,6 +384,13 @@ def _counts(expression: syntax.Expression) -> bool:
         ):
             return True
     return False
+
+
+def _imports(body: str) -> str:
+    """Return the lines that import what the program needs of the standard library."""
+    needed = {"pickle.": "import pickle\n", "Path(": "from pathlib import Path\n"}
+    lines = "".join(line for word, line in needed.items() if word in body)
+    return f"{lines}\n" if lines else ""
 
 
 def _is_restart(statement: syntax.Statement) -> bool:

@@ -7,6 +7,7 @@ import contextlib
 from collections.abc import Iterator, Sequence
 from dataclasses import fields, is_dataclass, replace
 from itertools import chain
+from pathlib import Path
 from typing import Any
 
 from symbody.geometry import Frame, Point, Vector
@@ -49,8 +50,20 @@ def lines_of(statement: syntax.Statement, text: PythonText, *, keeps: bool = Tru
             return _if(text, statement)
         case syntax.Try(body=body, handlers=handlers):
             return _try(text, body, handlers)
+    if isinstance(statement, syntax.Save):
+        return [_saved(text, statement.arguments)]
     line = _line(statement, text)
     return [line] if line else []
+
+
+def _saved(text: PythonText, arguments: tuple[syntax.Expression, ...]) -> str:
+    """Return what ``save`` does: values by their names, in a file that ``pickle.loads`` reads."""
+    *names, file = arguments
+    if not isinstance(file, syntax.Text) or not all(isinstance(each, syntax.Name) for each in names):
+        raise NoText("save")
+    known = {each.name: text.text(each) for each in names if isinstance(each, syntax.Name)}
+    values = ", ".join(f'"{name}": {value}' for name, value in known.items())
+    return f'Path("{Path(file.text).stem}.pickle").write_bytes(pickle.dumps({{{values}}}))'
 
 
 def _line(statement: syntax.Statement, text: PythonText) -> str:
