@@ -75,6 +75,7 @@ class Lowering:
     def output(self, nodes: Iterable[Any]) -> Tape:
         """Make these nodes the outputs."""
         self.tape.outputs = [self.operand(node) for node in nodes]
+        self.tape.absorb_signs()
         return self.tape
 
     def operand(self, root: Any) -> Operand:

@@ -276,7 +276,7 @@ def test_centres_of_mass_are_written_for_the_reader(equations: Equations) -> Non
     (places,) = [
         block for block in blocks(equations).blocks if isinstance(block, Formula) and "{G}2" in block.latex
     ]
-    assert r"r \sin\left(\phi\right) - \frac{1}{2} l \sin\left(\beta\right)" in places.latex
+    assert r"r \sin(\phi) - \frac{1}{2} l \sin(\beta)" in places.latex
 
 
 def test_tex_has_the_curves_of_the_motion(equations: Equations, motion: Motion, tmp_path: Path) -> None:

@@ -28,6 +28,7 @@ from symbody import (
     functions_of_time,
     ground,
     lagrange_equations,
+    moving_frame,
     newton_euler,
     parse,
     readable,
@@ -116,7 +117,7 @@ def test_what_is_readable_is_never_longer(seed: int) -> None:
 
 def test_awkward_brackets_are_kept_if_they_are_shorter() -> None:
     """A page of equations has flat sums and single angles; what the user gives comes back no longer."""
-    for given in (m * (m - 2) * cos(x), sin(2 * theta), c**2 + l * (l + 2 * c * cos(theta))):
+    for given in (m * (m + 2), sin(2 * theta), c**2 + l * (l + 2 * c * cos(theta))):
         assert len(str(textbook_form(given))) > len(str(given))
         assert str(readable(given)) == str(given)
 
@@ -138,6 +139,43 @@ def test_a_place_is_squared_as_a_whole() -> None:
 def test_waves_stand_before_the_difference_that_is_a_place() -> None:
     given = l * m * cos(y) * (l * sin(x) ** 2 * sin(y) - l * sin(y) + a * cos(x))
     assert str(textbook_form(given)) == "l*m*cos(x)*cos(y)*(a - l*cos(x)*sin(y))"
+
+
+PLACES = {
+    m * cos(x) * (a * l * cos(y) - l**2 * sin(x)): "l*m*cos(x)*(a*cos(y) - l*sin(x))",
+    m * sin(x) * (a * l + l**2 * sin(y)): "l*m*sin(x)*(a + l*sin(y))",
+    m * (a**2 - a * b) * cos(x): "a*m*(a - b)*cos(x)",
+    m * theta + a * k * cos(x) - b * c * cos(x): "m*theta + (a*k - b*c)*cos(x)",
+    l * m * sin(x) * (sin(y) * (x - l * sin(y)) - l * cos(y) ** 2): "l*m*sin(x)*(x*sin(y) - l)",
+}
+
+
+@pytest.mark.parametrize(("given", "form"), PLACES.items(), ids=PLACES.values())
+def test_what_all_terms_share_stands_outside(given: Expr, form: str) -> None:
+    """Of places and first moments; a quadratic form of lengths stays flat."""
+    assert str(textbook_form(given)) == str(textbook_form(expand(given))) == form
+
+
+@pytest.mark.parametrize("axes", ["ZYZ", "ZXZ", "ZYX", "XZX", "YXY"])
+def test_diagonals_are_sums_of_squares(axes: str) -> None:
+    """Distances from the axis, and moments of inertia times squares of cosines: nothing is subtracted."""
+    matrix = newton_euler(arm(axes))._page.mass_matrix
+    for i in range(len(axes)):
+        assert " - " not in str(matrix[i, i])
+
+
+@pytest.mark.parametrize("axes", ["ZZ", "ZZZ"])
+def test_no_whole_number_behind_a_fraction_cancels(axes: str) -> None:
+    """Rods with their centres in the middle: `m*l**2 + m*b**2/4`, not `m*(4*l**2 + b**2)/4`."""
+    q = functions_of_time([f"q{i}" for i in range(len(axes))])
+    frame, bodies = ground, list[Body]()
+    for i, axis in enumerate(axes):
+        length, mass, inertia = symbols(f"l{i} m{i} I{i}")
+        frame = frame * rotate(axis, q[i])
+        bodies.append(Body(Point(frame, length / 2, 0, 0), mass, Iz=inertia))
+        frame = frame * translate(length, 0, 0)
+    matrix = newton_euler(System(bodies, coordinates=q))._page.mass_matrix
+    assert not any(re.search(r"\b4\*", str(entry)) for entry in matrix.entries)
 
 
 def test_moments_stand_before_masses_by_squares_of_coordinates() -> None:
@@ -268,6 +306,87 @@ def test_loads_are_written_by_springs_and_dampers() -> None:
     first, second = describe(newton_euler(System([plate, tilting], loads, [z, theta]))).splitlines()[1:]
     for name in ("k1", "k2", "c1", "c2"):
         assert len(re.findall(rf"\b{name}\b", first)) == len(re.findall(rf"\b{name}\b", second)) == 1
+
+
+def on_two_springs(order: str) -> str:
+    """Return the equations of a plate on two legs, whose coordinates are in the given order."""
+    z, z1, z2 = functions_of_time("z z1 z2")
+    plate, tilting = Body(translate(0, 0, z), m), Body(rotate("Y", theta), 0, 0, l)
+    legs = Body(translate(0, 0, z1), k), Body(translate(0, 0, z2), k)
+    front, rear = z - a * theta - z1, z + b * theta - z2
+    loads = [
+        Force(ground, 0, 0, -F * (front + rear), at=plate.center_of_mass, on=plate),
+        Torque(ground, 0, F * (a * front - b * rear), 0, on=tilting),
+        Force(ground, 0, 0, F * front, at=legs[0].center_of_mass, on=legs[0]),
+        Force(ground, 0, 0, F * rear, at=legs[1].center_of_mass, on=legs[1]),
+    ]
+    return describe(newton_euler(System([plate, tilting, *legs], loads, functions_of_time(order))))
+
+
+@pytest.mark.parametrize(
+    ("order", "deflections"),
+    [
+        ("z theta z1 z2", {"(z - a*theta - z1)", "(z + b*theta - z2)"}),
+        ("theta z z1 z2", {"(a*theta - z + z1)", "(b*theta + z - z2)"}),
+    ],
+)
+def test_a_deflection_has_one_form_in_all_equations(order: str, deflections: set[str]) -> None:
+    """Its coordinates are in their order, and the first one is positive, whatever its sign in the equation."""
+    assert deflections <= set(re.findall(r"\([^()]*\)", on_two_springs(order)))
+
+
+@pytest.mark.parametrize("place", [c - a, -(a - c)], ids=["given", "turned"])
+def test_differences_have_the_direction_with_fewer_signs(place: Expr) -> None:
+    """A pendulum hangs by `a - c`, though its place below the support is `c - a`."""
+    bob = Body(rotate("Z", theta) * translate(0, place, 0), m)
+    system = System([bob], coordinates=[theta], gravity=Vector(ground, 0, -g, 0))
+    (row,) = describe(newton_euler(system)).splitlines()[1:]
+    assert row.strip() == "m*(a - c)**2*theta'' + g*m*(a - c)*sin(theta) = 0"
+
+
+def test_a_load_over_a_parameter_is_a_load() -> None:
+    """Without the parameter it is undefined; it doesn't mix with the inertia of rotating axes."""
+    turning = rotate("Z", F * t) * translate(x, 0, 0)
+    body = Body(turning, m)
+    load = Force(turning, -m * g * x / l, 0, 0, at=body.center_of_mass, on=body)
+    (row,) = describe(newton_euler(System([body], [load], [x]))).splitlines()[1:]
+    assert row.strip() == "m*x'' - m*F**2*x + g*m*x/l = 0"
+
+
+def test_the_order_of_speeds_is_that_of_the_system() -> None:
+    """Quasi-velocities that are listed before a coordinate's rate stand before it."""
+    u, w = functions_of_time("u w")
+    car = moving_frame(u, 0, 0, 0, 0, w)
+    trailer = car * translate(-a, 0, 0) * rotate("Z", theta) * translate(-b, 0, 0)
+    system = System([Body(car, m, Iz=F), Body(trailer, k, Iz=c)], coordinates=[theta], speeds=[u, w])
+    text = describe(newton_euler(system))
+    assert "(w' + theta'')" in text
+    assert "2*w*theta'" in text
+    assert "theta'*w" not in text
+
+
+def car_on_wheels() -> System:
+    heave, roll, pitch, yaw = functions_of_time("z phi theta psi")
+    frame = translate(x, y, heave) * rotate("Z", yaw) * rotate("Y", pitch) * rotate("X", roll)
+    bodies, coordinates = [Body(frame, m, *symbols("A B C"))], [x, y, heave, yaw, pitch, roll]
+    for i, (place, side) in enumerate([(a, b), (a, -b), (-c, b), (-c, -b)]):
+        travel, spin = functions_of_time(f"s{i} w{i}")
+        bodies.append(Body(frame * translate(place, side, travel) * rotate("Y", spin), k, 0, l, 0))
+        coordinates += [travel, spin]
+    return System(bodies, coordinates=coordinates, gravity=Vector(ground, 0, 0, -g))
+
+
+def test_what_is_one_quantity_has_one_name() -> None:
+    """Of a car of 14 coordinates: no two definitions have the same value."""
+    equations = newton_euler(car_on_wheels())
+    rows = re.split(r"\n    (?! )", equations.description())
+    definitions = [row.split(" := ") for row in rows if " := " in row]
+    names = {leaf.name: leaf for leaf in equations.system.leaves if leaf.kind == "symbol"}
+    names |= {each.name: each for each in equations.coordinates}
+    for name, value in definitions:
+        names[name.strip()] = parse(value.replace("\n", " "), names)
+    values = {names[name.strip()] for name, _ in definitions}
+    assert len(values) == len(definitions) > 10
 
 
 @pytest.mark.parametrize("axes", ["ZZZZ", "ZYYZ", "ZYYYX"])

@@ -54,7 +54,7 @@ def test_numbers() -> None:
 
 def test_latex() -> None:
     assert latex(m2 * l1**2 * w1**2 / 2) == r"\frac{m_{2} l_{1}^{2} \dot{\theta}_{1}^{2}}{2}"
-    assert latex(cos(theta1) ** 2 / (m1 + m2)) == r"\frac{\cos^{2}\left(\theta_{1}\right)}{m_{1} + m_{2}}"
+    assert latex(cos(theta1) ** 2 / (m1 + m2)) == r"\frac{\cos^{2}(\theta_{1})}{m_{1} + m_{2}}"
 
 
 def test_maple() -> None:

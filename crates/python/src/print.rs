@@ -10,7 +10,7 @@ use crate::session::{argument_error, long_with_forms};
 type Definitions = Vec<(String, String)>;
 
 /// Expressions printed together: the named intermediate quantities, if any, and the results; those of equations with
-/// the names of their coordinates, of their speeds, and of the parameters that their model subtracts.
+/// the names of their functions of time in order, of the speeds among these, and of the parameters that their model subtracts.
 #[pyfunction]
 #[pyo3(signature = (expressions, notation, equations=None))]
 fn listing(
@@ -30,8 +30,7 @@ fn listing(
             ));
         }
     };
-    let usage =
-        equations.map(|(coordinates, speeds, subtracted)| Usage::new(&coordinates, &speeds, subtracted));
+    let usage = equations.map(|(functions, speeds, subtracted)| Usage::new(&functions, &speeds, subtracted));
     let Listing { definitions, results } = long_with_forms(expressions.py(), |graph| {
         Ok(match &usage {
             Some(usage) => graph.listing_of_equations(&roots, format, usage),

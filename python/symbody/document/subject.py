@@ -52,8 +52,19 @@ class Subject:
         return cost(self.equations.residuals)
 
     def read(self, expressions: Sequence[Expr]) -> Sequence[Expr]:
-        """Return expressions in their forms for the reader; as they are if the system is so large that nobody reads."""
-        return expressions if self.is_large else readable(list(expressions))
+        """Return expressions in their forms for the reader; as they are if the system is so large that nobody reads.
+
+        An entry of the mass matrix has the form that it has in the equations.
+        """
+        if self.is_large:
+            return expressions
+        return [self._entries[each] if each in self._entries else readable(each) for each in expressions]
+
+    @cached_property
+    def _entries(self) -> Mapping[Expr, Expr]:
+        """The entries of the mass matrix, and their forms for the reader."""
+        forms = self.equations.matrix_form().mass_matrix
+        return dict(zip(self.equations.mass_matrix.entries, forms.entries, strict=True))
 
     @property
     def is_large(self) -> bool:

@@ -6,9 +6,10 @@ from collections.abc import Collection, Iterable
 
 from symbody.errors import ModelError
 from symbody.geometry import Frame, Vector
+from symbody.geometry.component.triple import Triple
 from symbody.geometry.frame.frame_velocity import origin_velocity, spin
 from symbody.geometry.given.argument import checked
-from symbody.symbolic import ENERGY, Expr, derivation, dot3, number
+from symbody.symbolic import ENERGY, Expr, are_small, cost, derivation, dot3, number, time_derivatives
 
 from .body import Body
 from .load import Load
@@ -20,21 +21,49 @@ from .system import System
 def kinetic_energy(objects: Objects) -> Expr:
     """Return the kinetic energy: ``T = 1/2 m v_G . v_G + 1/2 w . J w``, summed over the bodies.
 
-    >>> from symbody import Body, functions_of_time, symbols, translate
+    >>> from symbody import Body, functions_of_time, rotate, symbols, translate
     >>> x, m = functions_of_time("x"), symbols("m")
     >>> kinetic_energy(Body(translate(x, 0, 0), m))
     m*x'**2/2
+    >>> y, phi = functions_of_time("y phi")
+    >>> kinetic_energy(Body(translate(x, y, 0) * rotate("Z", phi), m))
+    m*(x'**2 + y'**2)/2
     """
+    bodies = select_bodies(objects, "kinetic_energy").bodies
     with derivation(order=ENERGY):
         return sum(
-            (kinetic_energy_at(body, body.frame) for body in select_bodies(objects, "kinetic_energy").bodies),
-            start=number(0),
+            (_energy_at(body, body.frame, _shortest_velocity(body.frame)) for body in bodies), start=number(0)
         )
+
+
+def kinetic_energy_in_own_axes(bodies: Iterable[Body]) -> Expr:
+    """Return the kinetic energy with velocities in the axes of the bodies, as derivations have them."""
+    with derivation(order=ENERGY):
+        return sum((kinetic_energy_at(body, body.frame) for body in bodies), start=number(0))
 
 
 def kinetic_energy_at(body: Body, frame: Frame) -> Expr:
     """Return the kinetic energy of a body that moves with a frame: its own, or one with other velocities."""
-    velocity = origin_velocity(frame).components
+    return _energy_at(body, frame, origin_velocity(frame).components)
+
+
+def _shortest_velocity(frame: Frame) -> Triple:
+    """Return the velocity of the origin in the axes of the frame, or of the ground if it is shorter there.
+
+    Small variables are known to the first order in places, which is not enough for energies in axes of the ground.
+    """
+    own = origin_velocity(frame).components
+    root = frame
+    while root.parent is not None:
+        root = root.parent
+    if root.carrier is not None or frame.coordinate_rates or are_small(frame.pose.origin):
+        return own
+    x, y, z = time_derivatives(frame.pose.origin)
+    return min((own, (x, y, z)), key=lambda velocity: cost(list(velocity)).total)
+
+
+def _energy_at(body: Body, frame: Frame, velocity: Triple) -> Expr:
+    """Return the kinetic energy of a body that moves with a frame whose origin has the velocity, in any axes."""
     twice = body.mass * dot3(velocity, velocity)
     if not body.is_particle:
         angular = spin(frame)

@@ -233,6 +233,10 @@ impl Polynomial {
     /// The number that leaves integers without a common divisor, signed so that the last one is positive:
     /// the common divisor of the numerators over the common multiple of the denominators. One for decimals.
     pub(crate) fn numeric_content(&self) -> Number {
+        if let Some((above, below)) = self.small_content() {
+            let is_negative = self.leading().is_some_and(|(_, coefficient)| coefficient.is_negative());
+            return Number::rational(if is_negative { -above } else { above }, below);
+        }
         let (mut above, mut below) = (BigInt::from(0), BigInt::from(1));
         for coefficient in self.0.values() {
             if coefficient.is_decimal() {
@@ -248,6 +252,17 @@ impl Polynomial {
             return Number::integer(1); // of no terms
         }
         Number::from_big(above, below).expect("a common multiple of denominators is positive")
+    }
+
+    /// The same without its sign, as numerator and denominator, if all numbers are small and exact.
+    fn small_content(&self) -> Option<(i64, i64)> {
+        let (mut above, mut below) = (0_i64, 1_i64);
+        for coefficient in self.0.values() {
+            let (numerator, denominator) = coefficient.to_small().filter(|_| !coefficient.is_decimal())?;
+            above = above.gcd(&numerator.checked_abs()?);
+            below = (below / below.gcd(&denominator)).checked_mul(denominator)?;
+        }
+        (above != 0).then_some((above, below))
     }
 
     fn leading(&self) -> Option<(&Monomial, &Number)> {

@@ -68,15 +68,31 @@ impl Sum {
             && a.is_subtracted() == b.is_subtracted())
     }
 
-    /// Whether the opposite has fewer minus signs.
+    /// Whether the opposite has fewer minus signs. The deflection of a spring has the sign of its first coordinate in all
+    /// equations: `z - a*theta - z1`.
     fn reads_better_negated(&self) -> bool {
+        if self.is_deflection() {
+            let first = self.terms.iter().min_by(|a, b| order::compare_terms(a, b));
+            return first.is_some_and(|term| term.coefficient.is_negative());
+        }
         2 * self.negatives() > self.terms.len()
+    }
+
+    /// Whether the sum is that of multiples of three coordinates of equations or more, of both signs.
+    fn is_deflection(&self) -> bool {
+        let negatives = self.negatives();
+        let is_mixed = negatives > 0 && negatives < self.terms.len();
+        self.terms.len() > 2 && is_mixed && self.terms.iter().all(order::is_displacement)
     }
 }
 
-/// `b - a` rather than `-a + b`.
+/// `b - a` rather than `-a + b`, and `x + l*cos(q) - a` for parameters before coordinates, or coordinates before
+/// functions.
 fn positive_first(terms: &mut [Term]) {
-    if let Some(first) = terms.iter().position(|term| !term.coefficient.is_negative()) {
+    let Some(first) = terms.iter().position(|term| !term.coefficient.is_negative()) else { return };
+    if first > 0 && order::are_of_different_kinds(&terms[0], &terms[first]) {
+        terms.rotate_left(first);
+    } else {
         terms[..=first].rotate_right(1);
     }
 }

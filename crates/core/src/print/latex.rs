@@ -111,7 +111,9 @@ impl Writer<'_> {
 
     fn arguments(&self, args: &[Sum]) -> String {
         let args: Vec<String> = args.iter().map(|arg| self.sum(arg)).collect();
-        brackets(&args.join(", "))
+        let text = args.join(", ");
+        // Brackets that grow have a space before them: `cos(q)` has none in print.
+        if TALL.iter().any(|part| text.contains(part)) { brackets(&text) } else { format!("({text})") }
     }
 
     /// A base without brackets around it.
@@ -202,6 +204,9 @@ fn begins_with_word(text: &str) -> bool {
     }
     letter.starts_with("\\mathrm{") || letter.starts_with("\\mathtt{")
 }
+
+/// What is higher than brackets of the usual size.
+const TALL: [&str; 5] = ["\\frac", "\\sqrt", "\\begin", "\\left", "^"];
 
 /// What may stand before the letters of a name.
 const ACCENTS: [&str; 6] = ["{", "\\dot{", "\\ddot{", "\\dddot{", "\\hat{", "\\tilde{"];

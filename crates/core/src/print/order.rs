@@ -92,14 +92,55 @@ fn written_place(factor: &Factor) -> Place {
 
 /// The first criterion of order in a sum such as `m*x'' + c*x' + k*x + F`: accelerations, then speeds, then
 /// powers of coordinates, then the degree, and terms with functions after those without. A moment of inertia stands
-/// before masses times squares of lengths: `I + m*l**2`.
+/// before masses times squares of lengths: `I + m*l**2`. Of equations, displacements and
+/// products of speeds are in the order of the coordinates: `z - a*theta - z1`.
 #[derive(Clone, Copy, Debug, Default)]
 struct Rank {
     derivative: u32,
     coordinates: f64,
     is_moment: bool,
+    motion: Motion,
     degree: f64,
     has_function: bool,
+}
+
+/// The places of the functions of time of equations that a term is a multiple of: of its speeds, the first two; or of its
+/// coordinate, if parameters alone multiply this. Others are behind all.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Motion([usize; 2]);
+
+impl Default for Motion {
+    fn default() -> Self {
+        Self([usize::MAX; 2])
+    }
+}
+
+impl Motion {
+    fn of_term(term: &Term) -> Self {
+        let known = |factor: &Factor, is_rate: bool| match factor.base {
+            Base::TimeFunction { order, usage, .. } if (order > 0 || usage.is_speed) == is_rate => factor
+                .exponent
+                .to_i64()
+                .filter(|&e| e > 0 && usage.index < usize::MAX)
+                .map(|e| (usage.index, e)),
+            _ => None,
+        };
+        let rates = term.factors.iter().filter_map(|factor| known(factor, true));
+        let mut places: Vec<usize> =
+            rates.flat_map(|(index, e)| std::iter::repeat_n(index, if e > 1 { 2 } else { 1 })).collect();
+        if places.is_empty() && term.factors.iter().any(|factor| known(factor, false).is_some()) {
+            let (moving, others): (Vec<&Factor>, Vec<&Factor>) =
+                term.factors.iter().partition(|factor| known(factor, false).is_some_and(|(_, e)| e == 1));
+            if let [factor] = moving[..]
+                && others.iter().all(|factor| factor.base.place() <= Place::ParameterGroup)
+            {
+                places.extend(known(factor, false).map(|(index, _)| index));
+            }
+        }
+        places.sort_unstable();
+        let at = |position: usize| places.get(position).copied().unwrap_or(usize::MAX);
+        Self([at(0), at(1)])
+    }
 }
 
 /// The degree of t in the coordinates: what is given stands behind them, as in `q - omega*t`.
@@ -113,21 +154,30 @@ const SQUARE: f64 = 2.0;
 impl Rank {
     fn compare(&self, other: &Self) -> Ordering {
         let by_derivative = other.derivative.cmp(&self.derivative);
+        let is_linear = |rank: &Self| rank.motion.0[1] == usize::MAX;
+        let by_rates = match self.derivative {
+            0 => Ordering::Equal,
+            _ => is_linear(self).cmp(&is_linear(other)).then(self.motion.cmp(&other.motion)),
+        };
         by_derivative
             .then(other.is_moment.cmp(&self.is_moment))
+            .then(by_rates)
             .then(other.coordinates.total_cmp(&self.coordinates))
+            .then(self.motion.cmp(&other.motion))
             .then(other.degree.total_cmp(&self.degree))
             .then(self.has_function.cmp(&other.has_function))
     }
 
     fn of_term(term: &Term) -> Self {
-        term.factors.iter().fold(Self::default(), |rank, factor| {
+        let start = Self { motion: Motion::of_term(term), ..Self::default() };
+        term.factors.iter().fold(start, |rank, factor| {
             let base = Self::of_base(&factor.base);
             let exponent = factor.exponent.to_f64();
             Self {
                 derivative: rank.derivative.max(base.derivative),
                 coordinates: rank.coordinates + exponent * base.coordinates,
                 is_moment: false,
+                motion: rank.motion,
                 degree: rank.degree + exponent * base.degree,
                 has_function: rank.has_function || base.has_function,
             }
@@ -140,8 +190,8 @@ impl Rank {
             Base::Number(_) | Base::Pi => none,
             Base::Symbol { .. } => Self { degree: 1.0, ..none },
             Base::Time => Self { degree: 1.0, coordinates: TIME, ..none },
-            Base::TimeFunction { order, .. } => {
-                Self { derivative: *order, coordinates: 1.0, degree: 1.0, ..none }
+            Base::TimeFunction { order, usage, .. } => {
+                Self { derivative: order + u32::from(usage.is_speed), coordinates: 1.0, degree: 1.0, ..none }
             }
             Base::Application { .. } => Self { degree: 1.0, has_function: true, ..none },
             Base::Function(..) => Self { has_function: true, ..none },
@@ -149,6 +199,7 @@ impl Rank {
                 derivative: a.derivative.max(b.derivative),
                 coordinates: a.coordinates.max(b.coordinates),
                 is_moment: false,
+                motion: none.motion,
                 degree: a.degree.max(b.degree),
                 has_function: a.has_function || b.has_function,
             }),
@@ -165,6 +216,20 @@ pub(super) fn compare_terms(a: &Term, b: &Term) -> Ordering {
 pub(super) fn are_of_one_kind(a: &Term, b: &Term) -> bool {
     let (a, b) = (Rank::of_term(a), Rank::of_term(b));
     a.derivative == b.derivative && a.coordinates.total_cmp(&b.coordinates).is_eq()
+}
+
+/// Whether a term is a multiple of a coordinate or speed of equations, by parameters alone.
+pub(super) fn is_displacement(term: &Term) -> bool {
+    let rank = Rank::of_term(term);
+    let is_one = rank.motion.0[0] < usize::MAX && rank.motion.0[1] == usize::MAX;
+    is_one && !rank.has_function && rank.coordinates.total_cmp(&1.0).is_eq()
+}
+
+/// Whether two terms differ in the coordinates that they hold, or one has a function, and none has a speed.
+pub(super) fn are_of_different_kinds(a: &Term, b: &Term) -> bool {
+    let (a, b) = (Rank::of_term(a), Rank::of_term(b));
+    let is_alike = a.coordinates.total_cmp(&b.coordinates).is_eq() && a.has_function == b.has_function;
+    !is_alike && a.derivative == b.derivative
 }
 
 /// Terms in the reader's order; like terms are neighbours.

@@ -4,7 +4,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-use crate::graph::{Assumption, Graph, Id, View};
+use crate::graph::{Assumption, ByValue, Graph, Id, View};
 use crate::interrupt::tick;
 use crate::value::Number;
 
@@ -31,6 +31,8 @@ pub(super) struct Plan {
     named: FxHashMap<Id, usize>,
     /// Long sum or product -> the pieces of its slices.
     sliced: FxHashMap<Id, Range<usize>>,
+    /// Node -> the first node of its value, which is written in its place: one quantity has one name.
+    twins: FxHashMap<Id, Id>,
     /// Names of symbols and undefined functions, from which functions of time must be distinguished.
     others: FxHashSet<String>,
     /// Names that several symbols have, with different assumptions.
@@ -48,27 +50,32 @@ struct Extent {
 
 impl Plan {
     pub(super) fn new(graph: &Graph, roots: &[Id]) -> Self {
-        let order = graph.post_order(roots);
+        let mut order = graph.post_order(roots);
         let names = Names::of(graph, &order);
         let mut plan = Self {
             pieces: Vec::new(),
             named: FxHashMap::default(),
             sliced: FxHashMap::default(),
+            twins: FxHashMap::default(),
             others: names.others,
             shared: names.shared,
             small_too: names.small_too,
         };
         let large = tree_leaves(graph, &order, roots) > WHOLE;
-        let uses = uses(graph, &order, roots);
-        let root_set: FxHashSet<Id> = roots.iter().copied().collect();
+        if large {
+            plan.twins = twins(graph, &order);
+            order = written_order(graph, roots, &plan.twins);
+        }
+        let uses = uses(graph, &order, roots, &plan.twins);
+        let root_set: FxHashSet<Id> = roots.iter().map(|&root| plan.written(root)).collect();
         let mut extents: FxHashMap<Id, Extent> = FxHashMap::default();
         for &id in &order {
             tick();
-            let mut extent = extent(graph, id, &extents);
+            let mut extent = extent(graph, id, |child| extents[&plan.written(child)]);
             if large && extent.leaves > 4 * PIECE {
                 extent = plan.slice(graph, id, extent, &extents, &names.prefix);
             }
-            let used_again = uses.get(&id).is_some_and(|&count| count > 1);
+            let used_again = uses[&id] > 1;
             let inner = !root_set.contains(&id) || used_again;
             let long = large && (extent.leaves >= PIECE || (used_again && extent.leaves >= SHARED));
             if (inner && long || extent.levels >= DEEPEST) && may_be_named(graph, id) {
@@ -102,7 +109,7 @@ impl Plan {
         let (first, mut start, mut leaves) = (self.pieces.len(), 0, 0);
         let children = graph.children(id);
         for (position, child) in children.iter().enumerate() {
-            leaves += extents[child].leaves;
+            leaves += extents[&self.written(*child)].leaves;
             if leaves >= length || position + 1 == children.len() {
                 self.push(prefix, id, Some(start..position + 1));
                 (start, leaves) = (position + 1, 0);
@@ -118,6 +125,11 @@ impl Plan {
         &self.pieces
     }
 
+    /// The node that is written for a node.
+    pub(super) fn written(&self, id: Id) -> Id {
+        self.twins.get(&id).copied().unwrap_or(id)
+    }
+
     /// The name of a node, if it has one.
     pub(super) fn name(&self, id: Id) -> Option<&str> {
         self.named.get(&id).map(|&piece| self.pieces[piece].name.as_str())
@@ -130,7 +142,7 @@ impl Plan {
 
     /// Whether the node is written in place, as it is.
     pub(super) fn is_open(&self, id: Id) -> bool {
-        !self.named.contains_key(&id) && !self.sliced.contains_key(&id)
+        !self.named.contains_key(&id) && !self.sliced.contains_key(&id) && !self.twins.contains_key(&id)
     }
 
     /// Whether the name of a function of time is also the name of something else.
@@ -170,11 +182,60 @@ fn tree_leaves(graph: &Graph, order: &[Id], roots: &[Id]) -> usize {
     roots.iter().fold(0, |sum: usize, root| sum.saturating_add(leaves[root]))
 }
 
+/// Node -> the node of its value with the smallest tree, if that is another one.
+fn twins(graph: &Graph, order: &[Id]) -> FxHashMap<Id, Id> {
+    let sizes = tree_sizes(graph, order);
+    let is_candidate = |id: &&Id| may_be_named(graph, **id) && sizes[*id] < usize::MAX;
+    let mut candidates: Vec<Id> = order.iter().filter(is_candidate).copied().collect();
+    candidates.sort_by_key(|id| sizes[id]); // what is written in a tree is smaller than the tree: no circles
+    let mut known: ByValue<Id> = ByValue::default();
+    let mut twins = FxHashMap::default();
+    for id in candidates {
+        tick();
+        match graph.find(&known, id) {
+            Some(&smallest) => {
+                twins.insert(id, smallest);
+            }
+            None => known.push(graph.value(id), id, id),
+        }
+    }
+    twins
+}
+
+/// The nodes of the unfolded trees, saturating.
+fn tree_sizes(graph: &Graph, order: &[Id]) -> FxHashMap<Id, usize> {
+    let mut sizes: FxHashMap<Id, usize> = FxHashMap::default();
+    for &id in order {
+        let size = graph.children(id).iter().fold(1, |sum: usize, child| sum.saturating_add(sizes[child]));
+        sizes.insert(id, size);
+    }
+    sizes
+}
+
+/// The nodes that are written, each after its children.
+fn written_order(graph: &Graph, roots: &[Id], twins: &FxHashMap<Id, Id>) -> Vec<Id> {
+    let written = |id: Id| twins.get(&id).copied().unwrap_or(id);
+    let mut order = Vec::new();
+    let mut seen: FxHashSet<Id> = FxHashSet::default();
+    let mut stack: Vec<(Id, bool)> = roots.iter().rev().map(|&root| (written(root), false)).collect();
+    while let Some((id, is_left)) = stack.pop() {
+        tick();
+        if is_left {
+            order.push(id);
+        } else if seen.insert(id) {
+            stack.push((id, true));
+            stack.extend(graph.children(id).iter().rev().map(|&child| (written(child), false)));
+        }
+    }
+    order
+}
+
 /// How often each node is written; a multiple counts for the node under it.
-fn uses(graph: &Graph, order: &[Id], roots: &[Id]) -> FxHashMap<Id, usize> {
+fn uses(graph: &Graph, order: &[Id], roots: &[Id], twins: &FxHashMap<Id, Id>) -> FxHashMap<Id, usize> {
+    let written = |id: Id| twins.get(&id).copied().unwrap_or(id);
     let mut uses: FxHashMap<Id, usize> = FxHashMap::default();
     for &root in roots {
-        *uses.entry(root).or_default() += 1;
+        *uses.entry(written(root)).or_default() += 1;
     }
     let mut children = Vec::new();
     for &id in order.iter().rev() {
@@ -186,16 +247,16 @@ fn uses(graph: &Graph, order: &[Id], roots: &[Id]) -> FxHashMap<Id, usize> {
         children.clear();
         graph.push_children(id, &mut children);
         for &child in &children {
-            *uses.entry(child).or_default() += times;
+            *uses.entry(written(child)).or_default() += times;
         }
     }
     uses
 }
 
-fn extent(graph: &Graph, id: Id, extents: &FxHashMap<Id, Extent>) -> Extent {
+fn extent(graph: &Graph, id: Id, of_child: impl Fn(Id) -> Extent) -> Extent {
     let mut total = Extent { leaves: 0, levels: 0 };
     let mut add = |child: Id, merges: bool| {
-        let inner = extents[&child];
+        let inner = of_child(child);
         total.leaves += inner.leaves;
         total.levels = total.levels.max(inner.levels + usize::from(!merges));
     };

@@ -24,6 +24,7 @@ impl<'a> Reader<'a> {
     /// The tree of a node: its name, if it has one.
     pub(super) fn expression(&self, id: Id) -> Sum {
         tick();
+        let id = self.plan.written(id);
         match self.plan.name(id) {
             Some(name) => Sum::atom(Base::plain(name)),
             None => self.opened(id),

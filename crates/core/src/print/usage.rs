@@ -20,17 +20,16 @@ pub(super) struct Use {
 }
 
 impl Usage {
-    /// The coordinates and the speeds, each in their order, and the parameters that stand behind the minus sign of a
-    /// difference in the model.
+    /// The functions of time in their order, those of them (or after them) that are speeds, and the parameters that
+    /// stand behind the minus sign of a difference in the model.
     #[must_use]
-    pub fn new(coordinates: &[String], speeds: &[String], subtracted: Vec<String>) -> Self {
-        let named =
-            coordinates.iter().map(|name| (name, false)).chain(speeds.iter().map(|name| (name, true)));
-        let places = named.enumerate();
-        Self {
-            places: places.map(|(index, (name, is_speed))| (name.clone(), Use { index, is_speed })).collect(),
-            subtracted: subtracted.into_iter().collect(),
+    pub fn new(functions: &[String], speeds: &[String], subtracted: Vec<String>) -> Self {
+        let mut places = FxHashMap::default();
+        for name in functions.iter().chain(speeds) {
+            let index = places.len();
+            places.entry(name.clone()).or_insert(Use { index, is_speed: speeds.contains(name) });
         }
+        Self { places, subtracted: subtracted.into_iter().collect() }
     }
 
     pub(super) fn is_subtracted(&self, name: &str) -> bool {

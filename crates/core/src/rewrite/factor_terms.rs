@@ -221,7 +221,7 @@ pub(crate) fn content(polynomial: &Polynomial) -> Result<(Monomial, Number, Poly
 }
 
 /// The powers that all terms share; an atom with positive and negative exponents has none.
-fn common_monomial(polynomial: &Polynomial) -> Monomial {
+pub(crate) fn common_monomial(polynomial: &Polynomial) -> Monomial {
     let mut common = Monomial::default();
     let Some((first, _)) = polynomial.iter().next() else { return common };
     for &(atom, _) in first.factors() {

@@ -9,7 +9,7 @@ from symbody.document.formula import equalities
 from symbody.document.subject import Subject
 from symbody.multibody import kinetic_energy
 from symbody.multibody.energy import known_potential, potentials
-from symbody.symbolic import Expr, gradient, jacobian, number, readable
+from symbody.symbolic import Expr, gradient, jacobian, number
 
 
 def energies(subject: Subject) -> list[Block]:
@@ -28,16 +28,16 @@ def energies(subject: Subject) -> list[Block]:
     values = list(found.values())
     if not subject.is_large:
         (T,) = system.by_speeds(values[:1])
-        values = [*_quadratic(T, system.speeds), *readable(values[1:])]
+        values = [_quadratic(T, system.speeds, subject), *subject.read(values[1:])]
     return [Heading("Energies"), *equalities(prose(sentence), [*found], values, system)]
 
 
-def _quadratic(T: Expr, speeds: Sequence[Expr]) -> list[Expr]:
+def _quadratic(T: Expr, speeds: Sequence[Expr], subject: Subject) -> Expr:
     """Return ``1/2 M_11 u_1^2 + M_12 u_1 u_2 + ...`` with each coefficient for the reader, and what is left."""
     M = jacobian(gradient(T, speeds), speeds)
     half, n = number(1) / 2, range(len(speeds))
-    terms = [(half * M[i, i], speeds[i] ** 2) for i in n]
-    terms += [(M[i, j], speeds[i] * speeds[j]) for i in n for j in n[i + 1 :]]
-    products = [readable(coefficient) * each for coefficient, each in terms]
-    rest = T - sum((coefficient * each for coefficient, each in terms), start=number(0))
-    return [sum(products, start=readable(rest))]
+    places = [(i, j) for i in n for j in n[i:]]
+    products = [speeds[i] * speeds[j] * (half if i == j else 1) for i, j in places]
+    rest = T - sum((M[p] * product for p, product in zip(places, products, strict=True)), start=number(0))
+    *coefficients, rest = subject.read([*(M[p] for p in places), rest])
+    return sum((c * product for c, product in zip(coefficients, products, strict=True)), start=rest)

@@ -8,7 +8,7 @@ from symbody.document.document import Block, Formula, Heading, Math, Table, Word
 from symbody.document.formula import equalities
 from symbody.document.subject import Subject
 from symbody.dynamics.display.summary import sizes_by_speed
-from symbody.symbolic import Expr, cost, latex, readable
+from symbody.symbolic import Expr, cost, latex
 from symbody.symbolic.expression.latex_layout import LINE, width
 from symbody.symbolic.given.arguments import counted
 
@@ -58,7 +58,7 @@ def _mass_matrix(subject: Subject) -> list[Block]:
     if n > MATRIX:
         return []
     places = [(i, j) for i in range(n) for j in range(i if is_symmetric else 0, n)]
-    forms = dict(zip(places, readable([mass[place] for place in places]), strict=True))
+    forms = dict(zip(places, subject.read([mass[place] for place in places]), strict=True))
     header = ("operations", *(str(j + 1) for j in range(n)))
     rows = tuple(
         (

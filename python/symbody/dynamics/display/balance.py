@@ -10,7 +10,7 @@ from symbody.symbolic import Expr, Matrix, number
 from symbody.symbolic.calculus.reader import Reader
 
 from .causes import generalized_forces
-from .degree import Degrees, by_christoffel, degrees, part_of, without
+from .degree import Degrees, by_christoffel, degrees, is_defined_without, part_of, without
 from .device import by_device, devices
 from .difference import differences
 from .like_terms import joined
@@ -110,8 +110,8 @@ class _Parts:
 def _parts(system: Variables, bias: Sequence[Expr], kinds: Sources, mass_matrix: Matrix) -> list[_Parts]:
     """Return the terms by their symbols, or by generalised forces where only these leave forces of inertia.
 
-    Symbols give short forms and are right as a rule, but they don't tell numbers and quotients apart. Forces of inertia
-    are known by Christoffel's symbols.
+    Symbols give short forms and are right as a rule, but they don't tell numbers and quotients apart, nor a load from
+    inertia where it is undefined without its symbols, as `m*g*x/l`. Christoffel's symbols tell the forces of inertia.
     """
     parts = [_Parts.of(entry, kinds) for entry in bias]
     follows = by_christoffel([part.inertia for part in parts], mass_matrix, system)
@@ -123,9 +123,10 @@ def _parts(system: Variables, bias: Sequence[Expr], kinds: Sources, mass_matrix:
         for entry, weight, moving, given in zip(bias, forces.weight, forces.moving, forces.given, strict=True)
     ]
     better = by_christoffel([part.inertia for part in others], mass_matrix, system)
+    symbols = (*kinds.gravity, *kinds.loads, *kinds.given)
     return [
-        other if known is None and found is not None else part
-        for part, other, known, found in zip(parts, others, follows, better, strict=True)
+        other if known is None and (found is not None or not is_defined_without(entry, symbols)) else part
+        for entry, part, other, known, found in zip(bias, parts, others, follows, better, strict=True)
     ]
 
 

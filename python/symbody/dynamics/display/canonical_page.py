@@ -7,15 +7,15 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from symbody.multibody import System
-from symbody.symbolic import Expr, cost, latex, listing_of_equations, symbols
+from symbody.symbolic import Expr, cost, latex, symbols
 from symbody.symbolic.calculus.reader import Reader
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.expression.latex_layout import aligned, broken
 from symbody.symbolic.given.arguments import counted
 
-from .difference import differences, subtracted
+from .difference import differences
 from .page import indented, shorter
-from .row import written
+from .row import printed, written
 from .short_names import Definition, shortened
 
 _ADVICE = "Too long to be read at once. One of them: readable(canonical.rates[time_derivative(canonical.momenta[0])])."
@@ -72,13 +72,7 @@ class CanonicalPage:
         """Return named quantities, and the right sides of all rows."""
         rows = [self._terms(value) for value in (self.hamiltonian, *self.rates.values())]
         rows += [(shorter(constraint),) for constraint in self.system.constraints]
-        definitions, texts = listing_of_equations(
-            [term for row in rows for term in row],
-            notation,
-            self.system.coordinates,
-            (*self.system.speeds, *self.system.multipliers),
-            subtracted(self.system),
-        )
+        definitions, texts = printed([term for row in rows for term in row], notation, self.system)
         remaining = iter(texts)
         return shortened([written(next(remaining) for _ in row) for row in rows], (), definitions, notation)
 

@@ -41,6 +41,15 @@ def without(expression: Expr, symbols: Sequence[Expr]) -> Expr:
         return expression
 
 
+def is_defined_without(expression: Expr, symbols: Sequence[Expr]) -> bool:
+    """Return whether an expression is defined with zeros in place of symbols."""
+    try:
+        subs(expression, dict.fromkeys(symbols, 0))
+    except SymbodyError:
+        return False
+    return True
+
+
 def part_of(expression: Expr, symbols: Sequence[Expr]) -> Expr:
     """Return the terms that vanish with symbols, in a form without the other terms where they are linear."""
     rest = expression - without(expression, symbols)

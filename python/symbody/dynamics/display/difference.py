@@ -26,20 +26,21 @@ def differences(system: System) -> tuple[Expr, ...]:
     return tuple(filter(_is_difference, nodes))[:_MOST]
 
 
-def subtracted(system: System) -> tuple[Expr, ...]:
-    """Return the parameters that the differences of a system subtract, and that none of them adds.
+def signs(system: System) -> tuple[tuple[Expr, ...], tuple[Expr, ...]]:
+    """Return the parameters that all differences of a system add, and those that all of them subtract.
 
     >>> from symbody import Body, functions_of_time, rotate, symbols, translate
     >>> theta, (R, r, m) = functions_of_time("theta"), symbols("R r m")
     >>> ball = Body(rotate("Z", theta) * translate(0, r - R, 0), m)
-    >>> subtracted(System([ball], coordinates=[theta]))
-    (R,)
+    >>> signs(System([ball], coordinates=[theta]))
+    ((r,), (R,))
     """
-    signs = dict[Expr, set[bool]]()
+    found = dict[Expr, set[bool]]()
     for difference in differences(system):
         for leaf in difference.free_symbols:
-            signs.setdefault(leaf, set()).add(str(diff(difference, leaf)).startswith("-"))
-    return tuple(sorted((leaf for leaf, found in signs.items() if found == {True}), key=str))
+            found.setdefault(leaf, set()).add(str(diff(difference, leaf)).startswith("-"))
+    added, behind = ([leaf for leaf in found if found[leaf] == {kind}] for kind in (False, True))
+    return tuple(sorted(added, key=str)), tuple(sorted(behind, key=str))
 
 
 def _is_difference(node: Expr) -> bool:

@@ -76,9 +76,18 @@ class Page:
 
     def _named_rows(self, notation: str) -> tuple[list[Definition], list[tuple[str, str]]]:
         """Return named quantities, and the left and right sides of all rows with short names."""
-        entries, definitions, rows = self._rows(notation)
-        definitions, sides = shortened([side for row in rows for side in row], entries, definitions, notation)
+        entries, given, rows = self._rows(notation)
+        texts = [side for row in rows for side in row]
+        is_wanted = None if notation == "text" else self._has_short_names
+        definitions, sides = shortened(texts, entries, given, notation, is_wanted=is_wanted)
         return definitions, list(zip(sides[::2], sides[1::2], strict=True))
+
+    @cached_property
+    def _has_short_names(self) -> bool:
+        """Whether the text has them; then all notations have."""
+        entries, given, rows = self._rows("text")
+        definitions, _ = shortened([side for row in rows for side in row], entries, given)
+        return definitions != given
 
     def _rows(self, notation: str) -> tuple[list[Entry], list[Definition], list[tuple[str, str]]]:
         """Return the entries of the mass matrix, named quantities, and the left and right sides of all rows."""

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from symbody.multibody import System, Variables
-from symbody.symbolic import Expr, listing_of_equations
+from symbody.symbolic import Expr, listing_of_equations, time_derivative
 
-from .difference import subtracted
+from .difference import signs
 
 LINE = 110
 """The most characters of a line of text."""
@@ -16,10 +16,29 @@ LINE = 110
 def printed(
     terms: Iterable[Expr], notation: str, system: Variables
 ) -> tuple[list[tuple[str, str]], list[str]]:
-    """Return named quantities and printed terms: coordinates, speeds and multipliers are in the system's order."""
+    """Return named quantities and printed terms: coordinates, speeds and multipliers are in the system's order.
+
+    Of the two directions of the differences in the model, such as `R - r`, that with fewer minus signs is printed.
+    """
+    terms = tuple(terms)
     speeds = (*system.quasi_velocities, *system.multipliers)
-    behind = subtracted(system) if isinstance(system, System) else ()
-    return listing_of_equations(terms, notation, system.coordinates, speeds, behind)
+    added, behind = signs(system) if isinstance(system, System) else ((), ())
+    directions = [behind, added] if added else [behind]
+    listings = [
+        listing_of_equations(terms, notation, in_order(system), speeds, direction) for direction in directions
+    ]
+    return min(listings, key=_minuses)
+
+
+def in_order(system: Variables) -> tuple[Expr, ...]:
+    """Return the functions of time in the order of the speeds; coordinates whose rates are no speeds come last."""
+    coordinate_of = {time_derivative(coordinate): coordinate for coordinate in system.coordinates}
+    driving = [coordinate_of.get(speed, speed) for speed in system.speeds]
+    return (*driving, *(each for each in system.coordinates if each not in driving))
+
+
+def _minuses(listing: tuple[list[tuple[str, str]], list[str]]) -> int:
+    return sum(text.count("-") for text in listing[1])
 
 
 def written(terms: Iterable[str]) -> str:

@@ -48,7 +48,7 @@ _NOTATIONS = {
         definition="{} := {}\n    ",
     ),
     "latex": _Notation(
-        wave=re.compile(r"\\(?P<kind>sin|cos)(?P<power>(?:\^\{\d+\})?)\\left\((?P<angle>[^()]*)\\right\)"),
+        wave=re.compile(r"\\(?P<kind>sin|cos)(?P<power>(?:\^\{\d+\})?)\((?P<angle>[^()]*)\)"),
         part=re.compile(r"(?P<sign>[+-] )?(?P<stem>\\?[A-Za-z]+)(?:_\{(?P<number>\d+)\})?"),
         number="_{{{}}}",
         word="_{{{}}}",
@@ -64,6 +64,8 @@ def shortened(
     entries: Sequence[tuple[int, int, str]] = (),
     given: Sequence[Definition] = (),
     notation: str = "text",
+    *,
+    is_wanted: bool | None = None,
 ) -> tuple[list[Definition], list[str]]:
     """Return definitions of names, and rows with these names, if that is shorter altogether.
 
@@ -72,6 +74,7 @@ def shortened(
         entries: row, column and text of entries of the mass matrix, which may stand in the rows in brackets.
         given: names that the rows and entries use already; they stay, and are defined before those of entries.
         notation: "text" or "latex".
+        is_wanted: whether there shall be names, where another notation of the same rows has decided it.
 
     >>> shortened(["a*cos(q2)"])
     ([], ['a*cos(q2)'])
@@ -80,14 +83,14 @@ def shortened(
     """
     style = _NOTATIONS[notation]
     before = _length([*rows], given, style)
-    if before < LONG:
+    if before < LONG if is_wanted is None else not is_wanted:
         return [*given], [*rows]
     whole, changed = _with_entries(rows, entries, style)
     named = [*given, *whole]
     waves, changed = _with_waves([*(value for _, value in named), *changed], style)
     named = [(name, value) for (name, _), value in zip(named, changed, strict=False)]
     definitions, changed = [*waves, *named], changed[len(named) :]
-    is_shorter = _length(changed, definitions, style) <= (1 - _WORTH) * before
+    is_shorter = is_wanted or _length(changed, definitions, style) <= (1 - _WORTH) * before
     return (definitions, changed) if is_shorter else ([*given], [*rows])
 
 
@@ -135,7 +138,8 @@ def _key(kind: str, angle: str) -> tuple[int, str, str]:
 
 
 def _wave(kind: str, angle: str, style: _Notation) -> str:
-    return ("\\" if style.brackets.startswith("\\") else "") + kind + style.brackets.format(angle)
+    start = "\\" if style.brackets.startswith("\\") else ""
+    return f"{start}{kind}({angle})"
 
 
 def _occurs(name: str, texts: Sequence[str]) -> bool:

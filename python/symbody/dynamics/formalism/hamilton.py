@@ -26,8 +26,8 @@ from symbody.dynamics.equations.independence import check_independent
 from symbody.dynamics.equations.singular_mass import described_singularity
 from symbody.errors import ExpressionError, ModelError
 from symbody.geometry.given.argument import checked
-from symbody.multibody import System, kinetic_energy
-from symbody.multibody.energy import potentials
+from symbody.multibody import System
+from symbody.multibody.energy import kinetic_energy_in_own_axes, potentials
 from symbody.symbolic import (
     Expr,
     are_small,
@@ -80,7 +80,7 @@ def hamilton(system: System) -> CanonicalEquations:
     u, p = system.speeds, _momenta(system)
     with derivation(fresh=True):
         checked_tree(system, _WHERE)
-        (kinetic,) = system.by_speeds([kinetic_energy(system)])
+        (kinetic,) = system.by_speeds([kinetic_energy_in_own_axes(system.bodies)])
         momenta = gradient(kinetic, u)
         speeds = dict(zip(u, without_idle_symbols(_solved(momenta, u, p)), strict=True))
         forces = _forces(system)

@@ -7,8 +7,9 @@ from symbody.dynamics.equations.independence import check_independent
 from symbody.dynamics.recursion.added_mass import with_added_mass
 from symbody.errors import ModelError
 from symbody.geometry.given.argument import checked
-from symbody.multibody import System, kinetic_energy
+from symbody.multibody import System
 from symbody.multibody.coordinate import check_function_of_time
+from symbody.multibody.energy import kinetic_energy_in_own_axes
 from symbody.symbolic import (
     ENERGY,
     MOTION,
@@ -69,7 +70,7 @@ def lagrange_equations(system: System) -> Equations:
 
 
 def _inertia(system: System) -> Matrix:
-    (energy,) = system.by_speeds([kinetic_energy(system)])
+    (energy,) = system.by_speeds([kinetic_energy_in_own_axes(system.bodies)])
     momenta = gradient(energy, system.speeds)
     return with_added_mass(jacobian(momenta, system.speeds), system)
 
@@ -80,7 +81,7 @@ def _residuals(system: System) -> tuple[Expr, ...]:
     n = len(system.coordinates)
     speeds = [time_derivative(q) for q in system.coordinates]
     held = Held()
-    lagrangian = kinetic_energy(system) - potential(system, held)
+    lagrangian = kinetic_energy_in_own_axes(system.bodies) - potential(system, held)
     slopes = gradient(lagrangian, [*speeds, *system.coordinates])
     rates = time_derivatives(slopes[:n])
     loads = gradient(power_of_loads(system, held), speeds)

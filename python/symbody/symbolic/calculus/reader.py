@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 
 from symbody.symbolic._core import Expr
 
 from .cost import cost
 from .difference import by_differences, with_differences
-from .rewrite import expand, textbook_form
+from .rewrite import textbook_form
 
 _LARGE = 100
 """Operations from which on an expression stays as it is: nobody reads it."""
@@ -16,11 +17,13 @@ _TOTAL = 1800
 """Operations of all expressions together, after which only small ones are rewritten."""
 _SMALL = 12
 _EXPANDED = 40
-"""Operations up to which the form is looked for from the expanded expression, too."""
+"""Operations up to which `textbook_form` looks for the form from the expanded expression, too."""
+_RATIOS = (Fraction(-1), Fraction(2), Fraction(-2), Fraction(1, 2), Fraction(-1, 2))
+"""What a known form may be multiplied by, as the same term occurs with other numbers."""
 
 
 class Reader:
-    """Finds the forms of a set of equations; opposite values have opposite forms.
+    """Finds the forms of a set of equations; opposite and doubled values have opposite and doubled forms.
 
     Differences that the user wrote stay together, where a form with them is no longer. The work is bounded by the
     operations of what is read, so that the result depends on the equations alone.
@@ -35,10 +38,17 @@ class Reader:
         """Return the form for the reader."""
         known = self._known.get(expression)
         if known is None:
-            opposite = self._known.get(-expression)
-            known = self._form(expression) if opposite is None else -opposite
+            multiple = self._multiple_of_known(expression)
+            known = self._form(expression) if multiple is None else multiple
             self._known[expression] = known
         return known
+
+    def _multiple_of_known(self, expression: Expr) -> Expr | None:
+        for ratio in _RATIOS:
+            form = self._known.get(expression / ratio)
+            if form is not None and (form.kind != "sum" or ratio == -1):
+                return ratio * form
+        return None
 
     def _form(self, expression: Expr) -> Expr:
         operations = cost(expression).total
@@ -48,8 +58,6 @@ class Reader:
         form = textbook_form(expression)
         if operations > _EXPANDED >= cost(form).total:
             form = textbook_form(form)  # which is short enough now for all rules
-        if operations <= _EXPANDED:
-            form = min(form, textbook_form(expand(expression)), key=_length)
         shorter, used = by_differences(expression, self._differences)
         if used:
             other = with_differences(textbook_form(shorter), used)

@@ -21,6 +21,8 @@ LINE = 80
 """The most characters of a line, as `width` counts them: those of a page of A4 with margins of 2 cm."""
 
 _TOKEN = re.compile(r"\\begin\{\w+\}|\\end\{\w+\}|\\[A-Za-z]+|\\.|\s+|.", re.DOTALL)
+_SIZES = {r"\left", r"\right", r"\bigl", r"\bigr"}
+"""What stands before brackets that have a size."""
 _UNSEEN = {
     "left",
     "right",
@@ -111,12 +113,14 @@ def lines(formula: str, line: int = LINE, start: int = 0) -> list[str]:
     >>> lines("a (b + c) + d - e", 6)
     ['a (b + c)', '+ d - e']
     """
-    pieces: list[str] = []
+    pieces, last = list[str](), 0
     for term in (piece for whole in _terms(formula, 0) for piece in _shortened(whole, line - start)):
-        if pieces and width(f"{pieces[-1]} {term}") <= line - start * (len(pieces) == 1):
+        last += width(term)
+        if pieces and last <= line - start * (len(pieces) == 1):
             pieces[-1] = f"{pieces[-1]} {term}"
         else:
             pieces.append(term)
+            last = width(term)
     return pieces
 
 
@@ -151,9 +155,13 @@ def _terms(formula: str, depth: int) -> list[str]:
             kinds.append("round" if opens else "closed")
             position += opens
             text = r"\bigl" if opens else token
-        elif token == "{" or token.startswith(r"\begin"):
+        elif token == "{" or token.startswith(r"\begin") or (token == "(" and _is_plain(tokens, place)):
             kinds.append("closed")
-        elif token in {"}", r"\right"} or token.startswith(r"\end"):
+        elif (
+            token in {"}", r"\right"}
+            or token.startswith(r"\end")
+            or (token == ")" and _is_plain(tokens, place))
+        ):
             if kinds.pop() == "round":
                 position -= 1
                 text = r"\bigr"
@@ -162,6 +170,11 @@ def _terms(formula: str, depth: int) -> list[str]:
             current = ""
         current += text
     return [*terms, current.strip()]
+
+
+def _is_plain(tokens: Sequence[str], place: int) -> bool:
+    """Return whether a bracket is that of a function's arguments, which has no size."""
+    return place > 0 and tokens[place - 1] not in _SIZES
 
 
 def _is_between_terms(tokens: Sequence[str], place: int) -> bool:

@@ -23,7 +23,7 @@ def latex(expression: Any) -> str:
     >>> from symbody import functions_of_time, latex, sin, symbols, time_derivative
     >>> theta = functions_of_time("theta")
     >>> print(latex(time_derivative(sin(theta))))
-    \cos\left(\theta\right) \dot{\theta}
+    \cos(\theta) \dot{\theta}
     >>> print(latex(symbols("m_1 I__xx omega0 load")))
     \left(m_{1}, I_{xx}, \omega_{0}, \mathrm{load}\right)
     """
@@ -73,7 +73,7 @@ def listing(
 def listing_of_equations(
     expressions: Iterable[Expr],
     notation: str,
-    coordinates: Sequence[Expr],
+    functions: Sequence[Expr],
     speeds: Sequence[Expr],
     subtracted: Sequence[Expr] = (),
 ) -> tuple[list[tuple[str, str]], list[str]]:
@@ -85,8 +85,8 @@ def listing_of_equations(
     Args:
         expressions: the terms.
         notation: "text" or "latex".
-        coordinates: the functions of time that are coordinates, in their order.
-        speeds: those that are velocities or multipliers, in their order.
+        functions: the functions of time, in their order.
+        speeds: those of them that are velocities or multipliers, and others, which come last.
         subtracted: the parameters behind the minus sign in differences of the model: `R - r` keeps its sign.
 
     >>> from symbody import functions_of_time, sin, symbols
@@ -96,9 +96,9 @@ def listing_of_equations(
     >>> listing_of_equations([3 * m * u1 * u2 / 2], "latex", [theta], [u2, u1])
     ([], ['\\frac{3}{2} m u_{2} u_{1}'])
     """
-    coordinate_names, speed_names, subtracted_names = (
-        [each.name for each in names] for names in (coordinates, speeds, subtracted)
+    ordered, speed_names, subtracted_names = (
+        [each.name for each in names] for names in (functions, speeds, subtracted)
     )
-    names = coordinate_names, speed_names, subtracted_names
+    names = ordered, speed_names, subtracted_names
     definitions, results = _core.listing(expressions, notation, names)
     return definitions, results

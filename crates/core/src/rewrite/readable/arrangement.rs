@@ -1,19 +1,22 @@
 //! The arrangements of a polynomial: its content outside, and factors before brackets in which they don't occur.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use crate::error::Error;
 use crate::graph::{Id, NumberId};
 use crate::polynomial::{Budget, Monomial, Polynomial};
 use crate::value::Number;
 
+use super::flat_form::LONG_WAVES;
 use super::{LONG, TERMS, WORK_ON_SQUARES};
 use crate::rewrite::expand::Opening;
-use crate::rewrite::factor_terms::content;
+use crate::rewrite::factor_terms::common_monomial;
 use crate::rewrite::ring::Ring;
 
 /// The factors that are tried as the first one to be taken out; and the same for long polynomials.
 const FIRST_FACTORS: [usize; 2] = [10, 3];
+/// The same where squares are completed.
+const FIRST_FACTORS_OF_SQUARES: usize = 4;
 /// The most levels of brackets.
 const DEEPEST: usize = 3;
 
@@ -49,17 +52,22 @@ impl Ring<'_> {
 
     /// Arrangements in which squares are completed where terms of one factor allow it.
     fn with_squares(&mut self, polynomial: &Polynomial, outside: Id, rest: &Polynomial) -> Vec<Id> {
-        if polynomial.len() < 3 || polynomial.len() > LONG {
+        if polynomial.len() < 3 || polynomial.len() > LONG_WAVES {
             return Vec::new();
         }
         let budget = std::mem::replace(&mut self.budget, Budget::new(TERMS, WORK_ON_SQUARES));
         self.completes_squares = true;
         let whole = self.squares(rest, DEEPEST).ok().flatten();
-        let whole = whole.and_then(|sum| self.product_of(&[outside, sum]).ok());
-        let grouped = self.grouped_sum(polynomial, None, DEEPEST).ok();
+        let mut made: Vec<Id> = Vec::new();
+        made.extend(whole.and_then(|sum| self.product_of(&[outside, sum]).ok()));
+        let firsts = factors_of(polynomial).into_iter().take(FIRST_FACTORS_OF_SQUARES).map(Some);
+        for first in std::iter::once(None).chain(firsts) {
+            self.budget = Budget::new(TERMS, WORK_ON_SQUARES);
+            made.extend(self.grouped_sum(polynomial, first, DEEPEST));
+        }
         self.completes_squares = false;
         self.budget = budget;
-        whole.into_iter().chain(grouped).collect()
+        made
     }
 
     /// The square of a sum, if the polynomial is one.
@@ -151,16 +159,20 @@ impl Ring<'_> {
 
     /// The group that saves most factors; among equal ones, that of the smallest atom.
     fn best_group(&mut self, polynomial: &Polynomial) -> Result<Option<(Monomial, Polynomial)>, Error> {
-        let mut best: Option<(u64, (Monomial, Polynomial))> = None;
+        let mut best: Option<(u64, (u32, i64))> = None;
         for factor in factors_of(polynomial) {
-            if let Some((outside, columns)) = self.group_of(polynomial, factor)? {
-                let saving = self.width(&outside) * (columns.len() as u64 - 1);
-                if best.as_ref().is_none_or(|(most, _)| saving > *most) {
-                    best = Some((saving, (outside, columns)));
+            self.budget.spend(polynomial.len())?;
+            if let Some((holders, outside)) = self.factor_of_group(polynomial, factor) {
+                let saving = self.width(&outside) * (holders as u64 - 1);
+                if best.as_ref().is_none_or(|&(most, _)| saving > most) {
+                    best = Some((saving, factor));
                 }
             }
         }
-        Ok(best.map(|(_, group)| group))
+        match best {
+            Some((_, factor)) => self.group_of(polynomial, factor),
+            None => Ok(None),
+        }
     }
 
     /// About how long the text of a monomial is.
@@ -176,25 +188,38 @@ impl Ring<'_> {
     fn group_of(
         &mut self,
         polynomial: &Polynomial,
-        (atom, exponent): (u32, i64),
+        factor: (u32, i64),
     ) -> Result<Option<(Monomial, Polynomial)>, Error> {
         self.budget.spend(polynomial.len())?;
-        let mut holders = Polynomial::default();
-        for (monomial, coefficient) in polynomial.iter() {
+        let Some((_, outside)) = self.factor_of_group(polynomial, factor) else { return Ok(None) };
+        let mut columns = Polynomial::default();
+        for (monomial, coefficient) in polynomial.iter().filter(|(m, _)| m.exponent(factor.0) == factor.1) {
+            columns.add_term(monomial.over(&outside), coefficient);
+        }
+        Ok(Some((outside, columns)))
+    }
+
+    /// The number of terms that hold a power, and what stands before them: the powers that all of them share, of atoms
+    /// that occur in no other power there.
+    fn factor_of_group(
+        &self,
+        polynomial: &Polynomial,
+        (atom, exponent): (u32, i64),
+    ) -> Option<(usize, Monomial)> {
+        let is_wave = self.wave(atom).is_some();
+        let mut holders: Vec<&Monomial> = Vec::new();
+        for (monomial, _) in polynomial.iter() {
             match monomial.exponent(atom) {
                 0 => {}
-                found if found == exponent => holders.add_term(monomial.clone(), coefficient),
-                _ => return Ok(None), // a quadratic form stays flat
+                found if found == exponent => holders.push(monomial),
+                _ if is_wave => {}
+                _ => return None, // a quadratic form stays flat
             }
         }
-        if holders.len() < 2 {
-            return Ok(None);
-        }
-        let (monomial, _, columns) = content(&holders)?;
-        let inner: BTreeSet<u32> = columns.atoms().into_iter().collect();
-        let (outside, _) = monomial.split(|atom| !inner.contains(&atom));
-        let columns = holders.shifted(&outside.pow(-1), &Number::integer(1));
-        Ok(Some((outside, columns)))
+        let (&first, others) = holders.split_first().filter(|(_, others)| !others.is_empty())?;
+        let is_shared = |atom| others.iter().all(|other| other.exponent(atom) == first.exponent(atom));
+        let (outside, _) = first.split(is_shared);
+        Some((holders.len(), outside))
     }
 }
 
@@ -213,7 +238,7 @@ fn factors_of(polynomial: &Polynomial) -> Vec<(u32, i64)> {
 
 /// The common monomial, the common numeric factor that leaves integers, and the rest.
 fn whole_content(polynomial: &Polynomial) -> Result<(Monomial, Number, Polynomial), Error> {
-    let (monomial, _, _) = content(polynomial)?;
+    let monomial = common_monomial(polynomial);
     let rest = polynomial.shifted(&monomial.pow(-1), &Number::integer(1));
     let (_, factor, rest) = numeric_content(&rest)?;
     Ok((monomial, factor, rest))

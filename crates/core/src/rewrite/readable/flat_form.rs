@@ -1,20 +1,19 @@
 //! The flat polynomials from which the forms for the reader are arranged.
 
-use rustc_hash::FxHashSet;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::error::Error;
 use crate::graph::{Function, Graph, Id, View};
 use crate::polynomial::{Monomial, Polynomial};
 
 use super::LONG;
-use super::reading::Reading;
 use crate::rewrite::expand::Opening;
 use crate::rewrite::ring::Ring;
 
 /// The polynomials that are arranged: those with the shortest flat texts; and the same for long ones.
 const ARRANGED: [usize; 2] = [4, 2];
 /// The terms of a polynomial whose sines and cosines stay as they are.
-const LONG_WAVES: usize = 24;
+pub(super) const LONG_WAVES: usize = 24;
 
 impl Graph {
     /// The sums of parameters among the factors of products, and under powers.
@@ -46,6 +45,7 @@ impl Ring<'_> {
         if let Some(combined) = &combined
             && combined.len() <= flat.len()
             && self.is_linear_in_waves(combined)
+            && self.shortened(&flat).is_ok_and(|short| combined.len() <= short.len())
         {
             return vec![combined.clone()];
         }
@@ -71,16 +71,26 @@ impl Ring<'_> {
         let halved = self.with_half_angles(&flat).ok().flatten();
         let products = self.with_wave_products(&flat).ok().flatten();
         forms.extend(halved.into_iter().chain(products));
-        let mut read: Vec<(Reading, Polynomial)> = Vec::new();
+        let mut read: Vec<(usize, u64, Id, Polynomial)> = Vec::new();
+        let mut known: FxHashMap<Id, usize> = FxHashMap::default();
         for polynomial in forms {
             if let Ok(node) = self.node_of(&polynomial) {
-                read.push((self.graph.reading(node), polynomial));
+                let length = self.graph.least_length(node, &mut known) + self.graph.awkwardness(node);
+                read.push((length, self.graph.tree_cost(&[node]).total(), node, polynomial));
             }
         }
-        read.sort_by(|(a, _), (b, _)| a.cmp(b));
-        let is_long = read.first().is_some_and(|(_, shortest)| shortest.len() >= LONG);
+        let graph = &*self.graph;
+        read.sort_by(|(a, m, x, _), (b, n, y, _)| {
+            (a, m).cmp(&(b, n)).then_with(|| graph.to_text(*x).cmp(&graph.to_text(*y)))
+        });
+        let is_long = read.first().is_some_and(|(.., shortest)| shortest.len() >= LONG);
         read.truncate(ARRANGED[usize::from(is_long)]);
-        read.into_iter().map(|(_, polynomial)| polynomial).collect()
+        let mut forms: Vec<Polynomial> = read.into_iter().map(|(.., polynomial)| polynomial).collect();
+        for form in forms.clone().into_iter().chain([flat]) {
+            let squares = self.with_squares_only(&form).ok().flatten();
+            forms.extend(squares.filter(|squares| !forms.contains(squares)));
+        }
+        forms
     }
 
     /// The forms of a part in which the sums of parameters among its factors, such as `R - r`, stay closed.

@@ -9,8 +9,9 @@ mod arrangement;
 mod flat_form;
 mod reading;
 mod wave_product;
+mod wave_square;
 
-use rustc_hash::FxHashSet;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::error::Error;
 use crate::graph::{Graph, Id, View};
@@ -29,6 +30,9 @@ const JOINED: usize = 8;
 const WORK: usize = 30_000;
 /// The same for squares that are completed.
 const WORK_ON_SQUARES: usize = 3_000;
+/// The most operations of an expression whose form is looked for from the expanded one, too: there, no bracket hides a
+/// term from another one.
+const EXPANDED: u64 = 40;
 /// The terms of a long polynomial.
 const LONG: usize = 16;
 
@@ -49,7 +53,17 @@ impl Graph {
     /// # Errors
     /// If a part cannot be rebuilt.
     pub fn textbook_form(&mut self, id: Id) -> Result<Id, Error> {
-        self.form_for_reader(id, false)
+        let form = self.form_for_reader(id, false)?;
+        if self.tree_cost(&[id]).total() > EXPANDED {
+            return Ok(form);
+        }
+        let Ok(expanded) = self.choose_form(|graph| graph.expand(id)) else { return Ok(form) };
+        if expanded == id {
+            return Ok(form);
+        }
+        let other = self.form_for_reader(expanded, false)?;
+        let is_better = other != form && self.same(other, id) && self.reading(other) < self.reading(form);
+        Ok(if is_better { other } else { form })
     }
 
     fn form_for_reader(&mut self, id: Id, is_bounded: bool) -> Result<Id, Error> {
@@ -80,7 +94,8 @@ impl Graph {
         if !matches!(self.view(part), View::Sum(_)) {
             return Ok(part);
         }
-        let mut ring = Ring::for_reader(self, Budget::new(JOINED, WORK), part);
+        let atoms = self.atoms_by_name(part);
+        let mut ring = Ring::with_atoms(self, Budget::new(JOINED, WORK), &atoms);
         let Ok(sum) = ring.polynomial(part, Opening::Sums) else { return Ok(part) };
         if sum.len() > JOINED || !ring.is_of_pairs(&sum) {
             return Ok(part);
@@ -99,8 +114,12 @@ impl Graph {
         }
         // A sum that is kept closed takes the place of what equals it, so that each opening has a ring of its own.
         let budget = Budget::new(TERMS, WORK);
-        let mut candidates = Ring::for_reader(self, budget, part).closed_forms(part);
-        let mut ring = Ring::for_reader(self, budget, part);
+        let atoms = self.atoms_by_name(part);
+        let mut candidates = Vec::new();
+        if self.has_closed_sums(part) {
+            candidates = Ring::with_atoms(self, budget, &atoms).closed_forms(part);
+        }
+        let mut ring = Ring::with_atoms(self, budget, &atoms);
         for polynomial in ring.flat_forms(part) {
             candidates.extend(ring.arrangements(&polynomial));
             candidates.extend(ring.over_common_denominator(&polynomial));
@@ -108,19 +127,33 @@ impl Graph {
                 candidates.extend(ring.arrangements(&tangents));
             }
         }
-        let mut ring = Ring::for_reader(self, budget, part);
+        let mut ring = Ring::with_atoms(self, budget, &atoms);
         for polynomial in ring.forms_over_parameters(part) {
             candidates.extend(ring.arrangements(&polynomial));
         }
+        self.best_reading(part, candidates, is_bounded)
+    }
+
+    /// The candidate that reads best. Most are told by the least length that their texts can have.
+    fn best_reading(&self, part: Id, candidates: Vec<Id>, is_bounded: bool) -> Id {
         let mut best = (self.reading(part), part);
         let longest = if is_bounded { best.0.2.chars().count() } else { usize::MAX };
         let mut seen: FxHashSet<Id> = FxHashSet::default();
+        let mut known: FxHashMap<Id, usize> = FxHashMap::default();
+        let mut measured: Vec<(usize, Id)> = Vec::new();
         for candidate in candidates {
             if seen.insert(candidate) && self.same(candidate, part) {
-                let reading = self.reading(candidate);
-                if reading < best.0 && reading.2.chars().count() <= longest {
-                    best = (reading, candidate);
-                }
+                measured.push((self.least_length(candidate, &mut known), candidate));
+            }
+        }
+        measured.sort_by_key(|&(length, _)| length);
+        for (length, candidate) in measured {
+            if length > best.0.0 || length + self.awkwardness(candidate) > best.0.0 {
+                continue;
+            }
+            let reading = self.reading(candidate);
+            if reading < best.0 && reading.2.chars().count() <= longest {
+                best = (reading, candidate);
             }
         }
         best.1
@@ -139,28 +172,33 @@ impl Graph {
         }
         false
     }
-}
 
-impl<'g> Ring<'g> {
-    /// A ring in which the atoms of a part are numbered by kind and name, so that among equal arrangements names decide
-    /// and not the order in which the part was put together.
-    fn for_reader(graph: &'g mut Graph, budget: Budget, part: Id) -> Self {
+    /// The nodes that may be atoms of a part by kind and name, so that among equal arrangements names decide and not the
+    /// order in which the part was put together.
+    fn atoms_by_name(&self, part: Id) -> Vec<Id> {
         let mut named: Vec<(u8, String, Id)> = Vec::new();
-        for id in graph.post_order(&[part]) {
-            let kind = match graph.view(id) {
+        for id in self.post_order(&[part]) {
+            let kind = match self.view(id) {
                 View::Symbol(..) => 0,
                 View::TimeFunction(..) => 1,
                 View::Application { .. } => 2,
                 View::Function(..) => 3,
                 _ => continue,
             };
-            named.push((kind, graph.to_text(id), id));
+            named.push((kind, self.to_text(id), id));
         }
         named.sort_by(|(a, x, _), (b, y, _)| {
             a.cmp(b).then_with(|| compare_names(x, y)).then_with(|| x.cmp(y))
         });
+        named.into_iter().map(|(_, _, id)| id).collect()
+    }
+}
+
+impl<'g> Ring<'g> {
+    /// A ring whose first atoms are given.
+    fn with_atoms(graph: &'g mut Graph, budget: Budget, atoms: &[Id]) -> Self {
         let mut ring = Self::new(graph, budget);
-        for (_, _, id) in named {
+        for &id in atoms {
             ring.atom(id);
         }
         ring

@@ -1,6 +1,6 @@
 //! What a form is to a reader: the length of its text, and what a reader stumbles over.
 
-use rustc_hash::FxHashSet;
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::graph::{Function, Graph, Id, NumberId, View};
@@ -13,6 +13,11 @@ const MULTIPLE: usize = 16;
 const FRACTION: usize = 8;
 const DIFFERENCE: usize = 12;
 
+/// The characters of a sign with its spaces, of a pair of brackets, of a power.
+const SIGN: usize = 3;
+const BRACKETS: usize = 2;
+const POWER: usize = 3;
+
 /// What a form is to a reader: the length of its text with all that is awkward, its operations, its text.
 pub(super) type Reading = (usize, u64, String);
 
@@ -22,9 +27,49 @@ impl Graph {
         (text.chars().count() + self.awkwardness(id), self.tree_cost(&[id]).total(), text)
     }
 
+    /// The characters that the text of a form has at least: its names, signs and brackets without numbers. `known` holds
+    /// those of other nodes.
+    pub(super) fn least_length(&self, root: Id, known: &mut FxHashMap<Id, usize>) -> usize {
+        for id in self.post_order_where(&[root], |id| !known.contains_key(&id)) {
+            let length = match self.view(id) {
+                View::Number(_) => 0,
+                View::Symbol(name, _) | View::TimeFunction(name, ..) => name.chars().count(),
+                View::Scale(_, child) => known[&child],
+                View::Sum(terms) => {
+                    let inner: usize = terms.iter().map(|(_, term)| known[&term]).sum();
+                    inner + SIGN * terms.iter().count().saturating_sub(1)
+                }
+                View::Product(factors) => {
+                    let of_factor = |(base, exponent)| {
+                        let is_power = self.get_number(exponent).to_i64().is_some_and(|e| e.abs() > 1);
+                        let brackets = if self.is_sum(base) { BRACKETS } else { 0 };
+                        known[&base] + brackets + if is_power { POWER } else { 0 }
+                    };
+                    let inner: usize = factors.iter().map(of_factor).sum();
+                    inner + factors.iter().count().saturating_sub(1)
+                }
+                View::Function(..) => {
+                    BRACKETS + self.children(id).iter().map(|child| known[child]).sum::<usize>()
+                }
+                _ => self.children(id).iter().map(|child| known[child]).sum(),
+            };
+            known.insert(id, length);
+        }
+        known[&root]
+    }
+
+    /// Whether a sum is a factor of a product.
+    pub(super) fn has_closed_sums(&self, part: Id) -> bool {
+        self.post_order(&[part]).into_iter().any(|id| match self.view(id) {
+            View::Product(factors) => factors.iter().any(|(base, _)| self.is_sum(base)),
+            _ => false,
+        })
+    }
+
     /// The characters that count in addition to those of the text.
-    fn awkwardness(&self, root: Id) -> usize {
+    pub(super) fn awkwardness(&self, root: Id) -> usize {
         let mut total = 0;
+        let whole = self.without_number(root);
         let mut stack = vec![(root, false)];
         while let Some((id, is_inner)) = stack.pop() {
             match self.view(id) {
@@ -34,11 +79,12 @@ impl Graph {
                     for (factor, term) in terms {
                         let is_fraction = !factor.is_integer() && !factor.is_decimal();
                         total += FRACTION * usize::from(is_inner && is_fraction);
+                        total += FRACTION * self.cancelled_terms(&factor, term);
                         stack.push((term, is_inner));
                     }
                 }
                 View::Product(factors) => {
-                    total += NESTED * self.repeated_factors(id, id == root);
+                    total += NESTED * self.repeated_factors(id, id == whole);
                     stack.extend(factors.iter().map(|(base, _)| (base, true)));
                 }
                 View::Function(Function::Sin | Function::Cos, args) => {
@@ -71,8 +117,16 @@ impl Graph {
         matches!(self.view(id), View::Sum(_))
     }
 
-    /// The number of factors of a product that occur again inside the sums among its factors; a sum counts twice. Sines
-    /// and cosines before a whole sum don't count.
+    fn without_number(&self, mut id: Id) -> Id {
+        while let View::Scale(_, child) = self.view(id) {
+            id = child;
+        }
+        id
+    }
+
+    /// The number of factors of a product that occur again inside the sums among its factors; a sum counts twice. Before
+    /// a whole sum, sines and cosines don't count, nor do parameters if the sum is a place and no moment of inertia:
+    /// `l*m*cos(q)*(R + l*sin(q))` and `m*R*(R - r)`, but `m*(c**2 + c*l)`.
     fn repeated_factors(&self, product: Id, is_whole: bool) -> usize {
         let factors = self.flat_factors(product);
         let mut inner: FxHashSet<Id> = FxHashSet::default();
@@ -97,11 +151,20 @@ impl Graph {
         // A displacement stands in brackets of its own, times its lever or direction: `a*k*(a*theta - z)`.
         let is_motion = |id: Id| matches!(self.view(id), View::TimeFunction(..));
         let has_motion = inner.iter().any(|&id| is_motion(id));
-        let is_outside = |id: Id| is_whole && matches!(self.view(id), View::Function(..));
+        let is_wave = |id: Id| matches!(self.view(id), View::Function(..));
+        let is_place = is_whole
+            && factors.iter().any(|&(base, is_plain)| is_wave(base) || is_plain && self.has_negative(base));
+        let is_parameter = |id: Id| matches!(self.view(id), View::Symbol(..));
+        let is_outside = |id: Id| is_whole && is_wave(id) || is_place && is_parameter(id);
         let counts =
             |base: Id| inner.contains(&base) && !is_outside(base) && (is_motion(base) || !has_motion);
         let weight = |base: Id| 1 + usize::from(self.is_sum(base));
         factors.iter().filter(|&&(base, _)| counts(base)).map(|&(base, _)| weight(base)).sum()
+    }
+
+    /// Whether a sum has a negative term.
+    fn has_negative(&self, sum: Id) -> bool {
+        self.is_sum(sum) && self.flat_terms(sum).iter().any(|(factor, _)| factor.is_negative())
     }
 
     /// The factors of a product and of the products among them, and whether their exponent is one.
@@ -121,15 +184,19 @@ impl Graph {
     }
 
     /// Characters for a negative term beside a parameter. `l**2 - l**2*cos(q)**2` is a square that is written as a
-    /// difference, and `l2**2 - l1**2` is nothing in a mechanism; `R - l*cos(q)` is a place.
+    /// difference, and `l2**2 - l1**2` is nothing in a mechanism; `R - l*cos(q)` is a place, `a*m1 - b*m2` a moment.
     fn awkwardness_of_negative(&self, term: Id) -> usize {
         match self.view(term) {
             View::Product(factors) => {
                 let is_odd = |(base, exponent)| {
                     matches!(self.view(base), View::Function(..)) && !self.get_number(exponent).is_even()
                 };
-                let has_sum = self.flat_factors(term).iter().any(|&(base, _)| self.is_sum(base));
-                if !has_sum && factors.iter().any(is_odd) { 0 } else { DIFFERENCE }
+                let flat = self.flat_factors(term);
+                let has_sum = flat.iter().any(|&(base, _)| self.is_sum(base));
+                let is_symbol =
+                    |&(base, is_plain): &(Id, bool)| is_plain && matches!(self.view(base), View::Symbol(..));
+                let is_moment = flat.len() > 1 && flat.iter().all(is_symbol);
+                if !has_sum && factors.iter().any(is_odd) || is_moment { 0 } else { DIFFERENCE }
             }
             View::Function(..) => 0,
             _ => DIFFERENCE,
@@ -157,7 +224,7 @@ impl Graph {
         flat.into_iter().filter(|(_, factor)| !factor.is_zero()).map(|(id, factor)| (factor, id)).collect()
     }
 
-    /// Characters for a factor that all terms of a sum have, and for each negative term of a sum in which a parameter
+    /// Characters for each factor that all terms of a sum have, and for each negative term of a sum in which a parameter
     /// stands by itself, but for such factors: `l2**2 - l1**2`, `l1*m1*cos(q) - l2*m2*cos(q)`.
     fn awkwardness_of_sum(&self, terms: &[(Number, Id)]) -> usize {
         let is_motion =
@@ -166,12 +233,27 @@ impl Graph {
         let motions: Vec<BTreeSet<Id>> = terms.iter().map(|&(_, term)| bases_of(term).collect()).collect();
         let is_shared = |base: &Id| motions.iter().all(|others| others.contains(base));
         let is_function = |base: &Id| matches!(self.view(*base), View::Function(..));
-        let shared =
-            motions.first().is_some_and(|bases| bases.iter().any(|b| is_function(b) && is_shared(b)));
+        let shared = motions
+            .first()
+            .map_or(0, |bases| bases.iter().filter(|&base| is_function(base) && is_shared(base)).count());
         let has_parameter = motions.iter().any(|bases| bases.iter().all(is_shared));
-        let negatives = terms.iter().filter(|(factor, _)| factor.is_negative());
-        let difference: usize = negatives.map(|&(_, term)| self.awkwardness_of_negative(term)).sum();
-        NESTED * usize::from(shared && terms.len() > 1) + difference * usize::from(has_parameter)
+        let negatives: Vec<Id> =
+            terms.iter().filter(|(factor, _)| factor.is_negative()).map(|&(_, term)| term).collect();
+        let difference: usize = negatives.iter().map(|&term| self.awkwardness_of_negative(term)).sum();
+        let shared = shared + usize::from(!negatives.is_empty() && self.have_common_parameter(terms));
+        NESTED * shared * usize::from(terms.len() > 1) + difference * usize::from(has_parameter)
+    }
+
+    /// Whether the terms are products of parameters that share one: `R**2 - R*r`, which is `R*(R - r)`.
+    fn have_common_parameter(&self, terms: &[(Number, Id)]) -> bool {
+        let is_symbol = |base: Id| matches!(self.view(base), View::Symbol(..));
+        let bases_of =
+            |term| self.flat_factors(term).into_iter().map(|(base, _)| base).collect::<BTreeSet<Id>>();
+        let all: Vec<BTreeSet<Id>> = terms.iter().map(|&(_, term)| bases_of(term)).collect();
+        all.iter().flatten().all(|&base| is_symbol(base))
+            && all
+                .first()
+                .is_some_and(|first| first.iter().any(|b| all.iter().all(|other| other.contains(b))))
     }
 
     /// Whether an angle has a term with a whole number other than one before it.
