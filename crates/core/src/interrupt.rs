@@ -11,8 +11,9 @@ use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Interrupted;
 
-/// How many ticks pass between two questions to the watch: less than some milliseconds.
-const STRIDE: u32 = 1 << 10;
+/// How many ticks pass between two questions to the watch: less than some milliseconds, as a tick may stand for the
+/// value of a node in a field.
+const STRIDE: u32 = 1 << 5;
 
 thread_local! {
     static WATCH: Cell<Option<fn() -> bool>> = const { Cell::new(None) };

@@ -130,11 +130,13 @@ impl Graph {
     }
 
     /// Whether a rule has kept the value. Those of signs and moduli of roots, which may be complex in some lanes, need not,
-    /// nor those that take pi from an angle that holds it elsewhere in a root.
+    /// nor those that take pi from an angle that holds it elsewhere in a root, nor those that make another argument: it
+    /// may be known in a form that has another value in the field of arguments.
     fn keeps_value_of_function(&self, function: Function, args: &[Id], result: Id) -> bool {
         let is_certain = match function {
             Function::Abs | Function::Sign => !self.flags(args[0]).has(Flags::BRANCH),
-            Function::Sin | Function::Cos | Function::Tan => !self.flags(result).has(Flags::INVERSE),
+            Function::Sin | Function::Cos | Function::Tan => !self.flags(args[0]).has(Flags::INVERSE),
+            Function::Power => self.kind(args[0]) != Kind::Function(Function::Exp),
             _ => true,
         };
         is_certain

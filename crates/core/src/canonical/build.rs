@@ -47,10 +47,12 @@ impl Graph {
         id
     }
 
-    /// The number that a piecewise function is in all its branches, or the node itself.
+    /// The number that a piecewise function is in all its branches, or that a node is whose fingerprint does not show it,
+    /// or the node itself.
     pub(super) fn settled(&mut self, id: Id) -> Id {
         if self.kind(id) != Kind::Function(Function::Piecewise) {
-            return id;
+            let hides_number = self.has_large_numbers && self.as_number(self.representative(id)).is_some();
+            return if hides_number { self.representative(id) } else { id };
         }
         match self.value(id).to_simple_rational() {
             Some(number) if self.is_number_everywhere(Pending::Node(id), &number) => self.number(&number),

@@ -53,7 +53,11 @@ impl Graph {
             .iter()
             .map(|&(id, e)| {
                 let id = self.adopt(id);
-                (if e == NumberId::ONE { id } else { self.settled(id) }, e)
+                if e == NumberId::ONE {
+                    return (id, e);
+                }
+                let id = self.settled(id);
+                (if self.get_number(e).is_integer() { self.as_odd_root(id) } else { id }, e)
             })
             .collect();
         if factors.iter().any(|&(id, e)| id == Id::ZERO && self.get_number(e).is_negative()) {
@@ -76,13 +80,14 @@ impl Graph {
     }
 
     /// Whether the rules that made a product have kept the value: those of roots inside roots, which may be complex in
-    /// some lanes, need not.
+    /// some lanes, need not, nor those of roots of exponentials, whose arguments may be known in other forms.
     fn keeps_value(&self, factors: &[Factor], product: Id) -> bool {
-        let is_root_of_root = |&(base, exponent): &Factor| {
-            self.flags(base).has(Flags::BRANCH)
-                && (!self.get_number(exponent).is_integer() || self.is_root_of_root(base))
+        let is_doubtful = |&(base, exponent): &Factor| {
+            let is_root = !self.get_number(exponent).is_integer();
+            is_root && self.kind(base) == Kind::Function(Function::Exp)
+                || self.flags(base).has(Flags::BRANCH) && (is_root || self.is_root_of_root(base))
         };
-        !factors.iter().any(is_root_of_root)
+        !factors.iter().any(is_doubtful)
             || self.product_fingerprint(factors) == self.value(product)
                 && self.agrees(Pending::Product(factors), product, false)
     }
@@ -116,22 +121,58 @@ impl Graph {
                 collector.push(self, root, &Number::integer(1));
             }
         }
-        for factor in &mut collector.factors {
-            if let Some(power) = self.power_of_odd_root(factor) {
-                *factor = power;
-            }
+        for (base, exponent) in std::mem::take(&mut collector.factors) {
+            self.push_power_of_odd_roots(&mut collector, base, &exponent);
         }
         self.finish_product(collector)
     }
 
-    /// (u**(m/n))**n = u**m. The lanes do not know it of roots of odd degree where u is complex.
-    fn power_of_odd_root(&self, (root, exponent): &Factor<Number>) -> Option<Factor<Number>> {
-        let View::Product(factors) = self.view(*root) else { return None };
-        let (1, Some((base, inner))) = (factors.iter().count(), factors.iter().next()) else { return None };
-        let inner = self.get_number(inner);
-        let is_odd = inner.to_small().is_some_and(|(_, denominator)| denominator > 1 && denominator % 2 == 1);
-        let power = inner.mul(exponent);
-        (is_odd && power.is_integer()).then_some((base, power))
+    /// (u**(m/n) v**k)**n = u**m v**(k n). The lanes do not know it of roots of odd degree where u is complex.
+    fn push_power_of_odd_roots(&self, out: &mut Collector, root: Id, exponent: &Number) {
+        let Some(powers) = self.powers_of_odd_roots(root, exponent) else {
+            return out.push(self, root, exponent);
+        };
+        for (base, power) in powers {
+            match self.as_number(base).zip(power.to_i64()).and_then(|(number, n)| number.powi(n).ok()) {
+                Some(number) => out.coefficient = out.coefficient.mul(&number),
+                None => out.push(self, base, &power),
+            }
+        }
+    }
+
+    /// The factors of a power of a product of roots of odd degree, if they are powers with integer exponents.
+    fn powers_of_odd_roots(&self, root: Id, exponent: &Number) -> Option<Vec<Factor<Number>>> {
+        let View::Product(factors) = self.view(root) else { return None };
+        if !factors.iter().any(|(_, exponent)| self.is_odd_root(exponent)) {
+            return None;
+        }
+        let power = |(base, inner): Factor| {
+            let power = self.get_number(inner).mul(exponent);
+            power.is_integer().then_some((base, power))
+        };
+        factors.iter().map(power).collect()
+    }
+
+    /// Whether a root of odd degree is among the factors of a product, which lanes may draw.
+    fn holds_odd_root(&self, id: Id) -> bool {
+        let View::Product(factors) = self.view(id) else { return false };
+        factors
+            .iter()
+            .any(|(base, exponent)| self.flags(base).has(Flags::BRANCH) && self.is_odd_root(exponent))
+    }
+
+    fn is_odd_root(&self, exponent: NumberId) -> bool {
+        let degree = self.get_number(exponent).to_small().map_or(1, |(_, degree)| degree);
+        degree > 1 && degree % 2 == 1
+    }
+
+    /// The product of roots of odd degree that represents a sum, or the node itself: the powers of such roots are known.
+    fn as_odd_root(&self, id: Id) -> Id {
+        if self.kind(id) != Kind::Sum || !self.flags(id).has(Flags::BRANCH) {
+            return id;
+        }
+        let known = self.representative(id);
+        if self.holds_odd_root(known) { known } else { id }
     }
 
     /// The error that names the dividend.
@@ -195,6 +236,9 @@ impl Graph {
         let words: Vec<u32> = factors.iter().flat_map(|&(base, e)| [base.0, e.0]).collect();
         let value = self.product_fingerprint(&factors);
         let id = self.finish(Kind::Product, flags, &words, value);
+        if self.holds_odd_root(id) {
+            self.representative(id); // so that it stands for the sums of its value
+        }
         self.mark_used(factors.iter().map(|&(base, _)| base));
         self.scale(coefficient, id)
     }

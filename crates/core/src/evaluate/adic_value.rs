@@ -6,6 +6,7 @@
 use rustc_hash::FxHashMap;
 
 use crate::graph::{Atom, Function, Graph, Id, View};
+use crate::interrupt::tick;
 use crate::value::{Adic, Adics, Key, Number};
 
 use super::adic_point::AdicPoint;
@@ -19,10 +20,10 @@ impl Graph {
     /// The nodes from whose values that of a node is found; none if it is drawn.
     pub(super) fn push_adic_parts(&self, id: Id, out: &mut Vec<Id>) {
         match self.view(id) {
-            View::Scale(..) | View::Sum(_) | View::Product(_) => self.push_children(id, out),
+            View::Scale(..) | View::Sum(_) | View::Product(_) => self.push_parts(id, out),
             View::Function(function, args) if !self.is_complex(id) => match function {
-                _ if function.is_choice() => self.push_children(id, out),
-                Function::Power => out.push(args.get(0)),
+                _ if function.is_choice() => self.push_parts(id, out),
+                Function::Power => out.push(self.representative(args.get(0))),
                 _ => {
                     if let Some(of_exponential) = of_exponential(function) {
                         let split = self.split_argument(args.get(0), of_exponential);
@@ -52,6 +53,7 @@ impl Graph {
     pub(super) fn adic_values(&self, order: &[Id], at: &AdicPoint<'_>) -> Values {
         let mut values = Values::default();
         for &node in order {
+            tick();
             let value = self.adic_value(node, &values, at);
             values.insert(node, value);
         }
@@ -73,7 +75,7 @@ impl Graph {
                 adics.mul(&product, &self.adic_power(base, self.get_number(exponent), values, at))
             }),
             View::Function(function, args) if !self.is_complex(node) => {
-                let args: Vec<Id> = args.iter().collect();
+                let args: Vec<Id> = self.represented(args).collect();
                 self.adic_function(function, &args, values, at).unwrap_or_else(|| self.drawn_adic(node, at))
             }
             _ => self.drawn_adic(node, at),
@@ -128,6 +130,7 @@ impl Graph {
     }
 
     fn adic_power(&self, base: Id, exponent: &Number, values: &Values, at: &AdicPoint<'_>) -> Adic {
+        let base = if exponent.is_integer() { base } else { self.representative(base) };
         at.power(&values[&base], exponent, |field| self.value_in(base, field))
     }
 

@@ -10,7 +10,7 @@
 
 use std::sync::Arc;
 
-use crate::graph::{Atom, Flags, Function, Graph, Id, Split, View};
+use crate::graph::{Atom, Flags, Function, Graph, Id, Ids, Split, View};
 use crate::value::{Field, FieldId, Key, Number, Quadratic};
 
 use super::integer_point::IntegerPoint;
@@ -101,6 +101,12 @@ impl Graph {
 
     /// The number in an exponent, such as the 1 in x + 1: the value at a point of integers.
     pub(crate) fn number_in(&self, exponent: Id) -> Number {
+        let (first, is_opposite) = self.representative_up_to_sign(exponent);
+        let number = self.number_in_first(first);
+        if is_opposite { number.neg() } else { number }
+    }
+
+    fn number_in_first(&self, exponent: Id) -> Number {
         if let Some(number) = self.as_number(exponent) {
             return number.clone();
         }
@@ -192,6 +198,16 @@ impl Graph {
 
     /// The atoms of an argument with their factors.
     pub(super) fn split_argument(&self, argument: Id, of_exponential: bool) -> Split {
+        let (first, is_opposite) = self.representative_up_to_sign(argument);
+        let split = self.split_first(first, of_exponential);
+        if !is_opposite || split.is_empty() {
+            return split;
+        }
+        split.iter().map(|(atom, factor)| (atom.clone(), factor.neg())).collect()
+    }
+
+    /// The atoms of an argument that stands for its class.
+    fn split_first(&self, argument: Id, of_exponential: bool) -> Split {
         if !self.flags(argument).has(Flags::INVERSE) {
             return Arc::new([]);
         }
@@ -218,19 +234,21 @@ impl Graph {
     /// The atoms below an argument.
     fn atoms(&self, argument: Id, of_exponential: bool) -> Vec<Atom> {
         let mut atoms: Vec<Atom> = Vec::new();
-        for id in self.post_order_where(&[argument], |id| self.flags(id).has(Flags::INVERSE)) {
+        let enter = |id| self.flags(id).has(Flags::INVERSE);
+        for id in self.parts_first(&[argument], enter) {
             let mut found = Vec::new();
+            let argument = |args: Ids<'_>, place| self.representative(args.get(place));
             match self.view(id) {
                 View::Pi if !of_exponential => found.push(Atom::Pi),
                 View::Function(Function::Log, args) if of_exponential => {
-                    self.push_atoms_of_logarithm(args.get(0), &mut found);
+                    self.push_atoms_of_logarithm(argument(args, 0), &mut found);
                 }
                 View::Function(Function::Atan2, _) if self.is_complex(id) => {}
                 View::Function(function, args) if !of_exponential => match function {
-                    Function::Asin => found.push(Atom::Asin(args.get(0))),
-                    Function::Acos => found.extend([Atom::Pi, Atom::Asin(args.get(0))]),
-                    Function::Atan => found.push(Atom::Atan(args.get(0))),
-                    Function::Atan2 => found.push(Atom::Atan2(args.get(0), args.get(1))),
+                    Function::Asin => found.push(Atom::Asin(argument(args, 0))),
+                    Function::Acos => found.extend([Atom::Pi, Atom::Asin(argument(args, 0))]),
+                    Function::Atan => found.push(Atom::Atan(argument(args, 0))),
+                    Function::Atan2 => found.push(Atom::Atan2(argument(args, 0), argument(args, 1))),
                     _ => {}
                 },
                 _ => {}

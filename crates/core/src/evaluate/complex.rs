@@ -11,6 +11,7 @@ impl Graph {
         if !flags.has(Flags::COMPLEX) {
             return false;
         }
+        let (id, _) = self.representative_up_to_sign(id);
         if let Some(known) = self.lanes.borrow().complex(id) {
             return known;
         }

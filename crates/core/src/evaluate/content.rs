@@ -12,7 +12,7 @@ use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::graph::{Content, Flags, Graph, Id, NumberId, View};
-use crate::value::{Adics, Field, Number, prime_factors};
+use crate::value::{Adics, Field, Number, coprime_factors};
 
 use super::adic_point::{AdicPoint, POINTS, POINTS_WITHOUT_SIGNS, TRIALS};
 use super::integer_point::Rationals;
@@ -24,6 +24,7 @@ impl Graph {
     /// The content of a node, without the primes that are squares in a field; `None` if it is one.
     pub(super) fn numeric_content(&self, id: Id, f: &Field) -> Option<Content> {
         let least = f.least_non_square();
+        let (id, _) = self.representative_up_to_sign(id);
         if let Some(known) = self.lanes.borrow().content(id, least) {
             return known.clone();
         }
@@ -125,8 +126,8 @@ impl Graph {
         let literals = numbers.into_iter().map(|number| self.get_number(NumberId(number)).clone());
         let all =
             literals.chain(bases).chain(self.shared_numbers(terms, &sums)).filter(|number| !number.is_zero());
-        let primes = all.flat_map(|number| prime_factors(&number.abs()).into_keys());
-        primes.filter(|prime| *prime >= least.into()).collect()
+        let primes = coprime_factors(all.map(|number| number.abs()));
+        primes.into_iter().filter(|prime| *prime >= least.into()).collect()
     }
 
     /// What the values of nodes at two points of integers have in common, in numerators and in denominators.

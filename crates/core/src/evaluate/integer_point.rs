@@ -8,6 +8,7 @@
 use rustc_hash::FxHashMap;
 
 use crate::graph::{Assumption, Atom, Function, Generator, Graph, Id, View};
+use crate::interrupt::tick;
 use crate::value::{Element, Field, FieldId, Key, Number, Quadratic, fingerprint, prime_factors};
 
 use super::logarithm_part::Part;
@@ -122,7 +123,7 @@ impl Rationals {
     /// The value of a node if it is rational, and any number if it is not.
     pub(super) fn guess(&self, id: Id) -> Option<Number> {
         let element = self.element(id)?;
-        element.to_simple_rational().or_else(|| element.to_rational(104))
+        element.to_simple_rational().or_else(|| element.to_rational_of_short_form())
     }
 
     fn element(&self, id: Id) -> Option<Element> {
@@ -184,7 +185,7 @@ impl Graph {
 
     /// The nodes below a node and itself, children first, if they are not many.
     pub(super) fn short_order(&self, roots: &[Id]) -> Option<Vec<Id>> {
-        let order = self.post_order(roots);
+        let order = self.parts_first(roots, |_| true);
         (order.len() <= MOST_NODES).then_some(order)
     }
 
@@ -192,6 +193,7 @@ impl Graph {
     fn values_at(&self, order: &[Id], point: IntegerPoint<'_>, field: FieldId) -> Values {
         let mut values = Values::default();
         for &id in order {
+            tick();
             // A pole does no harm inside functions that do not ask for its value.
             if let Some(value) = self.value_at(id, point, &values, field) {
                 values.insert(id, value);
@@ -230,12 +232,14 @@ impl Graph {
                 })
             }
             View::Product(factors) => factors.iter().try_fold(f.one(), |product, (base, exponent)| {
-                let (value, exponent) = (values.get(&base)?, self.get_number(exponent));
+                let exponent = self.get_number(exponent);
+                let base = if exponent.is_integer() { base } else { self.representative(base) };
+                let value = values.get(&base)?;
                 let is_pole = value.is_zero() && exponent.is_negative();
                 (!is_pole).then(|| f.mul(&product, &self.power_of(base, value, exponent, f)))
             }),
             View::Function(function, args) => {
-                let args: Vec<Id> = args.iter().collect();
+                let args: Vec<Id> = self.represented(args).collect();
                 self.function_at(function, &args, point, values, field)
             }
             View::LinearSystem { .. } | View::Solution(..) => None,

@@ -83,6 +83,7 @@ impl Graph {
 
     /// The parts of the logarithm of a product of positive powers, also of one whose form does not show it.
     pub(super) fn logarithm_parts(&self, id: Id) -> Option<Vec<Part>> {
+        let id = self.representative(id);
         let mut parts = Vec::new();
         if self.split_logarithm(id, &Number::integer(1), DEPTH, &mut parts) {
             return Some(parts);
@@ -132,13 +133,14 @@ impl Graph {
             View::Function(Function::Exp, args)
                 if !self.is_complex(id) && !self.may_be_negative(args.get(0)) =>
             {
-                out.push(Part::Exponent(coefficient.clone(), args.get(0)));
+                out.push(Part::Exponent(coefficient.clone(), self.representative(args.get(0))));
                 true
             }
             View::Function(Function::Power, args)
                 if !self.is_complex(id) && self.is_monomial(args.get(0), deeper) =>
             {
-                out.push(Part::Power(coefficient.clone(), args.get(1), args.get(0)));
+                let [base, exponent] = [0, 1].map(|place| self.representative(args.get(place)));
+                out.push(Part::Power(coefficient.clone(), exponent, base));
                 true
             }
             _ => false,

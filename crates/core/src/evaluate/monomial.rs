@@ -8,7 +8,7 @@
 use num_integer::Integer;
 use rustc_hash::FxHashMap;
 
-use crate::graph::{Assumption, Function, Generator, Graph, Id, Monomial, View};
+use crate::graph::{Assumption, Function, Generator, Graph, Id, Ids, Monomial, View};
 use crate::value::{Field, FieldId, Number, Quadratic, fingerprint};
 
 use super::integer_point::Doublings;
@@ -31,6 +31,7 @@ const ROOTS: [i64; 6] = [1, 2, 3, 4, 6, 12];
 impl Graph {
     /// The root of a number and the powers of generators whose product has the value of a node, if there are such.
     pub(super) fn monomial(&self, id: Id) -> Option<Monomial> {
+        let id = self.representative(id);
         if let Some(known) = self.lanes.borrow().monomial(id) {
             return known.clone();
         }
@@ -76,18 +77,20 @@ impl Graph {
     /// A multiple of the denominators of all exponents below a node, where those of roots inside roots are multiplied.
     fn denominator_of_exponents(&self, id: Id) -> Option<i64> {
         let mut units: FxHashMap<Id, i64> = FxHashMap::default();
-        let mut children = Vec::new();
+        let mut parts = Vec::new();
         for node in self.short_order(&[id])? {
             let unit_of = |id: Id| units.get(&id).copied().unwrap_or(1);
             let mut unit = 1;
             if let View::Product(factors) = self.view(node) {
                 for (base, exponent) in factors.iter() {
-                    unit = unit.lcm(&(unit_of(base) * self.get_number(exponent).to_small()?.1));
+                    let exponent = self.get_number(exponent);
+                    let base = if exponent.is_integer() { base } else { self.representative(base) };
+                    unit = unit.lcm(&(unit_of(base) * exponent.to_small()?.1));
                 }
             } else {
-                children.clear();
-                self.push_children(node, &mut children);
-                unit = children.iter().fold(1, |unit, &child| unit.lcm(&unit_of(child)));
+                parts.clear();
+                self.push_parts(node, &mut parts);
+                unit = parts.iter().fold(1, |unit, &part| unit.lcm(&unit_of(part)));
             }
             if unit.lcm(&DOUBLINGS) > MOST_DOUBLINGS {
                 return None;
@@ -100,6 +103,7 @@ impl Graph {
     /// The positive factors that the value of a node may hold; `None` if they are many.
     fn generators(&self, id: Id) -> Option<Vec<Generator>> {
         let mut generators = Vec::new();
+        let argument = |args: Ids<'_>, place| self.representative(args.get(place));
         for node in self.short_order(&[id])? {
             let generator = match self.view(node) {
                 View::Pi | View::Symbol(_, Assumption::Positive) => Generator::Symbol(node),
@@ -107,12 +111,12 @@ impl Graph {
                 View::Function(Function::Exp | Function::Sinh | Function::Cosh | Function::Tanh, args)
                     if !self.is_complex(node) && !self.may_be_negative(args.get(0)) =>
                 {
-                    Generator::Exponential(args.get(0))
+                    Generator::Exponential(argument(args, 0))
                 }
                 View::Function(Function::Power, args)
                     if !self.is_complex(node) && self.is_monomial(args.get(0), DEPTH) =>
                 {
-                    Generator::Power { base: args.get(0), exponent: args.get(1) }
+                    Generator::Power { base: argument(args, 0), exponent: argument(args, 1) }
                 }
                 _ => continue,
             };

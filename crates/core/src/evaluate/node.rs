@@ -3,7 +3,9 @@
 use num_bigint::BigInt;
 use std::sync::Arc;
 
-use crate::graph::{Assumption, Column, Content, Flags, Function, Graph, Id, Kind, NumberId, View, leaf_in};
+use crate::graph::{
+    Assumption, Column, Content, Flags, Function, Graph, Id, Ids, Kind, NumberId, View, leaf_in,
+};
 use crate::interrupt::tick;
 use crate::value::{
     Element, Field, FieldId, Key, LARGEST_SQUARE, Number, Quadratic, fingerprint, in_hash_lane, prime_factors,
@@ -12,8 +14,17 @@ use crate::value::{
 type Point = (Quadratic, Quadratic);
 
 impl Graph {
-    /// The value of a node in a field.
+    /// The value of a node in a field: above the first field of a lane, that of the node that stands for its class.
     pub(crate) fn value_in(&self, id: Id, field: FieldId) -> Quadratic {
+        if field.is_first() {
+            return self.own_value_in(id, field);
+        }
+        let (first, is_opposite) = self.representative_up_to_sign(id);
+        let value = self.own_value_in(first, field);
+        if is_opposite { field.field().neg(&value) } else { value }
+    }
+
+    fn own_value_in(&self, id: Id, field: FieldId) -> Quadratic {
         if let Some(known) = self.known_in(id, field) {
             return known;
         }
@@ -27,6 +38,9 @@ impl Graph {
             if self.known_in(id, field).is_none() {
                 needed.clear();
                 self.push_needed(id, field, &mut needed);
+                for (id, _) in needed.iter_mut().filter(|(_, field)| !field.is_first()) {
+                    (*id, _) = self.representative_up_to_sign(*id);
+                }
                 needed.retain(|&(id, field)| self.known_in(id, field).is_none());
                 if !needed.is_empty() {
                     stack.append(&mut needed);
@@ -57,7 +71,7 @@ impl Graph {
             return Arc::clone(known);
         }
         let is_unknown = |id: Id| self.lanes.borrow().column(id, point).is_none();
-        for node in self.post_order_where(&[id], is_unknown) {
+        for node in self.parts_first(&[id], is_unknown) {
             let column = self.column_of(self.view(node), node, point);
             self.lanes.borrow_mut().insert_column(node, point, column);
         }
@@ -71,7 +85,12 @@ impl Graph {
             View::Scale(factor, child) => self.column_of_sum([(factor, child)].into_iter(), point),
             View::Product(factors) => self
                 .column_of_product(factors.iter().map(|(base, e)| (base, self.get_number(e).clone())), point),
-            _ => FieldId::others(point).map(|field| self.evaluate(view, id, field)).collect(),
+            _ => FieldId::others(point)
+                .map(|field| {
+                    tick();
+                    self.evaluate(view, id, field)
+                })
+                .collect(),
         }
     }
 
@@ -106,6 +125,7 @@ impl Graph {
             for (product, (field, value)) in
                 products.iter_mut().zip(FieldId::others(point).zip(column.iter()))
             {
+                tick();
                 let f = field.field();
                 let power = if exponent.is_one() { value } else { &self.power_in(base, &exponent, field) };
                 *product = f.mul(product, power);
@@ -116,29 +136,33 @@ impl Graph {
 
     /// What has to be known before a node can be evaluated in a field.
     fn push_needed(&self, id: Id, field: FieldId, out: &mut Vec<(Id, FieldId)>) {
+        let argument = |args: Ids<'_>, place| self.representative(args.get(place));
         match self.view(id) {
             View::Function(Function::Sin | Function::Cos | Function::Tan, args) => {
-                self.push_needed_by_argument(args.get(0), field, false, out);
+                self.push_needed_by_argument(argument(args, 0), field, false, out);
             }
             View::Function(Function::Exp | Function::Sinh | Function::Cosh | Function::Tanh, args) => {
-                self.push_needed_by_argument(args.get(0), field, true, out);
+                self.push_needed_by_argument(argument(args, 0), field, true, out);
             }
             View::Function(Function::Power, args) => {
-                out.push((args.get(0), field));
+                let (base, exponent) = (argument(args, 0), argument(args, 1));
+                out.push((base, field));
                 let above = [field.of_angles(), field.of_exponents()];
-                out.extend(above.map(|above| (args.get(1), above.unwrap_or(field))));
-                self.push_needed_by_logarithm(args.get(0), field.of_exponents().unwrap_or(field), out);
+                out.extend(above.map(|above| (exponent, above.unwrap_or(field))));
+                self.push_needed_by_logarithm(base, field.of_exponents().unwrap_or(field), out);
             }
-            View::Function(Function::Log, args) => self.push_needed_by_logarithm(args.get(0), field, out),
+            View::Function(Function::Log, args) => {
+                self.push_needed_by_logarithm(argument(args, 0), field, out);
+            }
             View::Solution(system, _) => {
                 let (matrix, right) = self.parts_of_system(system);
                 out.extend(matrix.into_iter().chain(right).map(|part| (part, field)));
                 out.push((system, field));
             }
             _ => {
-                let mut children = Vec::new();
-                self.push_children(id, &mut children);
-                out.extend(children.into_iter().map(|child| (child, field)));
+                let mut parts = Vec::new();
+                self.push_parts(id, &mut parts);
+                out.extend(parts.into_iter().map(|part| (part, field)));
             }
         }
     }
@@ -178,8 +202,8 @@ impl Graph {
         }
     }
 
-    fn opaque_in(&self, key: Key, args: impl Iterator<Item = Id>, field: FieldId) -> Quadratic {
-        let values: Vec<Quadratic> = args.map(|arg| self.value_in(arg, field)).collect();
+    pub(super) fn opaque_in(&self, key: Key, args: impl Iterator<Item = Id>, field: FieldId) -> Quadratic {
+        let values: Vec<Quadratic> = args.map(|arg| self.value_in(self.representative(arg), field)).collect();
         field.field().opaque(key, &values.iter().collect::<Vec<_>>())
     }
 
@@ -210,13 +234,19 @@ impl Graph {
     /// The principal power of a node with a rational exponent.
     pub(super) fn power_in(&self, base: Id, exponent: &Number, field: FieldId) -> Quadratic {
         let f = field.field();
+        if exponent.is_one() {
+            return self.value_in(base, field);
+        }
+        if exponent.is_integer() {
+            return f.power(&self.value_in(base, field), exponent);
+        }
+        let base = self.representative(base);
         match exponent.to_small() {
-            Some((1, 1)) => self.value_in(base, field),
-            Some((num, den)) if den > 1 => {
+            Some((num, den)) => {
                 let root = self.root_in(base, den * num.signum(), field);
                 f.power(&root, &Number::integer(num).abs())
             }
-            _ => self.power_of(base, &self.value_in(base, field), exponent, f),
+            None => self.power_of(base, &self.value_in(base, field), exponent, f),
         }
     }
 
@@ -289,6 +319,7 @@ impl Graph {
 
     pub(super) fn function_in(&self, function: Function, args: &[Id], field: FieldId) -> Quadratic {
         let f = field.field();
+        let args: Vec<Id> = args.iter().map(|&arg| self.representative(arg)).collect();
         let first = args[0];
         let value = |id: Id| self.value_in(id, field);
         match function {
@@ -324,7 +355,7 @@ impl Graph {
             }
             Function::Abs => f.mul(&self.sign_in(first, field), &value(first)),
             Function::Sign => self.sign_in(first, field),
-            Function::Min | Function::Max => value(self.extremum_in(function, args, value, f)),
+            Function::Min | Function::Max => value(self.extremum_in(function, &args, value, f)),
             Function::Piecewise => {
                 let values: Vec<Quadratic> = args.iter().map(|&arg| value(arg)).collect();
                 let signs: Vec<Quadratic> = args.iter().map(|&arg| self.sign_in(arg, field)).collect();
@@ -353,30 +384,6 @@ impl Graph {
         if negated { f.neg(&angle) } else { angle }
     }
 
-    /// The solution of a linear system in a field, drawn where the matrix is singular.
-    fn solution_in(&self, system: Id, field: FieldId) -> Arc<[Quadratic]> {
-        if let Some(known) = self.lanes.borrow().solution(system, field) {
-            return known;
-        }
-        let (matrix, right) = self.parts_of_system(system);
-        let values =
-            |ids: Vec<Id>| -> Vec<Quadratic> { ids.into_iter().map(|id| self.value_in(id, field)).collect() };
-        let (matrix, right) = (values(matrix), values(right));
-        let f = field.field();
-        let solution: Arc<[Quadratic]> = eliminate(matrix, right.clone(), f)
-            .unwrap_or_else(|| {
-                // Zero is the minimum-norm solution for a right side of zeros.
-                let nothing = right.iter().all(Quadratic::is_zero);
-                let key = |k| Key::new("solution").word(k);
-                let draw = |k| f.opaque(key(k), &[&self.value_in(system, field)]);
-                let count = right.len() as u64;
-                (0..count).map(|k| if nothing { f.number(&Number::integer(0)) } else { draw(k) }).collect()
-            })
-            .into();
-        self.lanes.borrow_mut().insert_solution(system, field, Arc::clone(&solution));
-        solution
-    }
-
     /// The fingerprint of a function of arguments, before its node is made.
     pub(crate) fn function_fingerprint(&self, function: Function, args: &[Id]) -> Element {
         in_hash_lanes(|field| self.function_in(function, args, field))
@@ -387,23 +394,6 @@ impl Graph {
         let key =
             orders.iter().fold(Key::new("application").text(name), |key, &order| key.word(order.into()));
         in_hash_lanes(|field| self.opaque_in(key, args.iter().copied(), field))
-    }
-
-    /// The fingerprints of the components of a solution.
-    pub(crate) fn solution_fingerprints(&self, system: Id) -> Vec<Element> {
-        let [first, second] = FieldId::HASH.map(|field| {
-            let (matrix, right) = self.parts_of_system(system);
-            for id in matrix.into_iter().chain(right) {
-                self.value_in(id, field);
-            }
-            self.solution_in(system, field)
-        });
-        first.iter().zip(second.iter()).map(|(a, b)| fingerprint([a, b])).collect()
-    }
-
-    /// The fingerprint of a linear system, before its node is made.
-    pub(crate) fn system_fingerprint(&self, parts: &[Id]) -> Element {
-        in_hash_lanes(|field| self.opaque_in(Key::new("linear system"), parts.iter().copied(), field))
     }
 
     /// Whether a power has signs that differ from lane to lane: a root of something that is not known to be positive.
@@ -467,32 +457,4 @@ fn power_of_content(content: &Content, exponent: &Number, f: &Field) -> Quadrati
         };
         f.mul(&product, &value)
     })
-}
-
-/// Gauss's elimination; `None` for a singular matrix.
-fn eliminate(mut matrix: Vec<Quadratic>, mut right: Vec<Quadratic>, f: &Field) -> Option<Vec<Quadratic>> {
-    let n = right.len();
-    for column in 0..n {
-        let pivot = (column..n).find(|&row| !matrix[row * n + column].is_zero())?;
-        for k in 0..n {
-            matrix.swap(pivot * n + k, column * n + k);
-        }
-        right.swap(pivot, column);
-        let inverse = f.inverse(&matrix[column * n + column]);
-        for row in (0..n).filter(|&row| row != column) {
-            let factor = f.mul(&matrix[row * n + column], &inverse);
-            if factor.is_zero() {
-                continue;
-            }
-            for k in column..n {
-                matrix[row * n + k] = f.sub(&matrix[row * n + k], &f.mul(&factor, &matrix[column * n + k]));
-            }
-            right[row] = f.sub(&right[row], &f.mul(&factor, &right[column]));
-        }
-        right[column] = f.mul(&right[column], &inverse);
-        for k in column..n {
-            matrix[column * n + k] = f.mul(&matrix[column * n + k], &inverse);
-        }
-    }
-    Some(right)
 }

@@ -10,7 +10,7 @@
 
 use std::sync::Arc;
 
-use crate::graph::{Flags, Function, Graph, Id, NumberId, Signs, View};
+use crate::graph::{Flags, Function, Graph, Id, Kind, NumberId, Signs, View};
 
 use super::pending::Pending;
 
@@ -89,7 +89,9 @@ impl Graph {
             View::Sum(terms) => self.signs_of_sum(terms.iter().map(|(_, node)| node)),
             View::Product(factors) => self.signs_of_product(factors.iter()),
             View::Function(function, args) => {
-                self.signs_of_function(function, &args.iter().collect::<Vec<_>>(), u64::from(id.0) << 8)
+                let words: Vec<u32> = self.represented(args).map(|arg| arg.0).collect();
+                let known = self.row(Kind::Function(function), &words).unwrap_or(id);
+                self.signs_of_function(function, &args.iter().collect::<Vec<_>>(), u64::from(known.0) << 8)
             }
             _ => {
                 let all =
@@ -113,6 +115,7 @@ impl Graph {
             match power {
                 Some(n) => signs.degree = signs.degree.saturating_mul(n),
                 None if self.is_branching(base, exponent) => {
+                    let base = self.representative(base);
                     signs = with_signs(&signs, u64::from(base.0) << 8 | ROOT as u64, 1);
                 }
                 None => signs = closed(signs),

@@ -42,4 +42,9 @@ impl<T> ByValue<T> {
             }
         }
     }
+
+    /// Bytes held, but for those of second entries of one fingerprint.
+    pub(crate) fn bytes(&self) -> usize {
+        self.first.capacity() * (size_of::<(Element, (Id, T))>() + 1)
+    }
 }

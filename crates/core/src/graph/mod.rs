@@ -12,6 +12,7 @@ mod cost;
 mod function;
 mod lanes;
 mod node;
+mod representatives;
 mod table;
 mod traverse;
 
@@ -26,5 +27,7 @@ pub(crate) use lanes::{
 };
 pub use node::{Assumption, Factors, Id, Ids, NumberId, Terms, View};
 pub(crate) use node::{Flags, Kind};
+pub(crate) use representatives::Standing;
 pub use table::{Graph, LARGEST_ORDER};
 pub(crate) use table::{LONGEST, check_order, word};
+pub(crate) use traverse::children_first;

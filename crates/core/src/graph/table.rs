@@ -13,6 +13,7 @@ use super::classes::Classes;
 use super::function::Function;
 use super::lanes::{Lanes, draw_pi, draw_symbol, draw_time, draw_time_function, drawn};
 use super::node::{Assumption, Factors, Flags, Id, Ids, Kind, NumberId, Terms, View};
+use super::representatives::Representatives;
 
 /// One row of the table.
 #[derive(Clone, Copy, Debug)]
@@ -72,6 +73,10 @@ pub struct Graph {
     pub(crate) plain_values: FxHashMap<Element, NumberId>,
     /// Values in the fields of all lanes, as far as they were asked for; a cache, derived from the graph alone.
     pub(crate) lanes: RefCell<Lanes>,
+    /// Whether there are numbers that their fingerprints do not show.
+    pub(crate) has_large_numbers: bool,
+    /// Which nodes stand for others where functions are evaluated.
+    pub(crate) representatives: RefCell<Representatives>,
     /// Values of solutions of linear systems; a cache, derived from the graph alone.
     pub(crate) solutions: FxHashMap<Id, Vec<Element>>,
     /// The classes of the derivation in progress, if there is one.
@@ -239,6 +244,7 @@ impl Graph {
             // A multiple of one of the primes: its image could not be distinguished from zero, so draw one.
             value = drawn(|field| field.field().number(number));
         }
+        self.has_large_numbers |= value.to_simple_rational().is_none();
         self.numbers.push(number.clone());
         self.number_values.push(value);
         self.number_index.insert(number.clone(), id);
@@ -270,6 +276,9 @@ impl Graph {
 
     pub(crate) fn number_node(&mut self, id: NumberId) -> Id {
         let node = self.intern(Kind::Number, Flags::CONSTANT, &[id.0], self.number_value(id));
+        if self.has_large_numbers && self.value(node).to_simple_rational().is_none() {
+            self.representative(node);
+        }
         if node != Id::ZERO {
             self.remember(node);
         }
@@ -416,6 +425,7 @@ impl Graph {
             + self.values.capacity() * size_of::<Element>()
             + self.words.capacity() * size_of::<u32>()
             + self.index.capacity() * 8 * (size_of::<u32>() + 1) / 7
+            + self.representatives.borrow().bytes()
     }
 }
 

@@ -2,6 +2,7 @@
 
 use num_bigint::BigInt;
 use num_integer::Integer;
+use num_traits::Zero;
 use std::ops::{Add, Mul, Neg, Sub};
 
 use super::lanes::LANES;
@@ -62,11 +63,8 @@ impl Element {
 
     /// A rational with this value, with a numerator of some bits. It is right if there is one, and any number if not.
     pub(crate) fn to_rational(self, bits: u64) -> Option<Number> {
-        let [(p, a), (q, b)] =
-            [0, 1].map(|k| (BigInt::from(PRIMES[k].p), BigInt::from(PRIMES[k].residue(self.0[k]))));
-        // The number below p q with both residues, then Euclid's algorithm as for one prime.
-        let steps = ((b - &a) * p.modinv(&q)?).mod_floor(&q);
-        let (mut r0, mut r1) = (&p * &q, a + &p * steps);
+        // Euclid's algorithm, as for one prime.
+        let (mut r0, mut r1) = self.residue_of_both()?;
         let (mut t0, mut t1) = (BigInt::from(0), BigInt::from(1));
         while r1.bits() > bits {
             let quotient = &r0 / &r1;
@@ -74,6 +72,34 @@ impl Element {
             (t0, t1) = (t1.clone(), t0 - quotient * t1);
         }
         Number::from_big(r1, t1).ok()
+    }
+
+    /// A rational with this value whose numerator and denominator are short together: that before the largest quotient of
+    /// Euclid's algorithm [Monagan 2004]. It is right if there is one of about 100 bits, and any number if not.
+    pub(crate) fn to_rational_of_short_form(self) -> Option<Number> {
+        let (modulus, residue) = self.residue_of_both()?;
+        let (mut r0, mut r1) = (modulus, residue);
+        let (mut t0, mut t1) = (BigInt::from(0), BigInt::from(1));
+        let mut best: Option<(BigInt, BigInt, BigInt)> = None;
+        while !r1.is_zero() {
+            let quotient = &r0 / &r1;
+            if best.as_ref().is_none_or(|(largest, ..)| quotient > *largest) {
+                best = Some((quotient.clone(), r1.clone(), t1.clone()));
+            }
+            (r0, r1) = (r1.clone(), r0 - &quotient * r1);
+            (t0, t1) = (t1.clone(), t0 - quotient * t1);
+        }
+        let (_, num, den) = best?;
+        Number::from_big(num, den).ok()
+    }
+
+    /// The product of both primes, and the number below it with both residues.
+    fn residue_of_both(self) -> Option<(BigInt, BigInt)> {
+        let [(p, a), (q, b)] =
+            [0, 1].map(|k| (BigInt::from(PRIMES[k].p), BigInt::from(PRIMES[k].residue(self.0[k]))));
+        let steps = ((b - &a) * p.modinv(&q)?).mod_floor(&q);
+        let residue = a + &p * steps;
+        Some((p * q, residue))
     }
 
     /// The rational with numerator and denominator below 2^45 that has this value, which has about 2^126 others to choose from.

@@ -79,6 +79,11 @@ impl FieldId {
         is_other.then(|| (lane - Self::HASH.len(), self.point))
     }
 
+    /// Whether this field begins a lane, at any of its points.
+    pub(crate) fn is_first(self) -> bool {
+        self.index % FIELDS_OF_A_LANE_WORD == 0
+    }
+
     /// Which of the hash lanes this field begins, if it begins one.
     pub(crate) fn hash_lane(self) -> Option<usize> {
         Self::HASH.iter().position(|&field| field == self)

@@ -31,4 +31,4 @@ pub(crate) use lane::{FieldId, fingerprint, in_hash_lane};
 pub(crate) use lanes::LARGEST_SQUARE;
 pub use number::Number;
 pub(crate) use quadratic::Quadratic;
-pub(crate) use radical::prime_factors;
+pub(crate) use radical::{coprime_factors, prime_factors};

@@ -3,7 +3,7 @@
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, ToPrimitive, Zero};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::number::Number;
 use super::prime::mul_mod;
@@ -112,6 +112,28 @@ fn proper_divisor(n: u64) -> u64 {
         .expect("some constant finds a divisor of a composite number")
 }
 
+/// The prime factors of numbers. Those of more than 64 bits may be composite, and are split by what they share.
+pub(crate) fn coprime_factors(numbers: impl Iterator<Item = Number>) -> BTreeSet<BigInt> {
+    let mut factors: BTreeSet<BigInt> =
+        numbers.flat_map(|number| prime_factors(&number).into_keys()).collect();
+    while let Some((large, shared)) = shared_factor(&factors) {
+        let rest = &large / &shared;
+        factors.remove(&large);
+        for part in [rest, shared] {
+            factors.extend(prime_factors(&Number::whole(part)).into_keys());
+        }
+    }
+    factors
+}
+
+/// A factor of more than 64 bits, and a proper divisor of it that another factor has.
+fn shared_factor(factors: &BTreeSet<BigInt>) -> Option<(BigInt, BigInt)> {
+    let large = factors.iter().filter(|factor| factor.bits() > 64);
+    large
+        .flat_map(|large| factors.iter().map(move |other| (large, large.gcd(other))))
+        .find_map(|(large, shared)| (!shared.is_one() && shared != *large).then(|| (large.clone(), shared)))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -125,6 +147,15 @@ mod tests {
             });
             assert_eq!(product, number);
         }
+    }
+
+    #[test]
+    fn large_factors_are_split_by_what_they_share() {
+        let large: BigInt = BigInt::from(10).pow(25) + 3;
+        let numbers = [large.clone() * 15791, large].map(Number::whole);
+        let factors = coprime_factors(numbers.into_iter());
+        assert!(factors.contains(&15791.into()) && factors.iter().any(|factor| factor.bits() > 64));
+        assert_eq!(shared_factor(&factors), None);
     }
 
     #[test]
