@@ -9,7 +9,7 @@ from random import Random
 import numpy as np
 import pytest
 
-from symbody import Expr, lambdify, number, parse, symbols
+from symbody import Expr, cos, lambdify, number, parse, symbols
 from symbody.errors import ArgumentError, ExpressionError
 
 x = symbols("x")
@@ -143,3 +143,10 @@ def test_such_products_in_compiled_code() -> None:
         assert product(1e-200, 1e-250) == pytest.approx([1e-50, 1.0, 0.0], rel=1e-15)
         assert product(1e-80, 1e-80) == pytest.approx([1e240, 1e240, 0.0], rel=1e-15)
         assert product(1e100, 1e-300)[[0, 2]] == pytest.approx([1e200, 1.0], rel=1e-15)
+
+
+def test_a_decimal_stays_one_after_its_fraction_and_large_numbers() -> None:
+    assert number(3**100 + 1) != 0
+    assert str(cos(number(Fraction(7, 16)))) == "cos(7/16)"
+    assert str(cos(number(0.4375))) == "cos(0.4375)"
+    assert cos(number(0.4375)) == cos(number(Fraction(7, 16)))

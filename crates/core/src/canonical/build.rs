@@ -51,7 +51,9 @@ impl Graph {
     /// or the node itself.
     pub(super) fn settled(&mut self, id: Id) -> Id {
         if self.kind(id) != Kind::Function(Function::Piecewise) {
-            let hides_number = self.has_large_numbers && self.as_number(self.representative(id)).is_some();
+            let hides_number = self.has_large_numbers
+                && self.as_number(id).is_none() // 0.4 stays a decimal where 2/5 was met before
+                && self.as_number(self.representative(id)).is_some();
             return if hides_number { self.representative(id) } else { id };
         }
         match self.value(id).to_simple_rational() {
