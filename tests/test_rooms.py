@@ -34,6 +34,18 @@ def test_each_room_says_what_lives_there(folder: Path) -> None:
     assert len(list(folder.iterdir())) > 1
 
 
+TOP = {"md", "toml", "lock", "gitignore", "LICENSE", "Makefile"}
+"""What lies at the top of the repository, by the ends of the names: no result of a program that was tried there."""
+
+
+@pytest.mark.skipif(not (ROOT / ".git").exists(), reason="not a checkout of git")
+def test_no_result_lies_at_the_top_of_the_repository() -> None:
+    listed = subprocess.run(["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    top = [name for name in listed.splitlines() if "/" not in name]
+    assert top
+    assert [name for name in top if name.rpartition(".")[2] not in TOP] == []
+
+
 def test_no_file_lies_in_a_folder_without_a_sign() -> None:
     assert {path.parent for path in HOME.rglob("*.py")} == {HOME, *FOLDERS}
 
