@@ -7,13 +7,13 @@ from typing import Any, TypeAlias
 
 from symbody.geometry import Frame, Point
 from symbody.symbolic import Expr, Matrix
-from symbody.worksheet import syntax
 from symbody.worksheet.convert.files import FILES
 from symbody.worksheet.convert.maple_calls import MAPLE
 from symbody.worksheet.convert.mechanics_calls import MECHANICS
 from symbody.worksheet.convert.names import Names, NoText, identifier
 from symbody.worksheet.convert.operations import COMPARISON, POWER, PRODUCT, SUM, grouped, product, quotient
 from symbody.worksheet.convert.selections import indexed, selection, word_of
+from symbody.worksheet.sheet import syntax
 
 __all__ = ["PythonText"]
 

@@ -9,13 +9,13 @@ from typing import Any, TypeAlias
 from symbody.geometry import Frame, Point, Vector
 from symbody.multibody import Body, Force, Torque
 from symbody.symbolic import Expr, Matrix
-from symbody.worksheet import syntax
 from symbody.worksheet.convert.names import NoText, identifier
 from symbody.worksheet.convert.operations import SUM, grouped
 from symbody.worksheet.convert.selections import key
 from symbody.worksheet.convert.sheet_names import names_in
 from symbody.worksheet.convert.substitutions import generated, simplified, solution, substitution
 from symbody.worksheet.convert.writer import Arguments, Writer
+from symbody.worksheet.sheet import syntax
 
 __all__ = ["MAPLE"]
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from symbody.symbolic import Expr, small
-from symbody.worksheet import syntax
 from symbody.worksheet.convert.names import NoText, identifier
 from symbody.worksheet.convert.writer import Writer
+from symbody.worksheet.sheet import syntax
 
 __all__ = ["mode_lines"]
 

@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from typing import Any
 
 from symbody.symbolic import Expr, symbols
-from symbody.worksheet import syntax
 from symbody.worksheet.convert.expressions import PythonText
 from symbody.worksheet.convert.functions import definition
 from symbody.worksheet.convert.names import Names, NoText, identifier
+from symbody.worksheet.sheet import syntax
 
 __all__ = ["Procedures"]
 

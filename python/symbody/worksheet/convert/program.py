@@ -18,7 +18,6 @@ from typing import Any
 
 from symbody.errors import ModelNotice, SymbodyError, WorksheetError
 from symbody.files.replacement import write_texts
-from symbody.worksheet import syntax
 from symbody.worksheet.convert.declarations import declarations
 from symbody.worksheet.convert.expressions import PythonText
 from symbody.worksheet.convert.layout import laid_out
@@ -28,11 +27,12 @@ from symbody.worksheet.convert.same import order_of, same
 from symbody.worksheet.convert.sheet_names import functions_of_time, solved_names
 from symbody.worksheet.convert.statements import lines_of, mentions
 from symbody.worksheet.convert.value_text import literal
-from symbody.worksheet.interpret import Interpreter, Stop
+from symbody.worksheet.evaluation.session import Session
+from symbody.worksheet.interpreter.interpret import Interpreter, Stop
 from symbody.worksheet.reading import names_in_code, read_source, statements
-from symbody.worksheet.session import Session
-from symbody.worksheet.source import Cell, Remark, SyntaxMistake
-from symbody.worksheet.value import Sequence as Values
+from symbody.worksheet.sheet import syntax
+from symbody.worksheet.sheet.source import Cell, Remark, SyntaxMistake
+from symbody.worksheet.values.value import Sequence as Values
 
 __all__ = ["Converted", "convert_file", "converted"]
 

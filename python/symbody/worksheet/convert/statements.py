@@ -13,7 +13,6 @@ from typing import Any
 from symbody.geometry import Frame, Point, Vector
 from symbody.multibody import Body, Force, Torque
 from symbody.symbolic import Expr, Matrix
-from symbody.worksheet import syntax
 from symbody.worksheet.convert.expressions import PythonText
 from symbody.worksheet.convert.files import FILES
 from symbody.worksheet.convert.modes import mode_lines
@@ -21,6 +20,7 @@ from symbody.worksheet.convert.names import Names, NoText, identifier
 from symbody.worksheet.convert.operations import grouped
 from symbody.worksheet.convert.selections import index, key
 from symbody.worksheet.convert.tyres import tyre_lines
+from symbody.worksheet.sheet import syntax
 
 __all__ = ["INDENT", "block", "branch_words", "lines_of", "mentions", "target_text"]
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any, Protocol
 
-from symbody.worksheet import syntax
 from symbody.worksheet.convert.names import Names
+from symbody.worksheet.sheet import syntax
 
 __all__ = ["Arguments", "Writer"]
 
