@@ -9,7 +9,7 @@ import pytest
 from symbody.symbolic import cos, sin, symbols
 from symbody.worksheet.interpreter.interpret import Interpreter
 from symbody.worksheet.mathematics.shared_parts import named_parts
-from symbody.worksheet.printing.matlab_text import matlab_text
+from symbody.worksheet.printing.code_text import code_text
 from tests.worksheet.printed_by import printed
 
 
@@ -56,7 +56,7 @@ def _numbers(text: str) -> dict[str, int]:
 def test_matlab_text_has_the_value_of_the_expression() -> None:
     x, y = symbols("x y")
     expression = (x**2 / 3 - y) * sin(x) / (x + 2 * y) ** 2 - 1.5 * (x - y) ** 3 / (2 * y)
-    text = matlab_text(expression).replace("^", "**")
+    text = code_text(expression).replace("^", "**")
     value = eval(text, {"sin": math.sin, "sqrt": math.sqrt, "x": 0.7, "y": 1.3})
     assert value == pytest.approx(expression.evaluate({x: 0.7, y: 1.3}), rel=1e-14)
 

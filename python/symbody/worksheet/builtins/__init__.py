@@ -20,10 +20,12 @@ from symbody.worksheet.builtins import (
     matrices,
     motions,
     plots,
+    plots_of_functions,
     sets,
     solving,
     structural,
     texts,
+    transforms,
 )
 from symbody.worksheet.builtins import (
     display as display_family,
@@ -61,6 +63,7 @@ _FAMILIES = (
         complex_numbers,
         calculus,
         integrals,
+        transforms,
         algebra,
         solving,
         structural,
@@ -70,7 +73,7 @@ _FAMILIES = (
         matrices,
         eigenvalues,
     ),
-    *(texts, files, display_family, code, motions, plots),
+    *(texts, files, display_family, code, motions, plots, plots_of_functions),
 )
 
 KERNEL: dict[str, Command] = {

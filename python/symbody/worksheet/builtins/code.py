@@ -1,8 +1,9 @@
-"""Code: operation counts, computation sequences, MATLAB."""
+"""Code: operation counts, computation sequences, MATLAB, C, Fortran, Python."""
 
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Callable, Iterator
 
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, number
@@ -13,7 +14,14 @@ from symbody.worksheet.evaluation.entrywise import parts_of
 from symbody.worksheet.evaluation.session import Command, Session, sequence
 from symbody.worksheet.mathematics.operation_count import operation_count
 from symbody.worksheet.mathematics.shared_parts import named_parts
-from symbody.worksheet.printing.matlab_text import matlab_name, matlab_text
+from symbody.worksheet.printing.code_text import (
+    LANGUAGES,
+    Language,
+    code_name,
+    code_text,
+    entry_name,
+    statement_text,
+)
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.value import (
     NULL,
@@ -103,24 +111,39 @@ def _names(expressions: list[Expr]) -> frozenset[str]:
 
 def matlab(session: Session, value: Value, *options: Value) -> Value:
     """CodeGeneration[Matlab](e, optimize, output = string, resultname = "r"): e as MATLAB statements."""
+    return _generated(
+        session,
+        options,
+        lambda name, shares: _lines(session, value, name, shares=shares),
+        "CodeGeneration[Matlab]",
+    )
+
+
+def _generated(
+    session: Session,
+    options: tuple[Value, ...],
+    lines: Callable[[str, bool], list[str]],
+    command: str,
+    name: str = "cg",
+) -> Value:
+    """Print the lines of a program, or return or write them, as the options say.
+
+    Args:
+        session: the session.
+        options: names, and equations of a name and a value.
+        lines: makes the lines, of the name of the result and of whether parts are shared.
+        command: what messages call the command.
+        name: the name of a result that has none.
+    """
     settings = {unparsed(session, each.left): each.right for each in options if isinstance(each, Relation)}
-    shares = any(unparsed(session, each) == "optimize" for each in options if not isinstance(each, Relation))
+    words = {unparsed(session, each) for each in options if not isinstance(each, Relation)}
+    shares = bool(words & {"optimize", "optimized"})
     shares = shares or ("optimize" in settings and unparsed(session, settings["optimize"]) != "false")
-    name = unparsed(session, settings["resultname"]) if "resultname" in settings else "cg"
-    known = {
-        "optimize",
-        "output",
-        "resultname",
-        "declare",
-        "precision",
-        "coercetypes",
-        "defaulttype",
-        "reduceanalysis",
-    }
-    for each in settings.keys() - known:
-        session.notice(f"CodeGeneration[Matlab]: the option {each} is not known and is left out")
-    text = "".join(f"{line}\n" for line in _lines(session, value, name, shares=shares))
-    target = settings.get("output")
+    for each in settings.keys() - _OPTIONS:
+        session.notice(f"{command}: the option {each} is not known and is left out")
+    name = unparsed(session, settings["resultname"]) if "resultname" in settings else name
+    text = "".join(f"{line}\n" for line in lines(name, shares))
+    target = settings.get("output", settings.get("filename"))
     if target is None:
         session.print(text.rstrip("\n"))
         return NULL
@@ -129,6 +152,12 @@ def matlab(session: Session, value: Value, *options: Value) -> Value:
     with output_path(session, target).open("a", encoding="utf-8") as file:
         file.write(text)
     return NULL
+
+
+_OPTIONS = {
+    *("optimize", "output", "resultname", "declare", "precision", "coercetypes", "defaulttype", "mode"),
+    *("reduceanalysis", "filename", "deducetypes", "functionprecision"),
+}
 
 
 def _lines(session: Session, value: Value, name: str, *, shares: bool) -> list[str]:
@@ -152,13 +181,13 @@ def _lines(session: Session, value: Value, name: str, *, shares: bool) -> list[s
 
 
 def _assignment_lines(session: Session, equations: list[Relation], *, shares: bool) -> list[str]:
-    lefts = [matlab_name(unparsed(session, each.left)) for each in equations]
+    lefts = [code_name(unparsed(session, each.left)) for each in equations]
     rights = [scalar(session, session.current(each.right)) for each in equations]
     lines: list[str] = []
     if shares:
         definitions, rights = named_parts(rights, _names(rights) | frozenset(lefts))
-        lines = [f"{matlab_text(left)} = {matlab_text(right)};" for left, right in definitions]
-    return [*lines, *(f"{left} = {matlab_text(right)};" for left, right in zip(lefts, rights, strict=True))]
+        lines = [f"{code_text(left)} = {code_text(right)};" for left, right in definitions]
+    return [*lines, *(f"{left} = {code_text(right)};" for left, right in zip(lefts, rights, strict=True))]
 
 
 def _matrix_lines(session: Session, array: Array, name: str, *, shares: bool) -> list[str]:
@@ -166,13 +195,13 @@ def _matrix_lines(session: Session, array: Array, name: str, *, shares: bool) ->
     lines: list[str] = []
     if shares:
         definitions, entries = named_parts(entries, _names(entries) | {name})
-        lines = [f"{matlab_text(left)} = {matlab_text(right)};" for left, right in definitions]
-    texts = [matlab_text(each) for each in entries]
+        lines = [f"{code_text(left)} = {code_text(right)};" for left, right in definitions]
+    texts = [code_text(each) for each in entries]
     rows = [
         " ".join(_spaceless(text) for text in texts[i * array.columns : (i + 1) * array.columns])
         for i in range(array.rows)
     ]
-    return [*lines, f"{matlab_name(name)} = [{'; '.join(rows)};];"]
+    return [*lines, f"{code_name(name)} = [{'; '.join(rows)};];"]
 
 
 def _spaceless(text: str) -> str:
@@ -180,9 +209,67 @@ def _spaceless(text: str) -> str:
     return text.replace(" ", "")
 
 
+# --- other languages --------------------------------------------------------------------------------------------------
+
+
+def _in(language: Language, name: str) -> Command:
+    """Return the command that writes a language; ``name`` begins the names of results that have none."""
+
+    def generate(session: Session, value: Value, *options: Value) -> Value:
+        return _generated(
+            session,
+            options,
+            lambda given, shares: _program(session, value, given, language, shares=shares),
+            "codegen",
+            name,
+        )
+
+    generate.__doc__ = 'C(e, optimize, output = string, resultname = "r"): e as statements of a program.'
+    return generate
+
+
+def _program(session: Session, value: Value, name: str, language: Language, *, shares: bool) -> list[str]:
+    results = list(_named_results(session, session.resolve(value), name, language))
+    names, rights = [name for name, _ in results], [right for _, right in results]
+    lines: list[str] = []
+    if shares:
+        definitions, rights = named_parts(rights, _names(rights) | frozenset(names))
+        lines = [statement_text(code_text(left), right, language) for left, right in definitions]
+    return [
+        *lines,
+        *(statement_text(left, right, language) for left, right in zip(names, rights, strict=True)),
+    ]
+
+
+def _named_results(
+    session: Session, value: Value, name: str, language: Language
+) -> Iterator[tuple[str, Expr]]:
+    """Return what a program computes: equations by their left sides, entries of arrays, an expression."""
+    if isinstance(value, Relation):
+        yield code_name(unparsed(session, value.left)), scalar(session, session.current(value.right))
+    elif isinstance(value, Array):
+        for place, entry in enumerate(value.entries):
+            row, column = divmod(place, value.columns)
+            indices = (row,) if value.columns == 1 else (column,) if value.rows == 1 else (row, column)
+            yield entry_name(code_name(name), indices, language), scalar(session, session.current(entry))
+    elif isinstance(value, Listed | MapleSet):
+        for place, item in enumerate(value.items):
+            if isinstance(item, Relation):
+                yield from _named_results(session, item, name, language)
+            else:
+                yield entry_name(code_name(name), (place,), language), scalar(session, session.current(item))
+    else:
+        yield code_name(name), scalar(session, session.current(value))
+
+
 COMMANDS: dict[str, Command] = {}
 
 PACKAGES: dict[str, dict[str, Command]] = {
-    "codegen": {"cost": cost, "optimize": optimize},
-    "CodeGeneration": {"Matlab": matlab},
+    "codegen": {
+        "cost": cost,
+        "optimize": optimize,
+        "C": _in(LANGUAGES["C"], "t0"),
+        "fortran": _in(LANGUAGES["Fortran"], "t0"),
+    },
+    "CodeGeneration": {"Matlab": matlab, **{name: _in(each, "cg") for name, each in LANGUAGES.items()}},
 }

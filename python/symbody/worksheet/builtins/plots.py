@@ -12,6 +12,7 @@ from symbody.symbolic import Expr
 from symbody.worksheet.drawing.options import number_of, plot_options, range_of, styled
 from symbody.worksheet.drawing.pieces import Piece, pieces_of
 from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.values.complex_number import as_complex, has_i
 from symbody.worksheet.values.numeric import decimal
 from symbody.worksheet.values.value import (
     NULL,
@@ -36,27 +37,30 @@ else:
     np = Deferred("numpy")
 
 
-__all__ = ["COMMANDS", "PACKAGES"]
+__all__ = ["COMMANDS", "PACKAGES", "curves_of", "is_span", "plot", "point_shape", "span_of"]
 
 _POINTS = 100
 
 
-def plot(session: Session, *arguments: Value) -> Value:
+def plot(session: Session, *arguments: Value, logarithmic: str = "") -> Value:
     """plot(f, x = a..b [, options]): curves of expressions, of lists of points, or of [f, g, t = a..b]."""
     if not arguments:
         raise WorksheetError("plot: expected an expression and a range, such as plot(sin(x), x = 0..1)")
     what, *rest = arguments
     options = plot_options(session, rest)
-    spans = [each for each in rest if _is_span(each)]
+    spans = [each for each in rest if is_span(each)]
     span, others = spans[0] if spans else None, spans[1:]
     if others and "view" not in options:
         options["view"] = range_of(session, others[0])
     found = session.current(session.resolve(what)) if not _is_function(session, what) else what
-    curves = styled(session, _curves(session, found, span, options), options)
+    curves = styled(
+        session, curves_of(session, found, span, options, logarithmic="x" in logarithmic), options
+    )
     return Plot("curves", tuple(curves), tuple(options.items()))
 
 
-def _is_span(value: Value) -> bool:
+def is_span(value: Value) -> bool:
+    """Whether an argument is a range, or that of a variable."""
     return isinstance(value, Range) or (isinstance(value, Relation) and isinstance(value.right, Range))
 
 
@@ -64,18 +68,40 @@ def _is_function(session: Session, value: Value) -> bool:
     return isinstance(session.resolve(value), ProcedureValue | Builtin)
 
 
-def _curves(session: Session, what: Value, span: Value | None, options: dict[str, Value]) -> list[Piece]:
+def curves_of(
+    session: Session,
+    what: Value,
+    span: Value | None,
+    options: dict[str, Value],
+    *,
+    logarithmic: bool = False,
+    whole_turn: bool = False,
+) -> list[Piece]:
+    """Return the curves of an expression, a function, a list of points, or of several of them.
+
+    Args:
+        session: the session.
+        what: what is drawn.
+        span: the variable with its range.
+        options: the options of the drawing.
+        logarithmic: whether the places are evenly spaced on a logarithmic axis.
+        whole_turn: whether the range is a whole turn where none is given.
+    """
     points = _points(session, what)
     if points is not None:
         kind = "points" if str(options.get("style", "")).lower() == "point" else "curve"
         return [Piece(kind, points)]
     if isinstance(what, Listed | MapleSet | Sequence):
         last = what.items[-1] if what.items else None
-        if isinstance(what, Listed) and len(what.items) == 3 and last is not None and _is_span(last):
+        if isinstance(what, Listed) and len(what.items) == 3 and last is not None and is_span(last):
             return [_parametric(session, what, options)]
-        return [piece for item in what.items for piece in _curves(session, item, span, options)]
-    variable, first, last_value = _span(session, span, what)
-    x = np.linspace(first, last_value, _count(session, options))
+        same = {"logarithmic": logarithmic, "whole_turn": whole_turn}
+        return [piece for item in what.items for piece in curves_of(session, item, span, options, **same)]
+    variable, first, last_value = span_of(session, span, what)
+    if span is None and whole_turn:
+        first, last_value = 0.0, 2 * math.pi
+    spaced = np.geomspace if logarithmic and first > 0 else np.linspace
+    x = spaced(first, last_value, _count(session, options))
     y = np.array([_at(session, what, variable, each) for each in x])
     return [Piece("curve", np.column_stack([x, y]), (str(variable or ""), session.text(what)[:60]))]
 
@@ -83,7 +109,7 @@ def _curves(session: Session, what: Value, span: Value | None, options: dict[str
 def _parametric(session: Session, what: Listed, options: dict[str, Value]) -> Piece:
     """Return the curve of [f, g, t = a..b]."""
     f, g, span = what.items
-    variable, first, last = _span(session, span, f)
+    variable, first, last = span_of(session, span, f)
     times = np.linspace(first, last, _count(session, options))
     columns = [[_at(session, each, variable, time) for time in times] for each in (f, g)]
     return Piece("curve", np.array(columns).T)
@@ -95,7 +121,8 @@ def _count(session: Session, options: dict[str, Value]) -> int:
     return max(count, 2)
 
 
-def _span(session: Session, span: Value | None, what: Value) -> tuple[Expr | None, float, float]:
+def span_of(session: Session, span: Value | None, what: Value) -> tuple[Expr | None, float, float]:
+    """Return the variable of a range, or of an expression with one variable, and the ends."""
     variable: Expr | None = None
     if isinstance(span, Relation):
         if isinstance(span.left, Expr):
@@ -113,6 +140,9 @@ def _at(session: Session, what: Value, variable: Expr | None, x: float) -> float
     """Return the value of an expression, or of a function, at a number; nothing is drawn where there is none."""
     session.limits.check()
     try:
+        if isinstance(what, Expr) and has_i(what):
+            number = as_complex(what if variable is None else what.subs({variable: decimal(x)}))
+            return math.nan if number is None or number.imag else number.real
         if isinstance(what, Expr):
             return float(what.evaluate({} if variable is None else {variable: x}))
         found = session.current(session.call(what, (decimal(x),)))
@@ -132,7 +162,7 @@ def _points(session: Session, value: Value) -> NDArray[np.float64] | None:
     rows = [session.current(session.resolve(each)) for each in found.items]
     if not all(isinstance(row, Listed) and len(row.items) in {2, 3} for row in rows):
         return None
-    if any(_is_span(item) for row in rows if isinstance(row, Listed) for item in row.items):
+    if any(is_span(item) for row in rows if isinstance(row, Listed) for item in row.items):
         return None
     return np.array(
         [[number_of(session, item) for item in row.items] for row in rows if isinstance(row, Listed)]
@@ -162,7 +192,7 @@ def animate(session: Session, what: Value, *arguments: Value) -> Value:
     if not spans:
         raise WorksheetError("animate: expected a range of the variable that moves, such as q = 0..1")
     options = plot_options(session, list(arguments))
-    variable, first, last = _span(session, spans[-1], what)
+    variable, first, last = span_of(session, spans[-1], what)
     count = int(number_of(session, options.get("frames", decimal(25.0))))
     session.limits.check_items(count)
     pictures = []
@@ -259,6 +289,7 @@ def _rectangle(session: Session, arguments: tuple[Value, ...]) -> NDArray[np.flo
     return np.array([[a, b], [c, b], [c, d], [a, d], [a, b]])
 
 
+point_shape = _shape("curve", _polyline, "spacecurve([[x, y, z], ...])")
 COMMANDS: dict[str, Command] = {"plot": plot}
 _PLOTS: dict[str, Command] = {
     "display": display,
@@ -269,7 +300,6 @@ _PLOTS: dict[str, Command] = {
     "pointplot": _shape("points", _polyline, "pointplot([[x, y], ...])"),
     "pointplot3d": _shape("points", _polyline, "pointplot3d([[x, y, z], ...])"),
     "polygonplot": _shape("area", _polyline, "polygonplot([[x, y], ...])"),
-    "spacecurve": _shape("curve", _polyline, "spacecurve([[x, y, z], ...])"),
     "setoptions": lambda session, *arguments: NULL,
     "setoptions3d": lambda session, *arguments: NULL,
 }

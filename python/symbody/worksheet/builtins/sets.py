@@ -77,5 +77,7 @@ COMMANDS: dict[str, Command] = {
         for name, neutral in (("+", 0), ("-", 0), ("*", 1), ("/", 1), ("^", 1), (".", 1))
     },
     **{name: _relation(name) for name in ("=", "<>", "<", "<=")},
+    ">": lambda session, left, right: Relation("<", right, left),
+    ">=": lambda session, left, right: Relation("<=", right, left),
 }
 """Operators as functions: `+`(a, b)."""

@@ -11,14 +11,14 @@ from symbody.worksheet.evaluation.arithmetic import scalar
 from symbody.worksheet.evaluation.current import set_of
 from symbody.worksheet.evaluation.session import Command, Session, sequence
 from symbody.worksheet.mathematics.closed_roots import (
-    closed_roots,
     is_complex,
     numeric_roots,
     polynomial_in,
     roots_of,
 )
+from symbody.worksheet.mathematics.elimination import eliminated_roots
 from symbody.worksheet.mathematics.root_finding import newton
-from symbody.worksheet.values.complex_number import of_number
+from symbody.worksheet.values.complex_number import I, has_i, of_number
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.numeric import as_float, decimal
 from symbody.worksheet.values.value import (
@@ -79,20 +79,28 @@ Solution = dict[Expr, Value]
 def solutions(session: Session, residuals: list[Expr], unknowns: list[Expr]) -> list[Solution]:
     """Return all solutions that are found; unknowns that stay free are themselves."""
     session.limits.check()
+    unknown = {x: symbol(f"_unknown{k}") for k, x in enumerate(unknowns) if x.kind == "application"}
+    if unknown:  # such as laplace(x(t), t, s), whose arguments are not solved for
+        names = [unknown.get(x, x) for x in unknowns]
+        renamed = solutions(session, [each.subs(unknown) for each in residuals], names)
+        back = {name: x for x, name in unknown.items()}
+        return [{back.get(x, x): value for x, value in solution.items()} for solution in renamed]
     left = [each for each in residuals if not each.is_zero]
     try:
         found = all_solutions(left, unknowns)
     except (SymbodyError, ArithmeticError):
-        roots = closed_roots(left[0], unknowns[0]) if len(left) == len(unknowns) == 1 else None
-        if roots is None:
+        solved = eliminated_roots(left, unknowns)
+        if solved is None:
             raise
-        session.options.imaginary |= is_complex(roots)
-        return [{unknowns[0]: root} for root in roots]
-    return [{each: _factored(solution.get(each, each)) for each in unknowns} for solution in found]
+        session.options.imaginary |= is_complex([root for one in solved for root in one.values()])
+        return solved
+    return [{each: _factored(session, solution.get(each, each)) for each in unknowns} for solution in found]
 
 
-def _factored(value: Expr) -> Expr:
+def _factored(session: Session, value: Expr) -> Value:
     """Return a solution with common factors before its sums, as Maple's solve does: a quotient by one cancels it."""
+    if has_i(value):  # the core takes I for a name
+        return session.rebuild(value, {I: I})
     return factor_terms(value) if value.kind in ("sum", "product") else value
 
 

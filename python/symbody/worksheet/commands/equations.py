@@ -83,13 +83,23 @@ def _coordinate(reader: Reader, value: Value) -> Expr:
     return small(value) if value in mechanics(reader.session).small else value
 
 
+def _function_of_time(reader: Reader, value: Value) -> Expr:
+    """Return a coordinate of Lagrange's equations, which has a rate."""
+    found = _coordinate(reader, value)
+    if found.kind == "symbol":
+        raise WorksheetError(
+            f"{reader.where}: {found} is not a function of time; write {found}(t) here, and in the frames that it moves"
+        )
+    return found
+
+
 def lagrange(session: Session, energy: Value, variable: Value, time: Value | None = None) -> Value:
     """lagrange(L, q(t), t): d/dt dL/dq' - dL/dq; the equation of motion subtracts the generalized force."""
     del time
     reader = Reader(session, "lagrange")
     L, several = reader.scalar(energy), session.resolve(variable)
     items = several.items if isinstance(several, Listed | MapleSet | Sequence) else (variable,)
-    found = [lagrange_of(L, _coordinate(reader, item)) for item in items]
+    found = [lagrange_of(L, _function_of_time(reader, item)) for item in items]
     equations = result(mechanics(session), found)
     return Listed(equations) if isinstance(several, Listed | MapleSet | Sequence) else equations[0]
 
@@ -107,7 +117,7 @@ def lagrange_equations(session: Session, system: Value, variables: Value, *optio
         if g is not None:
             L -= gravitational_energy(unhung.bodies_and_loads(_only_bodies(session, system))[0], g)
     items = members(session, variables)
-    coordinates = [_coordinate(reader, item) for item in items]
+    coordinates = [_function_of_time(reader, item) for item in items]
     forces = generalized_force_of(loads, coordinates)
     modes = mechanics(session)
     found = [result(modes, [lagrange_of(L, q) - Q])[0] for q, Q in zip(coordinates, forces, strict=True)]

@@ -32,13 +32,14 @@ class Piece:
     """A part of a drawing.
 
     Attributes:
-        kind: "curve", "points", "area" or "text".
+        kind: "curve", "points", "area", "surface" or "text".
         points: a row of two or three coordinates for each point.
         labels: the names of the axes, or the text.
         color: a name of a colour, or nothing.
         name: what the legend calls it.
         line: how a curve is drawn: "solid", "dashed", "dotted" or "dashdot".
         width: the width of a curve in points; nothing for the usual one.
+        rows: how many rows the points of a surface have.
     """
 
     kind: str
@@ -48,6 +49,7 @@ class Piece:
     name: str = ""
     line: str = "solid"
     width: float | None = None
+    rows: int = 0
 
 
 def pieces_of(plot: Plot) -> list[Piece]:
@@ -142,6 +144,8 @@ def _fill(axes: Axes, pieces: list[Piece], options: dict[str, Value]) -> None:
         axes.grid(visible=True)
     if _words(options.get("axes", "")).lower() == "none":
         axes.set_axis_off()
+    for axis in _words(options.get("logarithmic", "")):
+        getattr(axes, f"set_{axis}scale")("log")
     _set_view(axes, options.get("view"))
 
 
@@ -153,7 +157,7 @@ def _words(value: object) -> str:
 
 def _label(axes: Any, pieces: list[Piece], options: dict[str, Value]) -> None:
     """Name the axes: as the option ``labels`` says, or as the curves have them; several curves have a legend."""
-    curves = [piece for piece in pieces if piece.kind in {"curve", "points"}]
+    curves = [piece for piece in pieces if piece.kind in {"curve", "points", "surface"}]
     labelled = [piece.labels for piece in curves if piece.labels]
     given = options.get("labels")
     if isinstance(given, Listed):
@@ -187,6 +191,9 @@ def _add(axes: Any, piece: Piece) -> None:
         axes.text(*(column[0] for column in columns), piece.labels[0], **color)
     elif piece.kind == "points":
         axes.plot(*columns, "o", markersize=4, label=piece.name or None, **color)
+    elif piece.kind == "surface":
+        mesh = (column.reshape(piece.rows, -1) for column in columns)
+        axes.plot_surface(*mesh, **(color or {"cmap": "viridis"}))
     elif piece.kind == "area" and len(columns) == 2:
         axes.fill(*columns, alpha=0.6, **color)
     else:

@@ -226,7 +226,7 @@ class Evaluator:
         if operator == "$":
             return builtins.dollar(self.session, node.left, node.right)
         left = self.evaluate(node.left)
-        if operator == "assuming":
+        if operator == "assuming":  # names stand for real numbers, and nothing more is assumed
             return left
         return self.operated(operator, left, self.evaluate(node.right))
 

@@ -74,6 +74,7 @@ class Interpreter:
             syntax.Return: self._return,
             syntax.Raise: self._raise,
             syntax.Try: self._try,
+            syntax.Use: self._use,
             syntax.Next: lambda node: self._leave(whole=False),
             syntax.Break: lambda node: self._leave(whole=True),
             syntax.Read: self._read,
@@ -402,6 +403,20 @@ class Interpreter:
             raise
         finally:
             self._nested(node.finally_, shown=node.shown)
+
+    def _use(self, node: syntax.Use) -> Value:
+        """Execute statements with the commands of packages."""
+        session = self.session
+        before = session.packages
+        try:
+            for each in node.packages:
+                if isinstance(each, syntax.Name):
+                    session.packages = session.packages | builtins.PACKAGES.get(each.name, {})
+                else:
+                    raise WorksheetError("use: expected the names of packages", each.place)
+            return self._nested(node.body, shown=node.shown)
+        finally:
+            session.packages = before
 
     def _read(self, node: syntax.Read) -> Value:
         self._quiet += not node.shown

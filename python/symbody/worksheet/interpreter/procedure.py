@@ -152,6 +152,8 @@ def _assigned(body: Iterable[syntax.Statement]) -> set[str]:
             for _, inner in each.branches:
                 names |= _assigned(inner)
             names |= _assigned(each.otherwise)
+        elif isinstance(each, syntax.Use):
+            names |= _assigned(each.body)
         elif isinstance(each, syntax.Try):
             names |= _assigned(each.body) | _assigned(each.finally_)
             for _, inner in each.handlers:

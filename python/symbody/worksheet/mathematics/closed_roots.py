@@ -1,7 +1,7 @@
 """Roots of one equation in one unknown that the core's closed forms don't have: complex ones, of any degree, inverses.
 
-A polynomial with numbers is divided by its rational roots first. Of what is left, square roots give degree two; higher
-degrees are ``RootOf(p(_Z), index = k)``, as in Maple, which evalf makes numbers.
+A polynomial with numbers is divided by its rational roots first. Of what is left, square roots give degree two and
+cube roots degree three; higher degrees are ``RootOf(p(_Z), index = k)``, as in Maple, which evalf makes numbers.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 from symbody.deferred import Deferred
 from symbody.errors import ExpressionError, WorksheetError
 from symbody.symbolic import Expr, acos, asin, atan, cos, exp, log, number, sin, tan
+from symbody.worksheet.mathematics.cubic import cubic_roots
 from symbody.worksheet.mathematics.polynomial import coefficients
 from symbody.worksheet.values.complex_number import I, angle_of, of_number, root_of_negative
 from symbody.worksheet.values.naming import symbol
@@ -67,6 +68,8 @@ def _of_symbols(known: list[Expr]) -> list[Value]:
     degree = len(known) - 1
     if degree == 1:
         return [-known[0] / known[1]]
+    if degree == 3:
+        return [*cubic_roots(known)]
     if degree > 1:
         terms = [c * _Z**k for k, c in enumerate(known)]
         return [Unevaluated(symbol("RootOf"), (sum(terms, start=number(0)),))]
@@ -83,6 +86,8 @@ def _of_fractions(known: list[Fraction]) -> list[Value]:
         return found
     if degree == 2:
         return [*found, *_quadratic(*known)]
+    if degree == 3:
+        return [*found, *cubic_roots([number(c.numerator) / c.denominator for c in known])]
     if degree == 4 and not known[1] and not known[3]:
         squares = _quadratic(known[0], known[2], known[4])
         if all(as_float(each) is not None for each in squares):

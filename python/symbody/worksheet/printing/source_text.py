@@ -217,6 +217,10 @@ def _try(node: syntax.Try) -> str:
     return f"{' '.join(parts)} end try"
 
 
+def _use(node: syntax.Use) -> str:
+    return f"use {_listed(node.packages)} in {_body(node.body)} end use"
+
+
 _STATEMENTS: dict[type, Callable[[Any], str]] = {
     syntax.Assignment: lambda node: f"{_listed(node.targets)} := {source_text(node.value)}",
     syntax.Evaluation: lambda node: source_text(node.expression),
@@ -225,6 +229,7 @@ _STATEMENTS: dict[type, Callable[[Any], str]] = {
     syntax.Return: lambda node: f"return {source_text(node.value)}" if node.value is not None else "return",
     syntax.Raise: lambda node: f"error {_listed(node.arguments)}",
     syntax.Try: _try,
+    syntax.Use: _use,
     syntax.Next: lambda node: "next",
     syntax.Break: lambda node: "break",
     syntax.Read: lambda node: f"read {source_text(node.file)}",

@@ -26,6 +26,15 @@ class Mistake(Exception):
         self.place, self.found, self.expected = place, found, expected
 
 
+def _assumed(parts: Items) -> tuple[Expression, ...]:
+    """Return items of a sequence; those behind ``e assuming a > 0`` are more assumptions."""
+    for place, part in enumerate(parts):
+        if isinstance(part, syntax.Infix) and part.operator == "assuming" and place + 1 < len(parts):
+            together = syntax.SequenceDisplay((part.right, *parts[place + 1 :]), place=part.right.place)
+            return (*parts[:place], replace(part, right=together))
+    return tuple(parts)
+
+
 @v_args(meta=True)
 class Builder(Transformer_NonRecursive[Token, Statement]):
     """The meaning of the rules. Each method takes the place of its text and what its parts have become."""
@@ -113,6 +122,10 @@ class Builder(Transformer_NonRecursive[Token, Statement]):
         texts = tuple(unquoted(part) for part in parts[:-1] if getattr(part, "type", "") == "STRING")
         return texts, parts[-1]
 
+    def using(self, meta: Meta, parts: Items) -> Statement:
+        *packages, _, body = parts
+        return syntax.Use(tuple(packages), body, place=_place(meta))
+
     def next(self, meta: Meta, _: Items) -> Statement:
         return syntax.Next(place=_place(meta))
 
@@ -131,7 +144,7 @@ class Builder(Transformer_NonRecursive[Token, Statement]):
     # --- operators ---
 
     def several(self, meta: Meta, parts: Items) -> Expression:
-        return syntax.SequenceDisplay(tuple(parts), place=_place(meta))
+        return syntax.SequenceDisplay(_assumed(parts), place=_place(meta))
 
     def arrow(self, meta: Meta, parts: Items) -> Expression:
         heading = tuple(_heading(item) for item in _items(_bare(parts[0])))

@@ -11,7 +11,7 @@ from symbody.worksheet.reading.parse import Failure, accepted
 from symbody.worksheet.sheet.source import Cell, SyntaxMistake
 from symbody.worksheet.sheet.syntax import Place
 
-__all__ = ["located", "mistake"]
+__all__ = ["located", "mistake", "unclosed_vector"]
 
 #: What can follow, in the order in which messages list it; an operand or an operator is told by one token of each.
 _WORDS = {
@@ -35,7 +35,6 @@ _WIDTH, _BEFORE = 100, 60
 #: Words that open a construct which worksheets of MBSymba don't need.
 _UNSUPPORTED = {
     "module": "modules are not supported: write procedures, and a table for what they share",
-    "use": "'use' is not supported: write with(..), or package[command](..)",
 }
 
 
@@ -53,6 +52,11 @@ def mistake(cell: Cell, tokens: Sequence[Token], begin: int, failure: Failure) -
     token = tokens[failure.index]
     found = repr(str(token))
     return _told(cell, one_place(token), f"found {found}, expected {expected}{_hint(read, token)}")
+
+
+def unclosed_vector(cell: Cell, tokens: Sequence[Token], index: int) -> SyntaxMistake:
+    """Return the mistake of ``<a, b;``: the semicolon at the end of the line is no end of a row."""
+    return _told(cell, one_place(tokens[index]), "found ';' at the end of the line, expected '>'")
 
 
 def _hint(read: Sequence[Token], token: Token) -> str:

@@ -39,7 +39,7 @@ _TOO_DEEP = f"more than {_DEEPEST} signs are open here; assign inner parts to na
 
 TERMINATORS = frozenset({"SEMICOLON", "COLON"})
 
-_OPEN = frozenset({"DO", "IF", "PROC", "TRY"})
+_OPEN = frozenset({"DO", "IF", "PROC", "TRY", "USE"})
 _CLOSE = frozenset({"OD", "FI", "END"})
 
 
@@ -58,11 +58,13 @@ class Failure:
     Attributes:
         index: the token that can't follow; the number of tokens where they end too early.
         place, message: of a statement that has the form of the grammar, but no meaning.
+        row: the semicolon at the end of a line that would have ended the statement, were no ``<`` open before it.
     """
 
     index: int
     place: Place | None = None
     message: str = ""
+    row: int | None = None
 
 
 class _EveryToken(PostLex):
@@ -104,21 +106,29 @@ def tokens_of(line: Line) -> list[Token]:
 def next_statement(tokens: Sequence[Token], begin: int = 0) -> Parsed | Failure:
     """Return the statement that begins at a token, with its terminator, or why there is none."""
     parser = _parser().parse_interactive("")
-    index, depth = begin, 0
+    index, depth, row = begin, 0, None
     try:
         for index in range(begin, len(tokens)):
             parser.feed_token(tokens[index])
             if len(parser.parser_state.state_stack) > _DEEPEST:
                 return Failure(index, place=one_place(tokens[index]), message=_TOO_DEEP)
             depth += opened(tokens, index)
-            if depth <= 0 and tokens[index].type in TERMINATORS and _ends(parser, tokens[index]):
+            if depth > 0 or tokens[index].type not in TERMINATORS:
+                continue
+            if _ends(parser, tokens[index]):
                 tree = parser.feed_token(Token.new_borrow_pos("$END", "", tokens[index]))
                 return Parsed(Builder().transform(tree), index + 1)
+            if row is None and _ends_line(tokens, index):
+                row = index
     except UnexpectedToken:
-        return Failure(index)
+        return Failure(index, row=row)
     except VisitError as error:
         return _failure(index, error.orig_exc)
-    return Failure(len(tokens))
+    return Failure(len(tokens), row=row)
+
+
+def _ends_line(tokens: Sequence[Token], index: int) -> bool:
+    return index + 1 == len(tokens) or tokens[index + 1].line != tokens[index].line
 
 
 def _ends(parser: InteractiveParser, token: Token) -> bool:

@@ -8,7 +8,7 @@ from lark import Token
 
 from symbody.worksheet.reading.block_remark import without_block_remarks
 from symbody.worksheet.reading.builder import one_place
-from symbody.worksheet.reading.mistake import mistake
+from symbody.worksheet.reading.mistake import mistake, unclosed_vector
 from symbody.worksheet.reading.parse import (
     TERMINATORS,
     Failure,
@@ -51,6 +51,10 @@ def statements(cell: Cell, used: Collection[str] = ()) -> Iterator[Statement | R
                 comma = tokens[found.index - 1]
                 yield _remark(cell, [comma])
                 tokens[found.index - 1] = Token.new_borrow_pos("SEMICOLON", ";", comma)
+                continue
+            if found.row is not None:
+                yield unclosed_vector(cell, tokens, found.row)
+                begin = found.row + 1
                 continue
             span = remark_in(tokens, begin, found, used) if effort > 0 else None
             if span is None:

@@ -46,6 +46,7 @@ __all__ = [
     "Statement",
     "Text",
     "Try",
+    "Use",
 ]
 
 
@@ -341,6 +342,14 @@ class Try(_Statement):
 
 
 @dataclass(frozen=True, slots=True)
+class Use(_Statement):
+    """``use P in .. end use``: statements in which the commands of packages have their short names."""
+
+    packages: tuple[Expression, ...]
+    body: tuple[Statement, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Next(_Statement):
     """``next``: the next pass of a loop."""
 
@@ -391,6 +400,7 @@ Statement: TypeAlias = (
     | Return
     | Raise
     | Try
+    | Use
     | Next
     | Break
     | Read
