@@ -86,6 +86,7 @@ from symbody.symbolic.linear.runtime_solve import linear_solve
 from symbody.symbolic.linear.saddle_point import saddle_point_solve
 from symbody.symbolic.linear.symbolic_solve import solve
 from symbody.symbolic.numeric.program import STAGES, Argument, Program, Result, Routine
+from symbody.symbolic.roots.solutions import solutions
 from symbody.symbolic.sympy_bridge.structured import from_sympy, to_sympy
 from symbody.symbolic.text.parse import parse
 from symbody.symbolic.text.printing import latex, listing, listing_of_equations, maple
@@ -169,6 +170,7 @@ __all__ = [
     "sin",
     "sinh",
     "small",
+    "solutions",
     "solve",
     "sqrt",
     "sub3",

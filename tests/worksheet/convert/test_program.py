@@ -40,6 +40,7 @@ def run(text: str) -> dict[str, Any]:
     values: dict[str, Any] = {}
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", sb.ModelNotice)
+        warnings.filterwarnings("ignore", "FigureCanvasAgg is non-interactive")
         exec(text, values)
     return values
 

@@ -9,3 +9,8 @@ animate(plot, [sin(x + q1), x = 0..3], q1 = 0..1, frames = 3);
 sol := dsolve({diff(y(t),t) = -y(t), y(0) = 1}, numeric):
 odeplot(sol, [t, y(t)], 0..1);
 sol(1.0);
+logplot(x^2 + 1, x = 1..100), semilogplot(20*log10(abs(1/(1+I*w))), w = 0.01..100), loglogplot(1/w, w = 1..10):
+polarplot(1 + cos(theta), theta = 0..2*Pi):
+spacecurve([cos(s), sin(s), s/5], s = 0..4*Pi);
+plot3d(sin(x)*y, x = 0..Pi, y = 0..1), plot3d([u, v, u*v], u = 0..1, v = 0..1):
+implicitplot(x^2 + y^2 = 1, x = -2..2, y = -2..2);

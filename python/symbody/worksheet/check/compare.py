@@ -22,7 +22,7 @@ from symbody.worksheet.values.value import (
     Value,
 )
 
-__all__ = ["difference"]
+__all__ = ["difference", "same_value"]
 
 #: Decimals are printed with some 10 digits, fewer if ``Digits`` says so.
 _TOLERANCE = 1e-6
@@ -47,6 +47,11 @@ def difference(theirs: str, ours: str) -> str:
         # Without a name, the output may belong to another statement.
         return f"the file has {_kind(left)}, the run {_kind(right)}"
     return _Comparison(file.has_decimals or run.has_decimals).values(left, right, cut=file.cut)
+
+
+def same_value(left: Expr, right: Expr) -> bool:
+    """Whether two expressions have one value, decimals to the digits that are printed."""
+    return left == right or _nearly_equal(left, right)
 
 
 def _counts(expression: syntax.Expression) -> bool:

@@ -174,6 +174,14 @@ _SCALARS: Mapping[str, Callable[..., Expr]] = {
     "sqrt": sb.sqrt,
     "abs": abs,
     "signum": sb.sign,
+    # of programs
+    "asin": sb.asin,
+    "acos": sb.acos,
+    "atan": sb.atan,
+    "atan2": sb.atan2,
+    "log": sb.log,
+    "fabs": abs,
+    "pow": lambda base, exponent: base**exponent,
 }
 
 

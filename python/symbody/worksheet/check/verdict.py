@@ -7,11 +7,14 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from symbody.worksheet.check.align import Block, Output, aligned
+from symbody.worksheet.check.code import code_difference
 from symbody.worksheet.check.compare import difference
 from symbody.worksheet.check.printed import NotComparable, is_cut
-from symbody.worksheet.reading.text_export import is_picture
+from symbody.worksheet.check.texts import text_difference
+from symbody.worksheet.reading.text_export import is_layout, is_picture
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.sheet.outcome import Outcome
+from symbody.worksheet.sheet.printing_statement import prints_code, prints_text
 from symbody.worksheet.sheet.source import Cell
 
 __all__ = ["Verdict", "verdicts"]
@@ -42,6 +45,10 @@ def verdicts(cells: Sequence[Cell], outcomes: Sequence[Outcome]) -> list[Verdict
     """Return a verdict for each statement of which the file contains an output, in the file's order."""
     outputs = list(_outputs(outcomes))
     blocks = list(_blocks(cells))
+    programs = list(_programs(blocks, outputs))
+    for _, of_file, of_run in programs:
+        blocks = [block for block in blocks if block not in of_file]
+        outputs = [output for output in outputs if output not in of_run]
     comparable = [block for block in blocks if not is_picture(block.text)]
     partners = dict(zip(comparable, aligned(comparable, outputs), strict=True))
     groups: dict[tuple[str, int], list[Verdict]] = {}
@@ -55,7 +62,25 @@ def verdicts(cells: Sequence[Cell], outcomes: Sequence[Outcome]) -> list[Verdict
         )
         verdict = Verdict(_line(cells, block), "not comparable", reason)
         groups.setdefault(("cell", block.cell), []).append(verdict)
-    return [_together(group) for group in groups.values()]
+    found = [*(verdict for verdict, _, _ in programs), *(_together(group) for group in groups.values())]
+    return sorted(found, key=lambda verdict: verdict.line) if programs else found
+
+
+def _programs(
+    blocks: Sequence[Block], outputs: Sequence[Output]
+) -> Iterator[tuple[Verdict, list[Block], list[Output]]]:
+    """Return the verdict on each printed program, whose lines belong together; its cell prints nothing else."""
+    for number in dict.fromkeys(output.number for output in outputs if prints_code(output.statement)):
+        of_run = [output for output in outputs if output.number == number]
+        of_file = [block for block in blocks if block.cell == of_run[0].cell]
+        if not of_file or any(output.cell == of_run[0].cell for output in outputs if output.number != number):
+            continue
+        try:
+            reason = code_difference((each.text for each in of_file), (each.text for each in of_run))
+            verdict = Verdict(of_run[0].line, "differs" if reason else "equal", reason)
+        except NotComparable as error:
+            verdict = Verdict(of_run[0].line, "not comparable", str(error))
+        yield verdict, of_file, of_run
 
 
 def _together(group: Sequence[Verdict]) -> Verdict:
@@ -73,15 +98,18 @@ def _together(group: Sequence[Verdict]) -> Verdict:
 
 def _outputs(outcomes: Sequence[Outcome]) -> Iterator[Output]:
     for number, outcome in enumerate(outcomes):
+        is_text = prints_text(outcome.statement)
         for text in outcome.printed:
-            yield Output(text, outcome.cell, outcome.line, number, outcome.statement)
+            for line in text.split("\n") if is_text else [text]:
+                if line.strip():
+                    yield Output(line, outcome.cell, outcome.line, number, outcome.statement)
 
 
 def _blocks(cells: Sequence[Cell]) -> Iterator[Block]:
     """Return the outputs in the file, without messages, which depend on the release."""
     for number, cell in enumerate(cells):
         for index, text in enumerate(cell.printed):
-            if not _MESSAGE.match(text):
+            if not _MESSAGE.match(text) and text.strip():
                 yield Block(text, number, index)
 
 
@@ -90,14 +118,18 @@ def _line(cells: Sequence[Cell], block: Block) -> int:
 
 
 def _unmatched(block: Block, outcomes: Sequence[Outcome]) -> str:
+    if is_layout(block.text):
+        return "printed in two dimensions"
     failed = any(outcome.error for outcome in outcomes if outcome.cell == block.cell)
     shown = block.text if len(block.text) <= 50 else block.text[:47] + "..."
     return f"{'the statement failed' if failed else 'the run printed nothing for it'}: {shown}"
 
 
 def _verdict(block: Block, output: Output, outputs: Sequence[Output]) -> Verdict:
+    if is_layout(block.text):
+        return Verdict(output.line, "not comparable", "printed in two dimensions")
     try:
-        reason = difference(block.text, output.text)
+        reason = _difference(block, output)
     except NotComparable as error:
         return Verdict(output.line, "not comparable", str(error))
     if not reason:
@@ -107,6 +139,19 @@ def _verdict(block: Block, output: Output, outputs: Sequence[Output]) -> Verdict
     if _counts_items(output.statement):
         return Verdict(output.line, "not comparable", f"a count, which depends on the form: {reason}")
     return Verdict(output.line, "differs", reason)
+
+
+def _difference(block: Block, output: Output) -> str:
+    """Return where an output differs: as a text below ``printf``, else by value."""
+    if not prints_text(output.statement):
+        return difference(block.text, output.text)
+    reason = text_difference(block.text, output.text)
+    if not reason or not isinstance(output.statement, syntax.For | syntax.If):
+        return reason
+    try:  # a loop prints values too
+        return difference(block.text, output.text) and reason
+    except NotComparable:
+        return reason
 
 
 def _is_elsewhere(block: Block, output: Output, outputs: Sequence[Output]) -> bool:

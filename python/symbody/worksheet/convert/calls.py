@@ -4,16 +4,20 @@ from __future__ import annotations
 
 from symbody.symbolic import Expr
 from symbody.worksheet.convert.files import FILES
+from symbody.worksheet.convert.joint_calls import JOINTS
 from symbody.worksheet.convert.maple_calls import MAPLE
 from symbody.worksheet.convert.mechanics_calls import MECHANICS
 from symbody.worksheet.convert.name_text import concatenation
 from symbody.worksheet.convert.names import NoText, identifier
+from symbody.worksheet.convert.numbers_calls import NUMBERS
 from symbody.worksheet.convert.selections import indexed
 from symbody.worksheet.convert.sequences import item
 from symbody.worksheet.convert.writer import Writer
 from symbody.worksheet.sheet import syntax
 
 __all__ = ["arrow", "call"]
+
+_TABLES = (MECHANICS, JOINTS, MAPLE, NUMBERS, FILES)
 
 
 def call(to: Writer, node: syntax.Call) -> str:
@@ -32,7 +36,7 @@ def call(to: Writer, node: syntax.Call) -> str:
         return f"{written}({_arguments(to, arguments)})"
     if callable(to.names.values.get(identifier(name))):
         return f"{identifier(name)}({_arguments(to, arguments)})"
-    command = MECHANICS.get(name) or MAPLE.get(name) or FILES.get(name)
+    command = next((table[name] for table in _TABLES if name in table), None)
     if command is not None:
         return command(to, arguments)
     raise NoText(name)

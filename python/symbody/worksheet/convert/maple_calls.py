@@ -207,6 +207,16 @@ def _in_decimals(text: Writer, arguments: Arguments) -> str:
     found = text.value(whole)
     if isinstance(found, Expr) and found.is_constant:
         return f"float({whole})"
+    if (
+        isinstance(found, list)
+        and found
+        and all(isinstance(each, Expr) and each.is_constant for each in found)
+    ):
+        return f"[float(each) for each in {whole}]"
+    if isinstance(found, dict) and all(
+        isinstance(each, Expr) and each.is_constant for each in found.values()
+    ):
+        return f"{{name: float(each) for name, each in {grouped(whole)}.items()}}"
     raise NoText("evalf")
 
 

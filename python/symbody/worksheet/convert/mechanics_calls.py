@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 from collections.abc import Callable, Mapping
 from typing import TypeAlias
 
@@ -154,7 +155,25 @@ def _lagrange_of_system(text: Writer, arguments: Arguments) -> str:
         return f"sb.lagrange(sb.kinetic_energy({objects}), {unknown})"
     if len(bodies) == len(found):
         return f"sb.lagrange(sb.kinetic_energy({objects}) - sb.gravitational_energy({objects}, {gravity}), {unknown})"
-    raise NoText("lagrange_equations")
+    heavy = f", gravity={gravity}" if gravity else ""
+    coordinates = unknown if isinstance(text.value(unknown), list) else f"[{unknown}]"
+    heavy_bodies, loads = _divided(text, objects)
+    system = f"sb.System({heavy_bodies}, {loads}, coordinates={coordinates}{heavy})"
+    return f"list(sb.lagrange_equations({system}).residuals)"
+
+
+def _divided(text: Writer, objects: str) -> tuple[str, str]:
+    """Return the bodies and the loads of a list: name by name, if it is written out."""
+    node = ast.parse(objects, mode="eval").body
+    if not isinstance(node, ast.List) or any(isinstance(each, ast.Starred) for each in node.elts):
+        return (
+            f"[each for each in {objects} if isinstance(each, sb.Body)]",
+            f"[each for each in {objects} if not isinstance(each, sb.Body)]",
+        )
+    names = [ast.unparse(each) for each in node.elts]
+    bodies = [name for name in names if isinstance(text.value(name), Body)]
+    loads = [name for name in names if name not in bodies]
+    return f"[{', '.join(bodies)}]", f"[{', '.join(loads)}]"
 
 
 def _linearized(text: Writer, arguments: Arguments) -> str:

@@ -11,8 +11,35 @@ from symbody.symbolic import Expr, symbol, time_function
 
 __all__ = ["Names", "NoText", "identifier"]
 
+_MODULES = """import pickle
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+import scipy.optimize
+
+import symbody as sb
+"""
+"""What a program may import: only what it needs."""
+
 _TAKEN = frozenset(
-    {"sb", "print", "range", "len", "value", "list", "set", "abs", "sum", "min", "max", "dict"}
+    {
+        "sb",
+        "print",
+        "range",
+        "len",
+        "value",
+        "list",
+        "set",
+        "abs",
+        "sum",
+        "min",
+        "max",
+        "dict",
+        "np",
+        "plt",
+        "scipy",
+    }
 )
 
 
@@ -31,7 +58,7 @@ def identifier(name: str) -> str:
 def _imported() -> dict[str, Any]:
     """Return what the first lines of a program import."""
     values: dict[str, Any] = {}
-    exec("import pickle\nfrom pathlib import Path\nimport symbody as sb", values)
+    exec(_MODULES, values)
     return values
 
 
@@ -100,7 +127,7 @@ class Names:
         kept = {
             text: made
             for text, made in self.values.items()
-            if text in {"sb", "Path", "pickle", "__builtins__"}
+            if text in {"sb", "Path", "pickle", "np", "plt", "scipy", "__builtins__"}
             or (text in self.symbols and str(made) == self.symbols[text] and made not in self.small)
         }
         self.used |= self.values.keys() - kept.keys()

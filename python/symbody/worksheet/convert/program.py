@@ -95,7 +95,7 @@ def _text(program: Draft, title: str) -> str:
     while "\n\n\n" in body:
         body = body.replace("\n\n\n", "\n\n")
     title = title.replace('"', "'")
-    return _HEAD.format(title=title, imports=_imports(body)) + "\n".join(head) + "\n\n" + body + "\n"
+    return _HEAD.format(title=title, imports=_imports(body)) + "\n".join(head) + "\n\n" + body + _end(body)
 
 
 def _add(program: Draft, statement: syntax.Statement, *, keeps: bool) -> bool:
@@ -135,8 +135,19 @@ def _restart(program: Draft) -> None:
     program.last = ""
 
 
+def _end(body: str) -> str:
+    """Return what ends the program: pictures are shown."""
+    return "\n\nplt.show()\n" if "plt." in body else "\n"
+
+
 def _imports(body: str) -> str:
     """Return the lines that import what the program needs of the standard library."""
-    needed = {"pickle.": "import pickle\n", "Path(": "from pathlib import Path\n"}
+    needed = {
+        "pickle.": "import pickle\n",
+        "Path(": "from pathlib import Path\n",
+        "plt.": "import matplotlib.pyplot as plt\n",
+        "np.": "import numpy as np\n",
+        "scipy.": "import scipy.optimize\n",
+    }
     lines = "".join(line for word, line in needed.items() if word in body)
     return f"{lines}\n" if lines else ""

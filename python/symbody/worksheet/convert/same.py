@@ -9,7 +9,8 @@ from typing import Any
 from symbody.errors import SymbodyError
 from symbody.geometry import Frame
 from symbody.multibody import Body, Force, TireKinematics, Torque
-from symbody.symbolic import Expr, Matrix, number, substitute
+from symbody.simulation import Motion
+from symbody.symbolic import Expr, Matrix, number, substitute, symbol
 from symbody.worksheet.evaluation.session import Session
 from symbody.worksheet.mechanics.objects import Reader, kind_of
 from symbody.worksheet.values.value import (
@@ -18,6 +19,7 @@ from symbody.worksheet.values.value import (
     Builtin,
     Listed,
     MapleSet,
+    Plot,
     ProcedureValue,
     Relation,
     Sequence,
@@ -79,8 +81,13 @@ class _Comparison:
                 return isinstance(made, TextIOBase) or self.equal(made, found)  # an open file is a number
             case String(text=text) | Boolean(truth=text):
                 return type(made) is type(text) and bool(made == text)
-            case ProcedureValue() | Builtin():
-                return callable(made)
+            case ProcedureValue() | Builtin() | Plot():
+                # The solution of dsolve is a motion, whose values are compared where they are used.
+                return (
+                    made is not None
+                    if isinstance(found, Plot)
+                    else callable(made) or isinstance(made, Motion)
+                )
             case Relation(operator="=", left=left, right=right):
                 return self.equation(made, left, right)
             case MapleSet(items=items) | Listed(items=items) | Sequence(items=items):
@@ -155,6 +162,8 @@ class _Comparison:
         if kind == "BODY":
             body = reader.body(value)
             return self.in_frame(made, body, (made.mass, *_entries(made)), (body.mass, *_entries(body)))
+        if kind == "CONSTRAINT":
+            return self.same([each.condition for each in made], value.entries[_EXPRESSIONS])
         if kind == "TIRE":
             return isinstance(made, TireKinematics)
         load = reader.load(value)
@@ -165,6 +174,9 @@ class _Comparison:
     def in_frame(self, made: Any, thing: Any, left: Iterable[Expr], right: Iterable[Expr]) -> bool:
         frames = [*made.frame.matrix.entries, *left], [*thing.frame.matrix.entries, *right]
         return self.plain(frames[0]) == self.plain(frames[1])
+
+
+_EXPRESSIONS = (symbol("expr"),)
 
 
 def _entries(body: Body) -> list[Expr]:

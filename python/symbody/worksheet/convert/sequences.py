@@ -28,6 +28,8 @@ def item(to: Writer, node: syntax.Expression) -> str:
             return f"*{components(to, arguments)}"
         case syntax.Call(function=syntax.Name(name="seq"), arguments=(each, span)):
             return f"*{comprehension(to, each, span)}"
+        case syntax.Call(function=syntax.Name(name="allvalues")):
+            return f"*{to.text(node)}"
         case syntax.SequenceDisplay(items=nodes):
             return items(to, nodes)
     return to.text(node)

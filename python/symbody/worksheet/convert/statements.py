@@ -271,7 +271,13 @@ def _acts(item: syntax.Expression) -> bool:
         case syntax.Call(
             function=syntax.Name(name=name) | syntax.Selection(indices=(syntax.Name(name=name),))
         ):
-            return name in FILES and name != "Exists"
+            return (name in FILES and name != "Exists") or name in {
+                "plot",
+                "odeplot",
+                "logplot",
+                "semilogplot",
+                "loglogplot",
+            }
     return False
 
 

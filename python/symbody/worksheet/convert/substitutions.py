@@ -7,7 +7,7 @@ from symbody.worksheet.convert.names import NoText
 from symbody.worksheet.convert.writer import Arguments, Writer
 from symbody.worksheet.sheet import syntax
 
-__all__ = ["generated", "simplified", "solution", "substitution"]
+__all__ = ["differences", "generated", "simplified", "solution", "substitution"]
 
 
 def substitution(text: Writer, arguments: Arguments) -> str:
@@ -68,7 +68,7 @@ def solution(text: Writer, arguments: Arguments) -> str:
         return f"sb.solve({equations}, {unknowns})[{unknowns}]"
     if isinstance(text.value(unknowns), Expr):
         unknowns = f"[{unknowns}]"
-    equations = _differences(text, equations)
+    equations = differences(text, equations)
     solved = f"sb.solve({equations}, {unknowns})"
     return f"[{solved}]" if isinstance(arguments[1], syntax.ListDisplay | syntax.Call) else solved
 
@@ -89,7 +89,7 @@ def _as_set(node: syntax.Expression, place: syntax.Place) -> syntax.Expression:
     return syntax.SetDisplay(node.items, place=place) if isinstance(node, syntax.ListDisplay) else node
 
 
-def _differences(text: Writer, equations: str) -> str:
+def differences(text: Writer, equations: str) -> str:
     """Return a list of equations as one of differences."""
     found = text.value(equations)
     if isinstance(found, list) and found and all(isinstance(each, dict) for each in found):

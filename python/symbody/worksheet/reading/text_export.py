@@ -15,9 +15,10 @@ from lark import Token
 from symbody.worksheet.reading.parse import TERMINATORS, Failure, next_statement, terminator_after, tokens_of
 from symbody.worksheet.reading.statements import is_open, statements
 from symbody.worksheet.sheet import syntax
+from symbody.worksheet.sheet.printing_statement import PRINTING
 from symbody.worksheet.sheet.source import Cell, Line, Remark, SyntaxMistake
 
-__all__ = ["is_picture", "text_export_cells"]
+__all__ = ["is_layout", "is_picture", "text_export_cells"]
 
 #: How many lines without a prompt can stand in an open bracket.
 _HELD = 20
@@ -25,6 +26,8 @@ _HELD = 20
 _PROMPTS = re.compile(r"\s*(?:>\s*)+")
 _PROMPT_WITHIN = re.compile(r"(?<=[;:])\s*>\s")
 _PICTURE = re.compile(r"\[Maple [\w ]+\]|!\[.*\]\(.*\)")
+_LAYOUT = re.compile(r"\s{8,}\S")
+_BAR = re.compile(r"-{4,}")
 _MESSAGE = re.compile(r"(Warning|Error),|MBSymba(_| release)")
 
 
@@ -50,6 +53,13 @@ class _Cells:
     def print(self, block: str) -> None:
         """Add a block of output; before the first code, it is prose."""
         (self.printed if self.input else self.prose).append(block)
+
+    def print_below(self, line: str) -> None:
+        """Add a line of a formula in two dimensions to the block that it belongs to; other lines are blocks."""
+        if self.printed and is_layout(self.printed[-1] + "\n" + line):
+            self.printed[-1] += f"\n{line}"
+        else:
+            self.printed.append(line)
 
     def goes_on(self) -> bool:
         """Whether the last statement needs more, and nothing was printed behind it."""
@@ -104,6 +114,8 @@ def _read_code(cells: _Cells, lines: Sequence[Line]) -> None:
             if cells.printed:
                 cells.close()
             cells.input += _inputs(line, prompt.end())
+        elif _is_printed_below(cells.input, lines, index):
+            cells.print_below(line.text)
         elif not cells.printed and _goes_on(cells.input, _unprompted(lines[index:])):
             cells.input.append(line)
         elif _is_output(line.text):
@@ -112,6 +124,32 @@ def _read_code(cells: _Cells, lines: Sequence[Line]) -> None:
             cells.input.append(line)  # it can't be read, and the mistake is reported
         else:
             cells.prose.append(line.text.strip())
+
+
+def is_layout(block: str) -> bool:
+    """Whether a block is a formula in two dimensions: lines of which one is a bar, or all are indented."""
+    lines = block.split("\n")
+    return len(lines) > 1 and (
+        any(_BAR.search(line) for line in lines) or all(_LAYOUT.match(line) for line in lines)
+    )
+
+
+def _is_printed_below(code: Sequence[Line], lines: Sequence[Line], index: int) -> bool:
+    """Whether a line without a prompt, behind a statement that has ended, is a printed text or part of a formula."""
+    if not code or not _ends_statement(code[-1]) or is_open(code):
+        return False
+    if index and is_layout("\n".join(each.text for each in lines[index - 1 : index + 1])):
+        return True
+    if _LAYOUT.match(lines[index].text) and any(
+        _BAR.search(each.text) for each in _unprompted(lines[index:])
+    ):
+        return True
+    return _prints(code) and not _begins_code(_unprompted(lines[index:]))
+
+
+def _prints(code: Sequence[Line]) -> bool:
+    """Whether code prints texts or programs: ``printf(..)``, ``codegen[C](..)``; a bare C is a name."""
+    return any(PRINTING.search(line.text) for line in code)
 
 
 def _unprompted(lines: Sequence[Line]) -> Sequence[Line]:
@@ -170,6 +208,13 @@ def _read_text(cells: _Cells, lines: Sequence[Line]) -> None:
     if _is_code(lines):
         cells.close()
         cells.input += lines
+        return
+    if cells.input and _prints(cells.input) and not cells.prose:
+        for line in lines:
+            cells.print_below(line.text)
+        return
+    if cells.input and len(lines) > 1 and is_layout("\n".join(line.text for line in lines)):
+        cells.print("\n".join(line.text for line in lines))
         return
     seen: list[str] = []
     for line in lines:

@@ -1,0 +1,52 @@
+"""Statements that print texts or programs, and not values; what stands below them in a file is read as such."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import fields, is_dataclass
+
+from symbody.worksheet.sheet import syntax
+
+__all__ = ["PRINTING", "prints_code", "prints_text"]
+
+_TEXTS = frozenset({"printf"})
+_PROGRAMS = frozenset({"Matlab", "C", "Fortran", "fortran", "Python"})
+_PACKAGES = frozenset({"codegen", "CodeGeneration"})
+PRINTING = re.compile(r"\b(printf|Matlab|[Ff]ortran)\s*\(|\b(codegen|CodeGeneration)(\[\w+\]|:-\w+)\s*\(")
+"""What such a statement looks like in a text."""
+
+
+def prints_text(statement: syntax.Statement | None) -> bool:
+    """Whether a statement calls ``printf``, in a loop too."""
+    return any(_called(node) in _TEXTS for node in _nodes(statement))
+
+
+def prints_code(statement: syntax.Statement | None) -> bool:
+    """Whether a statement writes a program as text."""
+    match statement:
+        case syntax.Evaluation(expression=syntax.Call() as call):
+            return _called(call) in _PROGRAMS
+    return False
+
+
+def _called(node: object) -> str:
+    match node:
+        case syntax.Call(function=syntax.Name(name=name) | syntax.Member(name=name)):
+            return name
+        case syntax.Call(
+            function=syntax.Selection(whole=syntax.Name(name=package), indices=(syntax.Name(name=name),))
+        ) if package in _PACKAGES:
+            return name
+    return ""
+
+
+def _nodes(node: object) -> Iterator[object]:
+    stack = [node]
+    while stack:
+        part = stack.pop()
+        if isinstance(part, tuple):
+            stack += part
+        elif is_dataclass(part):
+            yield part
+            stack += [getattr(part, each.name) for each in fields(part) if each.name != "place"]
