@@ -449,7 +449,7 @@ def test_other_files_are_left_alone(content: bytes, tmp_path: Path) -> None:
         six(path=file)
     assert file.read_bytes() == content
     np.savez(file, a=[1.0])
-    with pytest.raises(ResultsError, match="it doesn't say 'symbody results 2'"):
+    with pytest.raises(ResultsError, match="it doesn't say 'symbody results 3'"):
         six(path=file)
 
 

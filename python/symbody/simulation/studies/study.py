@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import Executor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf
 from pathlib import Path
 
@@ -140,7 +140,7 @@ def study(
     task = task_of(
         with_states,
         all_cases.parameters,
-        study_instants(t, named, has_outputs=bool(given)),
+        t,
         inputs=inputs,
         method=method,
         rtol=rtol,
@@ -152,6 +152,7 @@ def study(
         max_step=max_step,
         where=PLACE,
     )
+    task = replace(task, instants=study_instants(t, named, has_outputs=bool(given)))
     integrals = [name for name, each in named.items() if each.integrand is not None]
     plan = Plan(
         task,
