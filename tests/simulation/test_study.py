@@ -204,7 +204,7 @@ def at_each_wait(monkeypatch: pytest.MonkeyPatch, executor: Reversed) -> None:
 
 
 def test_a_bounded_number_is_in_flight_in_any_order(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("symbody.simulation.studies.study.IN_FLIGHT", 1)
+    monkeypatch.setattr("symbody.simulation.studies.study_run.IN_FLIGHT", 1)
     executor = Reversed()
     at_each_wait(monkeypatch, executor)
     assert same(kept(executor=executor), REFERENCE)
@@ -235,8 +235,8 @@ def test_a_worker_of_dask_that_is_killed_loses_nothing(tmp_path: Path) -> None:
         n_workers=2,
         threads_per_worker=1,
         processes=True,
-        dashboard_address=None,
-        worker_dashboard_address=None,
+        dashboard_address=":0",
+        worker_dashboard_address=":0",
     )
     real, killed = flight.run_chunk, []
     with cluster, distributed.Client(cluster) as client, client.get_executor() as executor:
@@ -275,7 +275,7 @@ def test_a_pool_whose_worker_is_killed_keeps_what_is_done(tmp_path: Path) -> Non
 
         with pytest.MonkeyPatch.context() as patch:
             patch.setattr(in_flight.InFlight, "_landed", landed)
-            patch.setattr("symbody.simulation.studies.study.IN_FLIGHT", 1)
+            patch.setattr("symbody.simulation.studies.study_run.IN_FLIGHT", 1)
             with pytest.warns(
                 ModelNotice, match=r"motions were not run \(tasks of the executor failed \(BrokenProcess"
             ):

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from symbody.simulation.batch.case_arrays import Results, Status
 from symbody.simulation.batch.cases import Cases
 from symbody.simulation.batch.run_cases import run_cases
-from symbody.simulation.integrate.notices import Finding, deficiency_findings
+from symbody.simulation.integrate.notices import Tally, deficiency_findings
 from symbody.simulation.integrate.task import KeepGoing, Task
 from symbody.simulation.model.model import DAMPING
 from symbody.symbolic import Expr
@@ -34,7 +34,7 @@ class Chunk:
         status: how each case ended, a `Status`, shape (k,).
         t_reached: the last known instant of each case, shape (k,).
         messages: why cases failed, by their number in the chunk.
-        findings: what a user should know of cases, by their number in the chunk.
+        tally: what a user should know of cases, by their number in the study, counted.
         values: the numbers of the measures, shape (k, columns); NaN for cases that failed.
         partials: the partial result of each statistic.
         histories: the outputs, shape (k, outputs, N), if they are kept.
@@ -43,7 +43,7 @@ class Chunk:
     status: NDArray[np.int8]
     t_reached: Array
     messages: Mapping[int, str]
-    findings: Mapping[int, tuple[Finding, ...]]
+    tally: Tally
     values: Array
     partials: tuple[Partial, ...]
     histories: Array | None
@@ -65,16 +65,17 @@ def run_chunk(plan: Plan, cases: Cases, first: int, threads: int, keep_going: Ke
     with noting() as found:
         values = _Motions(plan, cases, results)
         outputs, columns = values.outputs(), values.columns()
-    findings = {case: each for case, each in enumerate(results.findings) if each}
-    met = deficiency_findings(found, plan.task.model)
-    if met:
-        findings[0] = tuple(dict.fromkeys((*findings.get(0, ()), *met)))
+    tally = Tally()
+    for case, each in enumerate(results.findings):
+        own = each if case else tuple(dict.fromkeys((*each, *deficiency_findings(found, plan.task.model))))
+        if own:
+            tally.add(first + case, own)
     failed = np.flatnonzero(results.status == Status.FAILED).tolist()
     return Chunk(
         results.status,
         results.t_reached,
         {case: str(results.messages[case]) for case in failed},
-        findings,
+        tally,
         columns,
         tuple(statistic.of(outputs, first) for statistic in plan.statistics),
         outputs if plan.keeps_histories else None,
@@ -168,7 +169,7 @@ class _Motions:
         return values
 
 
-def _with_damping(task: Task, cases: Cases, starts: Array) -> dict[Expr, Array]:
+def _with_damping(task: Task, cases: Cases, starts: Array) -> Mapping[Expr, Array]:
     """Return the parameters, with those of Baumgarte's stabilisation if it is used; NaN for cases without a start."""
     if not task.model.is_stabilized:
         return cases.parameters
