@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from symbody.worksheet.check.align import Block, Output, aligned
 from symbody.worksheet.check.compare import difference
 from symbody.worksheet.check.printed import NotComparable, is_cut
-from symbody.worksheet.reading.text_export import is_picture
+from symbody.worksheet.reading.prompts import is_picture
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.sheet.outcome import Outcome
 from symbody.worksheet.sheet.source import Cell
