@@ -99,7 +99,7 @@ def known_names(session: Session) -> list[str]:
 
 def package_command(session: Session, name: str, indices: tuple[syntax.Expression, ...]) -> Value | None:
     """Return the command of ``package[command]``, or None for another selection."""
-    if name in session.names or len(indices) != 1 or not isinstance(indices[0], syntax.Name | syntax.Delayed):
+    if len(indices) != 1 or not isinstance(indices[0], syntax.Name | syntax.Delayed):
         return None
     word = indices[0].body if isinstance(indices[0], syntax.Delayed) else indices[0]
     return member(session, name, [word.name]) if isinstance(word, syntax.Name) else None
@@ -107,7 +107,7 @@ def package_command(session: Session, name: str, indices: tuple[syntax.Expressio
 
 def member(session: Session, package: str, names: list[str]) -> Value | None:
     """Return the command of ``package:-name``, or None; ``:-name`` of a package inside a package too."""
-    name = names[-1]
+    package, name = _meant_package(session, package), names[-1]
     for path in (package, names[0] if len(names) > 1 else package):
         found = PACKAGES.get(path, {}).get(name)
         if found is not None:
@@ -117,6 +117,14 @@ def member(session: Session, package: str, names: list[str]) -> Value | None:
     if package in PACKAGES and name in FORMS:
         return Builtin(name, lambda session, *arguments: NULL)
     return None
+
+
+def _meant_package(session: Session, name: str) -> str:
+    """Return the package for which a name stands: ``LA := LinearAlgebra``; nothing for one with another value."""
+    held = session.names.get(name, Reference(name))
+    return (
+        held.name if isinstance(held, Reference) or (isinstance(held, Expr) and held.kind == "symbol") else ""
+    )
 
 
 def with_package(session: Session, *names: Value) -> Value:

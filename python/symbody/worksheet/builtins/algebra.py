@@ -37,12 +37,25 @@ __all__ = ["COMMANDS", "equations_of", "mapping_of"]
 
 
 def subs(session: Session, *arguments: Value) -> Value:
-    """subs(x = a, .., e): one equation after the other; those of a list or a set at once."""
+    """subs(x = a, .., e): one equation after the other; those of a list or a set at once.
+
+    Of several solutions for the same unknowns, as solve returns them, the first one counts. The next ones find nothing
+    to replace, unless an unknown has got its value meanwhile: this would be replaced by that of another solution.
+    """
     if not arguments:
         raise WorksheetError("subs: no arguments; expected equations and an expression")
     *rules, value = arguments
+    solutions: list[dict[Value, Value]] = []
     for rule in rules:
-        value = substituted(session, value, mapping_of(session, rule))
+        mapping = mapping_of(session, rule)
+        after = substituted(session, value, mapping)
+        if not isinstance(rule, Relation):
+            if any(mapping.keys() == each.keys() and mapping != each for each in solutions):
+                if session.text(after) != session.text(value):
+                    session.notice("subs: several solutions for the same unknowns; the first one is used")
+                continue
+            solutions.append(mapping)
+        value = after
     return session.current(value)
 
 

@@ -85,7 +85,9 @@ def _candidates(tokens: Sequence[Token], begin: int, index: int) -> Iterator[Spa
             yield Span(begin, end)
         yield from _behind_separators(tokens, begin, min(index, end - 1), end)
     yield from _behind_operands(tokens, begin, last, ends[-1])
-    if begin < last and tokens[last].line != tokens[last - 1].line:  # a line of its own behind a complete operand
+    if (
+        begin < last and tokens[last].line != tokens[last - 1].line
+    ):  # a line of its own behind a complete operand
         yield Span(last, ends[-1])
 
 
