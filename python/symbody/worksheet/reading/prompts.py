@@ -44,9 +44,12 @@ def split_at_prompt(line: Line) -> Iterator[Line]:
 
 
 def _has_words(line: Line) -> bool:
-    """Whether two words stand side by side, which they never do in code."""
-    kinds = [token.type for token in tokens_of(line)]
-    return any(pair == ("NAME", "NAME") for pair in pairwise(kinds))
+    """Whether two words stand side by side, or the line tells an author: no code does."""
+    tokens = tokens_of(line)
+    return any(
+        one.type == two.type == "NAME" or (one == "by" and two.type == "NAME")
+        for one, two in pairwise(tokens)
+    )
 
 
 def is_picture(block: str) -> bool:
