@@ -10,7 +10,7 @@ import pytest
 
 from symbody.__main__ import add_run_options
 from symbody.worksheet import builtins
-from symbody.worksheet.mbsymba import COMMANDS, describe
+from symbody.worksheet.commands.mbsymba import COMMANDS, describe
 from symbody.worksheet.run import run_file
 
 SHEETS = sorted(path for path in (Path(__file__).parent / "valid").iterdir() if path.is_file())

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from symbody.worksheet.reading import statements
-from symbody.worksheet.source import Cell, Line, Remark, SyntaxMistake
-from symbody.worksheet.syntax import Assignment, Evaluation, For
+from symbody.worksheet.sheet.source import Cell, Line, Remark, SyntaxMistake
+from symbody.worksheet.sheet.syntax import Assignment, Evaluation, For
 
 
 def read(text: str, **options: bool) -> tuple[list[str], list[str]]:

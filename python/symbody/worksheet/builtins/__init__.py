@@ -6,8 +6,6 @@ import inspect
 from collections.abc import Callable, Iterator
 
 from symbody.symbolic import Expr
-from symbody.worksheet import mbsymba, syntax
-from symbody.worksheet.arithmetic import rebuilt
 from symbody.worksheet.builtins import (
     algebra,
     arrays,
@@ -33,9 +31,12 @@ from symbody.worksheet.builtins import (
 from symbody.worksheet.builtins.display import display
 from symbody.worksheet.builtins.forms import FORMS, dollar, repeated
 from symbody.worksheet.builtins.structural import elementwise, items_of
-from symbody.worksheet.print import name_text
-from symbody.worksheet.session import Command, Session
-from symbody.worksheet.value import NULL, Builtin, Reference, String, Unevaluated, Value
+from symbody.worksheet.commands import mbsymba
+from symbody.worksheet.evaluation.arithmetic import rebuilt
+from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.printing.print import name_text
+from symbody.worksheet.sheet import syntax
+from symbody.worksheet.values.value import NULL, Builtin, Reference, String, Unevaluated, Value
 
 __all__ = [
     "FORMS",

@@ -11,15 +11,15 @@ from symbody.symbolic import collect as collected
 from symbody.symbolic import expand as expanded
 from symbody.symbolic import simplify as simplified
 from symbody.symbolic.linear.elimination import eliminated, is_linear
-from symbody.worksheet.arithmetic import scalar
-from symbody.worksheet.entrywise import entrywise
-from symbody.worksheet.numeric import as_integer
-from symbody.worksheet.polynomial import coefficients, degree, reduced
-from symbody.worksheet.print import text_of
-from symbody.worksheet.session import Command, Session
-from symbody.worksheet.structure import tree_of
-from symbody.worksheet.substitution import substituted
-from symbody.worksheet.value import (
+from symbody.worksheet.builtins.substitution import substituted
+from symbody.worksheet.evaluation.arithmetic import scalar
+from symbody.worksheet.evaluation.entrywise import entrywise
+from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.mathematics.polynomial import coefficients, degree, reduced
+from symbody.worksheet.printing.print import text_of
+from symbody.worksheet.values.numeric import as_integer
+from symbody.worksheet.values.structure import tree_of
+from symbody.worksheet.values.value import (
     Array,
     Listed,
     MapleSet,

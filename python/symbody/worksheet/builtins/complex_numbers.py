@@ -6,12 +6,12 @@ from collections.abc import Callable
 
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, atan2, sqrt
-from symbody.worksheet.arithmetic import scalar
-from symbody.worksheet.complex_number import I, normal, parts
-from symbody.worksheet.entrywise import entrywise
-from symbody.worksheet.numeric import with_decimals
-from symbody.worksheet.session import Command, Session
-from symbody.worksheet.value import Value
+from symbody.worksheet.evaluation.arithmetic import scalar
+from symbody.worksheet.evaluation.entrywise import entrywise
+from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.values.complex_number import I, normal, parts
+from symbody.worksheet.values.numeric import with_decimals
+from symbody.worksheet.values.value import Value
 
 __all__ = ["COMMANDS"]
 

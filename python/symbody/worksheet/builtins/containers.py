@@ -6,18 +6,18 @@ from dataclasses import replace
 
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, number, pi
-from symbody.worksheet.arithmetic import scalar
 from symbody.worksheet.builtins.arrays import array_of
 from symbody.worksheet.builtins.elementary import in_decimals
 from symbody.worksheet.builtins.structural import operands
 from symbody.worksheet.builtins.texts import unparsed
-from symbody.worksheet.current import set_of
-from symbody.worksheet.entrywise import copied, parts_of
-from symbody.worksheet.naming import symbol
-from symbody.worksheet.numeric import as_integer
-from symbody.worksheet.select import key_of
-from symbody.worksheet.session import Command, Session, sequence
-from symbody.worksheet.value import (
+from symbody.worksheet.evaluation.arithmetic import scalar
+from symbody.worksheet.evaluation.current import set_of
+from symbody.worksheet.evaluation.entrywise import copied, parts_of
+from symbody.worksheet.evaluation.select import key_of
+from symbody.worksheet.evaluation.session import Command, Session, sequence
+from symbody.worksheet.values.naming import symbol
+from symbody.worksheet.values.numeric import as_integer
+from symbody.worksheet.values.value import (
     NULL,
     Array,
     Boolean,

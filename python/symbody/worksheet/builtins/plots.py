@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING
 from symbody.deferred import Deferred
 from symbody.errors import SymbodyError, WorksheetError
 from symbody.symbolic import Expr
-from symbody.worksheet.builtins.plot_options import number_of, plot_options, range_of, styled
-from symbody.worksheet.drawing import Piece, pieces_of
-from symbody.worksheet.numeric import decimal
-from symbody.worksheet.session import Command, Session
-from symbody.worksheet.value import (
+from symbody.worksheet.drawing.options import number_of, plot_options, range_of, styled
+from symbody.worksheet.drawing.pieces import Piece, pieces_of
+from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.values.numeric import decimal
+from symbody.worksheet.values.value import (
     NULL,
     Array,
     Boolean,

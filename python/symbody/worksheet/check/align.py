@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import takewhile
 
-from symbody.worksheet import syntax
+from symbody.worksheet.sheet import syntax
 
 __all__ = ["Block", "Output", "aligned"]
 

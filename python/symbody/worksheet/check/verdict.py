@@ -6,13 +6,13 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from symbody.worksheet import syntax
 from symbody.worksheet.check.align import Block, Output, aligned
 from symbody.worksheet.check.compare import difference
 from symbody.worksheet.check.printed import NotComparable, is_cut
-from symbody.worksheet.outcome import Outcome
 from symbody.worksheet.reading.text_export import is_picture
-from symbody.worksheet.source import Cell
+from symbody.worksheet.sheet import syntax
+from symbody.worksheet.sheet.outcome import Outcome
+from symbody.worksheet.sheet.source import Cell
 
 __all__ = ["Verdict", "verdicts"]
 

@@ -12,8 +12,8 @@ from itertools import pairwise
 
 from lark import Token
 
-from symbody.worksheet import syntax
 from symbody.worksheet.reading.parse import TERMINATORS, Failure, Parsed, is_statement, next_statement
+from symbody.worksheet.sheet import syntax
 
 __all__ = ["Span", "is_trailing_remark", "remark_in", "used_names"]
 

@@ -12,10 +12,10 @@ from dataclasses import dataclass, field
 
 from lark import Token
 
-from symbody.worksheet import syntax
 from symbody.worksheet.reading.parse import TERMINATORS, Failure, next_statement, terminator_after, tokens_of
 from symbody.worksheet.reading.statements import is_open, statements
-from symbody.worksheet.source import Cell, Line, Remark, SyntaxMistake
+from symbody.worksheet.sheet import syntax
+from symbody.worksheet.sheet.source import Cell, Line, Remark, SyntaxMistake
 
 __all__ = ["is_picture", "text_export_cells"]
 
