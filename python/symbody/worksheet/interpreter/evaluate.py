@@ -17,7 +17,7 @@ from symbody.worksheet.evaluation.current import flattened, set_of
 from symbody.worksheet.evaluation.entrywise import entrywise
 from symbody.worksheet.evaluation.select import selected
 from symbody.worksheet.evaluation.session import Session, sequence
-from symbody.worksheet.interpreter.procedure import call_procedure
+from symbody.worksheet.interpreter.procedure import ProcedureCall, call_procedure
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.values.complex_number import normal
 from symbody.worksheet.values.naming import symbol
@@ -380,7 +380,7 @@ class Evaluator:
         return self._other_call(function, arguments)
 
     def _procedure_call(self, found: ProcedureValue, arguments: tuple[Value, ...], name: str) -> Value:
-        return call_procedure(self.session, self.execute, found, arguments, name)
+        return call_procedure(self.session, self.execute, ProcedureCall(found, arguments, name))
 
     def _other_call(self, function: Value, arguments: tuple[Value, ...]) -> Value:
         if isinstance(function, Listed):

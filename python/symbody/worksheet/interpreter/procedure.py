@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import TypeAlias
 
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr
 from symbody.worksheet.builtins import PACKAGES
-from symbody.worksheet.evaluation.session import Scope, Session
+from symbody.worksheet.evaluation.session import Command, Scope, Session
 from symbody.worksheet.evaluation.types import has_type
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.values.naming import symbol
@@ -24,7 +26,9 @@ from symbody.worksheet.values.value import (
     Value,
 )
 
-__all__ = ["Leave", "Returned", "call_procedure"]
+__all__ = ["Leave", "ProcedureCall", "Returned", "call_procedure"]
+
+Definition: TypeAlias = syntax.Procedure | syntax.Arrow
 
 
 class Returned(Exception):
@@ -43,27 +47,27 @@ class Leave(Exception):
         self.whole = whole
 
 
-def call_procedure(
-    session: Session,
-    execute: Callable[[Iterable[syntax.Statement]], Value],
-    procedure: ProcedureValue,
-    arguments: tuple[Value, ...],
-    name: str,
-) -> Value:
-    """Return the value of a procedure: that of ``return``, or of its last statement.
+@dataclass(frozen=True, slots=True)
+class ProcedureCall:
+    """A procedure with what it is called by, and with which arguments."""
 
-    Args:
-        session: the session.
-        execute: executes statements, and returns the last value.
-        procedure: the procedure.
-        arguments: the values of its arguments.
-        name: what it is called by.
-    """
+    procedure: ProcedureValue
+    arguments: tuple[Value, ...]
+    name: str
+
+
+Execute: TypeAlias = Callable[[Iterable[syntax.Statement]], Value]
+"""Executes statements, and returns the last value."""
+
+
+def call_procedure(session: Session, execute: Execute, call: ProcedureCall) -> Value:
+    """Return the value of a procedure: that of ``return``, or of its last statement."""
+    procedure, arguments = call.procedure, call.arguments
     remembers = "remember" in getattr(procedure.definition, "options", ()) and _are_constant(arguments)
     if remembers and arguments in procedure.results:
         result: Value = session.current(procedure.results[arguments])
         return result
-    value = _called(session, execute, procedure, arguments, name)
+    value = _called(session, execute, call)
     if remembers:
         procedure.results[arguments] = value
     return value
@@ -78,45 +82,22 @@ def _are_constant(arguments: tuple[Value, ...]) -> bool:
     )
 
 
-def _called(
-    session: Session,
-    execute: Callable[[Iterable[syntax.Statement]], Value],
-    procedure: ProcedureValue,
-    arguments: tuple[Value, ...],
-    name: str,
-) -> Value:
-    """Return the value of a procedure, worked out.
-
-    Args:
-        session: the session.
-        execute: executes statements, and returns the last value.
-        procedure: the procedure.
-        arguments: the values of its arguments.
-        name: what it is called by.
-    """
+def _called(session: Session, execute: Execute, call: ProcedureCall) -> Value:
+    """Return the value of a procedure, worked out."""
     if len(session.scopes) >= session.limits.depth:
-        raise WorksheetError(f"{name}: too many levels of recursion ({session.limits.depth})")
+        raise WorksheetError(f"{call.name}: too many levels of recursion ({session.limits.depth})")
     session.limits.check()
-    definition = procedure.definition
-    scope = _scope(session, procedure, arguments, name)
-    session.scopes.append(scope)
+    session.scopes.append(_scope(session, call))
     resolving, session.resolving = session.resolving, []
     packages = session.packages
-    if isinstance(definition, syntax.Procedure) and definition.uses:
-        session.packages = packages | {
-            k: v for use in definition.uses for k, v in PACKAGES.get(use, {}).items()
-        }
+    session.packages = packages | _used(call.procedure.definition)
     try:
-        if isinstance(definition, syntax.Procedure):
-            return execute(definition.body)
-        if isinstance(definition.body, syntax.If):
-            return execute((definition.body,))
-        return session.evaluate(definition.body)
+        return _executed(session, execute, call.procedure.definition)
     except Returned as returned:
         return returned.value
     except WorksheetError as error:
         if session.scopes and len(session.scopes) == 1 and not str(error).startswith("(in "):
-            raise WorksheetError(f"(in {name}) {error}", error.place) from error
+            raise WorksheetError(f"(in {call.name}) {error}", error.place) from error
         raise
     finally:
         session.scopes.pop()
@@ -124,10 +105,24 @@ def _called(
         session.packages = packages
 
 
-def _scope(session: Session, procedure: ProcedureValue, arguments: tuple[Value, ...], name: str) -> Scope:
-    definition = procedure.definition
-    scope = Scope(parent=procedure.scope, arguments=arguments, name=name)
-    _bind(session, scope, definition.parameters, arguments, name)
+def _used(definition: Definition) -> dict[str, Command]:
+    """Return the commands of the packages that a procedure uses."""
+    uses = definition.uses if isinstance(definition, syntax.Procedure) else ()
+    return {name: command for use in uses for name, command in PACKAGES.get(use, {}).items()}
+
+
+def _executed(session: Session, execute: Execute, definition: Definition) -> Value:
+    if isinstance(definition, syntax.Procedure):
+        return execute(definition.body)
+    if isinstance(definition.body, syntax.If):
+        return execute((definition.body,))
+    return session.evaluate(definition.body)
+
+
+def _scope(session: Session, call: ProcedureCall) -> Scope:
+    definition = call.procedure.definition
+    scope = Scope(parent=call.procedure.scope, arguments=call.arguments, name=call.name)
+    _bind(session, scope, definition.parameters)
     if isinstance(definition, syntax.Procedure):
         scope.local = {each for each in definition.local if each not in scope.names}
         assigned = _assigned(definition.body) - set(definition.shared) - scope.names.keys()
@@ -167,30 +162,16 @@ def _assigned(body: Iterable[syntax.Statement]) -> set[str]:
 # --- parameters -------------------------------------------------------------------------------------------------------
 
 
-def _bind(
-    session: Session,
-    scope: Scope,
-    parameters: Iterable[syntax.Parameter],
-    arguments: tuple[Value, ...],
-    name: str,
-) -> None:
-    """Give parameters their values.
-
-    Args:
-        session: the session.
-        scope: the names of the call.
-        parameters: the heading of the procedure.
-        arguments: the values of the arguments.
-        name: what the procedure is called by.
-    """
+def _bind(session: Session, scope: Scope, parameters: Iterable[syntax.Parameter]) -> None:
+    """Give the parameters of a heading their values: those of the arguments, or their defaults."""
     plain = [each for each in parameters if not each.keyword and not each.rest]
     named = {each.name: each for each in parameters if each.keyword}
-    positional = list(arguments)
+    positional = list(scope.arguments)
     if named:
-        positional = _take_keywords(session, scope, named, arguments)
+        positional = _take_keywords(session, scope, named)
     if any(each.rest for each in parameters) and len(positional) > len(plain):
         raise WorksheetError(
-            f"invalid input: too many and/or wrong type of arguments passed to {name}; first unused argument is "
+            f"invalid input: too many and/or wrong type of arguments passed to {scope.name}; first unused argument is "
             f"{session.text(positional[len(plain)])[:60]}"
         )
     for i, parameter in enumerate(plain):
@@ -200,7 +181,7 @@ def _bind(
             )
             return
         if i < len(positional):
-            _check(session, parameter, positional[i], i, name)
+            _check(session, parameter, positional[i], i, scope.name)
             scope.names[parameter.name] = positional[i]
         elif parameter.default is not None:
             scope.names[parameter.name] = session.evaluate(parameter.default)
@@ -212,11 +193,9 @@ def _is_rest_of_arguments(session: Session, parameter: syntax.Parameter) -> bool
     return isinstance(parameter.type, syntax.Name) and parameter.type.name == "seq"
 
 
-def _take_keywords(
-    session: Session, scope: Scope, named: dict[str, syntax.Parameter], arguments: tuple[Value, ...]
-) -> list[Value]:
+def _take_keywords(session: Session, scope: Scope, named: dict[str, syntax.Parameter]) -> list[Value]:
     positional = []
-    for each in arguments:
+    for each in scope.arguments:
         keyword = _keyword(each)
         if keyword is not None and keyword[0] in named:
             scope.names[keyword[0]] = keyword[1]
