@@ -102,7 +102,12 @@ def package_command(session: Session, name: str, indices: tuple[syntax.Expressio
     if len(indices) != 1 or not isinstance(indices[0], syntax.Name | syntax.Delayed):
         return None
     word = indices[0].body if isinstance(indices[0], syntax.Delayed) else indices[0]
-    return member(session, name, [word.name]) if isinstance(word, syntax.Name) else None
+    if not isinstance(word, syntax.Name):
+        return None
+    found, package = member(session, name, [word.name]), _meant_package(session, name)
+    if found is None and package in PACKAGES:
+        session.notice(f"{package}[{word.name}] is not known; it comes back unevaluated")
+    return found
 
 
 def member(session: Session, package: str, names: list[str]) -> Value | None:

@@ -3,19 +3,31 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 from symbody.worksheet.reading.parse import tokens_of
 from symbody.worksheet.sheet.source import Line
 
-__all__ = ["inputs", "is_message", "is_picture", "prompt_of", "split_at_prompt"]
+__all__ = [
+    "inputs",
+    "is_declaration",
+    "is_message",
+    "is_picture",
+    "prompt_of",
+    "split_at_prompt",
+    "with_whole_declarations",
+]
 
 _PROMPTS = re.compile(r"\s*(?:>\s*)+")
 _PROMPT_WITHIN = re.compile(r"(?<=[;:])\s*>\s")
 _PROMPT_IN_PROSE = re.compile(r"(?<=\s)> (?=\s*[^\W\d]\w*\s*(?::=|[(:;]))")
 _PICTURE = re.compile(r"\[Maple [\w ]+\]|!\[.*\]\(.*\)")
+_DECLARATION = re.compile(r"\s*\w+\(\s*\w+::")
 _MESSAGE = re.compile(r"(Warning|Error),|MBSymba(_| release)")
+
+#: On how many lines a declaration can be broken.
+_LONGEST = 12
 
 
 def prompt_of(line: Line) -> int:
@@ -60,3 +72,46 @@ def is_picture(block: str) -> bool:
 def is_message(text: str) -> bool:
     """Whether a line is a message of Maple's, or the banner of a package."""
     return _MESSAGE.match(text.strip()) is not None
+
+
+def is_declaration(block: str) -> bool:
+    """Whether a block of output is what Describe prints of a command: ``origin( TT::frame, $ ) :: POINT``."""
+    return _DECLARATION.match(block) is not None
+
+
+def with_whole_declarations(lines: Sequence[Line]) -> Iterator[Line]:
+    """Return lines, those of a declaration joined to one, without the words above it: Describe breaks long ones."""
+    index = 0
+    while index < len(lines):
+        begin = _behind_words(lines, index)
+        end = _end_of_declaration(lines, begin) if begin < len(lines) else begin
+        if end > begin:
+            first = lines[begin]
+            text = " ".join(line.text.strip() for line in lines[begin:end] if line.text.strip())
+            yield Line(text, first.line, first.column)
+            index = end
+        else:
+            yield from lines[index : max(begin, index + 1)]
+            index = max(begin, index + 1)
+
+
+def _behind_words(lines: Sequence[Line], begin: int) -> int:
+    """Return the index behind lines with ``#`` and empty ones, the first of them with ``#``."""
+    index = begin
+    while index < len(lines) and (
+        lines[index].text.startswith("#") or (index > begin and not lines[index].text.strip())
+    ):
+        index += 1
+    return index
+
+
+def _end_of_declaration(lines: Sequence[Line], begin: int) -> int:
+    """Return the index behind the last bracket of the declaration at an index; the index itself if there is none."""
+    if not is_declaration(lines[begin].text):
+        return begin
+    depth = 0
+    for index, line in enumerate(lines[begin : begin + _LONGEST], start=begin):
+        depth += line.text.count("(") - line.text.count(")")
+        if depth <= 0:
+            return index + 1
+    return begin

@@ -13,7 +13,15 @@ from lark import Token
 
 from symbody.worksheet.reading.interrupted import begins_block, with_whole_blocks
 from symbody.worksheet.reading.parse import TERMINATORS, Failure, next_statement, terminator_after, tokens_of
-from symbody.worksheet.reading.prompts import inputs, is_message, is_picture, prompt_of, split_at_prompt
+from symbody.worksheet.reading.prompts import (
+    inputs,
+    is_declaration,
+    is_message,
+    is_picture,
+    prompt_of,
+    split_at_prompt,
+    with_whole_declarations,
+)
 from symbody.worksheet.reading.statements import is_open, statements
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.sheet.source import Cell, Line, Remark, SyntaxMistake
@@ -65,9 +73,10 @@ def text_export_cells(text: str) -> tuple[Cell, ...]:
 def _paragraphs(text: str) -> Iterator[list[Line]]:
     """Return the groups of lines between empty lines."""
     group: list[Line] = []
-    for number, line in enumerate(text.split("\n"), start=1):
-        if line.strip():
-            group += split_at_prompt(Line(line, number))
+    lines = [Line(line, number) for number, line in enumerate(text.split("\n"), start=1)]
+    for line in with_whole_declarations(lines):
+        if line.text.strip():
+            group += split_at_prompt(line)
         elif group:
             yield group
             group = []
@@ -95,6 +104,8 @@ def _read_code(cells: _Cells, lines: Sequence[Line]) -> None:
             if cells.printed:
                 cells.close()
             cells.input += inputs(line, prompt)
+        elif is_declaration(line.text):
+            cells.print(line.text.strip())
         elif not cells.printed and _goes_on(cells.input, _unprompted(lines[index:])):
             cells.input.append(line)
         elif _is_output(line.text):
@@ -213,7 +224,7 @@ def _is_spaced_call(tokens: Sequence[Token]) -> bool:
 def _is_output(text: str) -> bool:
     """Whether a line reads as a printed value, whole or cut, as a message or as a picture."""
     text = text.strip()
-    if text.endswith("...") or is_picture(text) or is_message(text):
+    if text.endswith("...") or is_picture(text) or is_message(text) or is_declaration(text):
         return True
     tokens = tokens_of(Line(text, 1))
     if not tokens or tokens[-1].type in {"SEMICOLON", "COLON"}:
