@@ -85,6 +85,10 @@ for _family in _FAMILIES:
         PACKAGES.setdefault(_package, {}).update(_commands)
 
 
+_OVERLOADED = frozenset("+-*.")
+"""Operators that MBSymba declares for its objects, and that saved procedures call by their package."""
+
+
 def command(session: Session, name: str) -> Command | None:
     """Return the command that a name stands for, or None."""
     if name in session.packages:
@@ -98,11 +102,14 @@ def known_names(session: Session) -> list[str]:
 
 
 def package_command(session: Session, name: str, indices: tuple[syntax.Expression, ...]) -> Value | None:
-    """Return the command of ``package[command]``, or None for another selection."""
-    if len(indices) != 1 or not isinstance(indices[0], syntax.Name | syntax.Delayed):
+    """Return the command of ``package[command]``, or None for another selection.
+
+    What ``save`` writes may name a package twice: ``plottools[plottools:-sphere]``.
+    """
+    if len(indices) != 1:
         return None
     word = indices[0].body if isinstance(indices[0], syntax.Delayed) else indices[0]
-    if not isinstance(word, syntax.Name):
+    if not isinstance(word, syntax.Name | syntax.Member):
         return None
     found, package = member(session, name, [word.name]), _meant_package(session, name)
     if found is None and package in PACKAGES:
@@ -117,8 +124,10 @@ def member(session: Session, package: str, names: list[str]) -> Value | None:
         found = PACKAGES.get(path, {}).get(name)
         if found is not None:
             return Builtin(name, found)
-    if package.lower().startswith("mbsymba") and name in mbsymba.COMMANDS:
-        return Builtin(name, mbsymba.COMMANDS[name])
+    if package.lower().startswith("mbsymba"):
+        found = mbsymba.COMMANDS.get(name) or (KERNEL.get(name) if name in _OVERLOADED else None)
+        if found is not None:
+            return Builtin(name, found)
     if package in PACKAGES and name in FORMS:
         return Builtin(name, lambda session, *arguments: NULL)
     return None

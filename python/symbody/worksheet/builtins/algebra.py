@@ -94,7 +94,10 @@ def evaluated(session: Session, value: Value, *rules: Value) -> Value:
 
 
 def unapply(session: Session, value: Value, *variables: Value) -> Value:
-    """unapply(e, x, ..): the operator (x, ..) -> e."""
+    """unapply(e, x, ..), unapply(e, [x, ..]): the operator (x, ..) -> e."""
+    variables = tuple(
+        item for each in variables for item in (each.items if isinstance(each, Listed) else (each,))
+    )
     names = [each.name for each in variables if isinstance(each, Expr) and each.kind == "symbol"]
     if len(names) != len(variables):
         raise WorksheetError("unapply: expected names behind the expression")
