@@ -49,7 +49,15 @@ def asked_of(
     histories: bool,
     path: object,
 ) -> Asked:
-    """Return what a user asks for; the arguments are those of `study`.
+    """Return what a user asks for.
+
+    Args:
+        measures: the measures, by name.
+        outputs: the expressions over time, by name.
+        statistics: the statistics of the outputs; by default moments and extremes.
+        events: the events that end motions.
+        histories: whether the outputs of all cases are kept.
+        path: where the file is, if there is one.
 
     Raises:
         ArgumentError: an argument has the wrong kind, nothing is computed, or histories have no place.
