@@ -145,6 +145,8 @@ def test_missing_files_and_names(tmp_path: Path) -> None:
         LoadError, match=r"tire_file a.tir: No such file or directory \(.*a.tir\); expected a tyre"
     ):
         tire_file(path)
+    with pytest.raises(LoadError, match=r"tire_file: path = None; expected the path of a tyre property file"):
+        tire_file(None)  # type: ignore[arg-type]
     path.write_text(f"{START}[LATERAL_COEFFICIENTS]\nPCY1 = 1.3\nPDYX = 1", encoding="utf-8")
     with pytest.warns(
         ModelNotice, match=r"tire_file a.tir: PDYX \(line 7\) mean nothing to the law and are left out"

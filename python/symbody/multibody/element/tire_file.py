@@ -6,7 +6,6 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
-from os import PathLike
 from pathlib import Path
 from typing import Annotated, NamedTuple, TypeAlias, final
 
@@ -21,7 +20,7 @@ from .tire_unit import DIMENSIONS, factor_of, unit_factors
 
 __all__ = ["TireFile", "tire_file"]
 
-FilePath: TypeAlias = Annotated[str | PathLike[str], "the path of a tyre property file, such as 'front.tir'"]
+FilePath: TypeAlias = Annotated[str | Path, "the path of a tyre property file, such as 'front.tir'"]
 
 _VERSIONS = {5: "5.2", 6: "5.2", 21: "5.2", 51: "5.2", 52: "5.2", 60: "6.1", 61: "6.1", 62: "6.1"}
 """The sets of the Magic Formula by FITTYP."""
