@@ -33,6 +33,7 @@ from symbody.simulation.batch import in_flight
 from symbody.simulation.batch.case_arrays import Status
 from symbody.simulation.studies import flight
 from symbody.simulation.studies.statistics.quantiles import EXACT
+from symbody.simulation.studies.study_file import StudyFile
 from tests.repeated import repeated
 from tests.simulation.oscillator import OSCILLATOR, c, displacement, k, m, oscillators, u, x
 
@@ -455,6 +456,21 @@ def test_a_folder_that_is_no_study_is_left_alone(tmp_path: Path) -> None:
     with pytest.raises(ResultsError, match="can't be read as a study"):
         kept(path=tmp_path)
     assert (tmp_path / "thesis.tex").read_text() == "all of it"
+
+
+def test_a_damaged_file_is_named(tmp_path: Path) -> None:
+    """Nothing is written to a file that is complete, so that it can be read where nothing can be written."""
+    path = tmp_path / "study.zarr"
+    kept(path=path)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(StudyFile, "finish", None)
+        patch.setattr(StudyFile, "commit", None)
+        assert same(kept(path=path), REFERENCE)
+    (path / "cost" / "c" / "0").write_bytes(b"abc")
+    with pytest.raises(
+        ResultsError, match=r"study\.zarr can't be read as a study \(.*\); it was not changed"
+    ):
+        kept(path=path)
 
 
 @pytest.mark.slow

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from io import BytesIO
 from pathlib import Path
@@ -186,6 +187,27 @@ class StudyFile:
             overwrite=True,
         )
 
+    @contextmanager
+    def reading(self) -> Iterator[None]:
+        """Turn what a damaged store raises into an error that names it."""
+        try:
+            yield
+        except ResultsError:
+            raise
+        except Exception as error:
+            raise self._unreadable(brief(error)) from error
+
+    @contextmanager
+    def _writing(self) -> Iterator[None]:
+        try:
+            yield
+        except OSError as error:
+            if isinstance(error, ResultsError):
+                raise
+            raise ResultsError(
+                f"{PLACE}: {self.path} can't be written ({error.strerror or error}); the chunks before are there"
+            ) from error
+
     @property
     def _group(self) -> Any:
         return loaded("zarr", PLACE).open_group(self.path, mode="r+")
@@ -213,7 +235,7 @@ class StudyFile:
             ResultsError: the store can't be written.
         """
         rows = slice(number * self.size, number * self.size + len(chunk.status))
-        try:
+        with self._writing():
             group = self._group
             for k, name in enumerate(self.plan.columns):
                 group[name][rows] = chunk.values[:, k]
@@ -232,10 +254,6 @@ class StudyFile:
                 _put_text(group, f"{TALLY}{number}", json.dumps(chunk.tally.rows()))
             group["t_reached"][rows] = chunk.t_reached
             group["status"][rows] = chunk.status
-        except OSError as error:
-            raise ResultsError(
-                f"{PLACE}: {self.path} can't be written ({error.strerror or error}); the chunks before are there"
-            ) from error
 
     def merged(self) -> tuple[int, list[Partial]]:
         """Return the number of chunks whose statistics are merged, and these."""
@@ -257,30 +275,40 @@ class StudyFile:
 
     def commit(self, upto: int, merged: list[Partial]) -> None:
         """Store the merged statistics of the first chunks; then the parts that they replace are removed."""
-        group = self._group
-        before = int(group.attrs.get("merged", 0))
-        if upto == before or not self.plan.statistics:
-            return
-        _put(group, f"merged_{upto}", merged)
-        group.attrs["merged"] = upto
-        for name in [f"merged_{before}", *(f"chunk_{number}" for number in range(before, upto))]:
-            if name in group["progress"]:
-                del group["progress"][name]
+        with self._writing():
+            group = self._group
+            before = int(group.attrs.get("merged", 0))
+            if upto == before or not self.plan.statistics:
+                return
+            _put(group, f"merged_{upto}", merged)
+            group.attrs["merged"] = upto
+            for name in [f"merged_{before}", *(f"chunk_{number}" for number in range(before, upto))]:
+                if name in group["progress"]:
+                    del group["progress"][name]
+
+    @property
+    def is_finished(self) -> bool:
+        """Whether all that belongs into the store is there."""
+        return bool(self._group.attrs.get("is_finished", False))
 
     def finish(self, over_time: Mapping[str, Mapping[str, Array]], notices: Sequence[str]) -> None:
         """Write the statistics over time for other programs, one array for each output and column, and the notices."""
-        group = self._group
-        group.attrs["notices"] = [*notices]
-        for output, columns in over_time.items():
-            for column, values in columns.items():
-                has_unit = column not in {"count", "variance"} and " case" not in column
-                unit = (
-                    self._unit(output) if has_unit and "with" not in column and "probab" not in column else {}
-                )
-                attributes = unit | {"long_name": f"{column} of {output}"}
-                self._array(group, f"{output} {column}", values.shape, "f8", np.nan, ("t",), attributes)[
-                    :
-                ] = values
+        with self._writing():
+            group = self._group
+            group.attrs["notices"] = [*notices]
+            for output, columns in over_time.items():
+                for column, values in columns.items():
+                    has_unit = column not in {"count", "variance"} and " case" not in column
+                    unit = (
+                        self._unit(output)
+                        if has_unit and "with" not in column and "probab" not in column
+                        else {}
+                    )
+                    attributes = unit | {"long_name": f"{column} of {output}"}
+                    self._array(group, f"{output} {column}", values.shape, "f8", np.nan, ("t",), attributes)[
+                        :
+                    ] = values
+            group.attrs["is_finished"] = True
 
 
 def opened_file(path: Path, plan: Plan, cases: Cases, size: int, units: Mapping[str, str]) -> StudyFile:

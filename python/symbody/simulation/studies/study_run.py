@@ -89,7 +89,7 @@ class StudyRun:
             return str(error)
         finally:
             found.commit()
-        if found.file is not None and not found.missing:
+        if found.file is not None and not found.missing and not found.file.is_finished:
             found.file.finish(found.over_time(), found.tally.notices(found.count, PLACE))
         return ""
 

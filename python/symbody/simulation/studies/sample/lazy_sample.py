@@ -104,7 +104,8 @@ class LazySample:
         """Return all values of one variable, shape (k,)."""
         column = np.empty(len(self))
         for start in range(0, len(self), BLOCK):
-            column[start : start + BLOCK] = self._block_from(start)[name]
+            own = column[start : start + BLOCK]
+            own[:] = self._drawn(start, len(own), only=name)[name]
         return column
 
     def _block_from(self, start: int) -> dict[Expr, Array]:
@@ -114,13 +115,16 @@ class LazySample:
             self._last = start, self._drawn(start, count)
         return self._last[1]
 
-    def _drawn(self, first: int, count: int) -> dict[Expr, Array]:
-        points = self._points(first, count).clip(_EDGE, 1 - _EDGE)
+    def _drawn(self, first: int, count: int, only: Expr | None = None) -> dict[Expr, Array]:
+        """Return the values of all variables, or of one and those that are correlated with it."""
+        points, place = self._points(first, count).clip(_EDGE, 1 - _EDGE), 0
         table: dict[Expr, Array] = {}
         for key, distribution in self._distributions.items():
             group = _group(key)
-            columns = points[:, len(table) : len(table) + len(group)].T
-            table |= zip(group, _values(key, distribution, columns), strict=True)
+            columns = points[:, place : place + len(group)].T
+            place += len(group)
+            if only is None or only in group:
+                table |= zip(group, _values(key, distribution, columns), strict=True)
         return table
 
 
