@@ -67,9 +67,12 @@ class Accumulation:
         messages = file.messages(np.flatnonzero(status == Status.FAILED))
         upto, merged = file.merged()
         made = cls(plan, count, size, file, status, t_reached, values, messages, merged, upto, _stored=upto)
-        for number in range(upto, made.chunks):
-            if made._is_done(number):
+        for number in range(made.chunks):
+            if made._is_done(number) and number >= upto:
                 made._merge(number, file.partials(number))
+        for number, tally in file.tallies():
+            if made._is_done(number):
+                made.tally.merge(tally)
         return made
 
     @property
@@ -104,8 +107,7 @@ class Accumulation:
         for k, name in enumerate(self.plan.columns):
             self.values[name][rows] = chunk.values[:, k]
         self.messages |= {first + case: message for case, message in chunk.messages.items()}
-        for case, findings in chunk.findings.items():
-            self.tally.add(first + case, findings)
+        self.tally.merge(chunk.tally)
         self._merge(number, list(chunk.partials))
 
     def _merge(self, number: int, partials: list[Partial]) -> None:
