@@ -142,3 +142,19 @@ def test_screw_that_closes_a_loop() -> None:
     motion = simulate(newton_euler(made.system(gravity=GRAVITY)), {}, {}, (0, 1))
     fallen = -9.81 / (1 + 0.1 / 0.01**2) / 2
     assert_allclose([motion[B.coordinate][-1], motion[A.coordinate][-1]], [fallen, -fallen / 0.01], rtol=1e-9)
+
+
+@pytest.mark.filterwarnings("ignore:System", "ignore:simulate")
+def test_center_of_a_two_disc_roller_stays_at_its_height() -> None:
+    """Two discs in perpendicular planes, ``sqrt(2) R`` apart [Stewart, American J. Physics 34 (1966), p. 166]."""
+    apart = math.sqrt(2)
+    roller = Link("roller", 2.0, 0.5, 0.6, 0.7, center=(apart / 2, 0, 0))
+    far = translate(apart, 0, 0) * rotate("X", math.pi / 2)
+    made = assemble([rolling("K", ground, roller, radius=1), rolling("L", ground, roller, radius=1, to=far)])
+    _, _, psi, theta, phi = made.coordinates
+    start = {psi: 0.2, phi: 0.3, time_derivative(phi): 0.5}
+    motion = simulate(newton_euler(made.system(gravity=GRAVITY)), {}, start, (0, 2), guess={theta: 0.5})
+    height = motion[project(made.bodies[0].center_of_mass, ground).coordinates[2]]
+    assert_allclose(height, height[0], rtol=1e-9)
+    assert np.ptp(motion[phi]) > 0.5
+    assert motion.energy_drift < 1e-7
