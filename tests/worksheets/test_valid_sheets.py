@@ -46,4 +46,4 @@ def test_every_command_is_in_a_sheet() -> None:
 def test_commands_of_mbsymba_are_described(name: str) -> None:
     text = describe(name)
     assert text is not None
-    assert re.match(r"# .+\n\w+\(", text), text
+    assert re.match(r"(# .+\n)+\w+\(", text), text

@@ -209,7 +209,8 @@ def test_a_value_that_comes_later_reaches_what_was_made_before() -> None:
     assert sb.project(values["P"], sb.ground).coordinates[0] == l * sb.cos(w - b)
 
 
-def test_what_has_no_text_is_written_as_its_value() -> None:
+def test_what_has_no_text_is_written_as_its_value(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)  # the sheet draws
     text = program("y := isolate(a*x + b = 0, x);\nplot(y, b = 0..1);\n", "values")
     assert "# values of line 1: y := isolate(a*x + b = 0, x);\ny = {x: -b/a}\n" in text
     assert "# left out, line 2: plot(y, b = 0..1);" in text

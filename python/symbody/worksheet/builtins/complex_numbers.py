@@ -18,7 +18,7 @@ __all__ = ["COMMANDS"]
 
 def _of_parts(name: str, made: Callable[[Expr, Expr], Expr]) -> Command:
     def command(session: Session, value: Value) -> Value:
-        found = parts(scalar(session, value))
+        found = parts(scalar(session, value), roots=True)
         if found is None:
             raise WorksheetError(
                 f"{name}: {session.text(value)[:60]} has no real and imaginary part that is known"

@@ -265,13 +265,20 @@ def reverse(session: Session, value: Value) -> Value:
     return Listed(tuple(reversed(_items(session, value))))
 
 
+def search(session: Session, what: Value, value: Value) -> Value:
+    """ListTools[Search](x, L): the place of the first item that is x, 0 if none is."""
+    wanted, items = session.current(what), _items(session, value)
+    places = (k for k, each in enumerate(items, start=1) if session.current(each) == wanted)
+    return number(next(places, 0))
+
+
 def make_unique(session: Session, value: Value) -> Value:
     """ListTools[MakeUnique](L): each item once, in their order."""
     return Listed(tuple(dict.fromkeys(_items(session, value))))
 
 
 PACKAGES: dict[str, dict[str, Command]] = {
-    "ListTools": {"Flatten": flatten, "Reverse": reverse, "MakeUnique": make_unique}
+    "ListTools": {"Flatten": flatten, "Reverse": reverse, "MakeUnique": make_unique, "Search": search}
 }
 
 COMMANDS: dict[str, Command] = {

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from symbody.deferred import Deferred
@@ -284,6 +285,34 @@ def _arc(session: Session, arguments: tuple[Value, ...]) -> NDArray[np.float64]:
     return np.concatenate(rings)
 
 
+def _direction(session: Session, arguments: tuple[Value, ...]) -> NDArray[np.float64]:
+    """Return the ends of an arrow by its vector, from a point or from the origin."""
+    *base, vector = (_place(session, each) for each in arguments[:2])
+    start = base[0] if base else np.zeros(len(vector))
+    return np.array([start, start + vector])
+
+
+def transform(session: Session, function: Value) -> Value:
+    """plottools[transform](f): what moves each point of a drawing to f(x, y) or f(x, y, z), which is a list."""
+
+    def moved(session: Session, drawing: Value) -> Value:
+        found = session.resolve(drawing)
+        if not isinstance(found, Plot):
+            raise WorksheetError("transform: expected a drawing")
+        pieces = [
+            replace(piece, points=np.array([_image(session, function, point) for point in piece.points]))
+            for piece in pieces_of(found)
+        ]
+        return Plot("curves", tuple(pieces), found.options)
+
+    return Builtin("transform", moved)
+
+
+def _image(session: Session, function: Value, point: NDArray[np.float64]) -> NDArray[np.float64]:
+    session.limits.check()
+    return _place(session, session.current(session.call(function, tuple(decimal(float(x)) for x in point))))
+
+
 def _rectangle(session: Session, arguments: tuple[Value, ...]) -> NDArray[np.float64]:
     (a, b), (c, d) = (_place(session, each) for each in arguments[:2])
     return np.array([[a, b], [c, b], [c, d], [a, d], [a, b]])
@@ -295,6 +324,7 @@ _PLOTS: dict[str, Command] = {
     "display": display,
     "display3d": display,
     "animate": animate,
+    "arrow": _shape("curve", _direction, "arrow([x, y, z], [vx, vy, vz])"),
     "textplot": textplot,
     "textplot3d": textplot,
     "pointplot": _shape("points", _polyline, "pointplot([[x, y], ...])"),
@@ -314,5 +344,6 @@ _TOOLS: dict[str, Command] = {
     "rectangle": _shape("area", _rectangle, "rectangle([x1, y1], [x2, y2])"),
     "arrow": _shape("curve", _polyline, "arrow([x, y], [x, y], width, head width, head length)"),
     "cylinder": _shape("curve", _polyline, "cylinder([x, y, z], [x, y, z], radius)"),
+    "transform": transform,
 }
 PACKAGES: dict[str, dict[str, Command]] = {"plots": _PLOTS, "plottools": _TOOLS}

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from symbody.symbolic import Expr, UndefinedFunction, t, time_derivative
 from symbody.symbolic.expression.traverse import post_order
+from symbody.worksheet.evaluation.current import replaced
 from symbody.worksheet.evaluation.entrywise import parts_of, with_parts
 from symbody.worksheet.mechanics import frame_face
 from symbody.worksheet.values.naming import symbol
@@ -66,8 +67,9 @@ def _in_scalar(session: Session, value: Expr, mapping: Mapping[Value, Value]) ->
     complete = _with_derivatives(value, mapping)
     if not complete:
         return value
-    if all(old.kind in _LEAVES and isinstance(new, Expr) for old, new in complete.items()):
-        return value.subs(complete)
+    scalars = {old: new for old, new in complete.items() if old.kind in _LEAVES and isinstance(new, Expr)}
+    if len(scalars) == len(complete):
+        return replaced(session, value, scalars)
     return _rebuilt(session, value, complete)
 
 

@@ -11,7 +11,8 @@ from symbody.worksheet.check.code import code_difference
 from symbody.worksheet.check.compare import difference
 from symbody.worksheet.check.printed import NotComparable, is_cut
 from symbody.worksheet.check.texts import text_difference
-from symbody.worksheet.reading.text_export import is_layout, is_picture
+from symbody.worksheet.reading.prompts import is_declaration, is_picture
+from symbody.worksheet.reading.two_dimensions import is_layout
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.sheet.outcome import Outcome
 from symbody.worksheet.sheet.printing_statement import prints_code, prints_text
@@ -128,6 +129,8 @@ def _unmatched(block: Block, outcomes: Sequence[Outcome]) -> str:
 def _verdict(block: Block, output: Output, outputs: Sequence[Output]) -> Verdict:
     if is_layout(block.text):
         return Verdict(output.line, "not comparable", "printed in two dimensions")
+    if is_declaration(block.text):
+        return _declared(block, output)
     try:
         reason = _difference(block, output)
     except NotComparable as error:
@@ -152,6 +155,15 @@ def _difference(block: Block, output: Output) -> str:
         return difference(block.text, output.text) and reason
     except NotComparable:
         return reason
+
+
+def _declared(block: Block, output: Output) -> Verdict:
+    """Return the verdict on what Describe printed: its words are free, its declaration isn't."""
+    ours = output.text.splitlines()[-1]
+    theirs, ours = (re.sub(r"[\s\\]", "", text) for text in (block.text, ours))
+    if theirs == ours:
+        return Verdict(output.line, "equal")
+    return Verdict(output.line, "not comparable", "commands are declared otherwise here")
 
 
 def _is_elsewhere(block: Block, output: Output, outputs: Sequence[Output]) -> bool:

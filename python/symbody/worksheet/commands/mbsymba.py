@@ -19,6 +19,7 @@ from symbody.worksheet.commands import (
     state_space,
     tyres,
 )
+from symbody.worksheet.commands.signatures import SIGNATURES
 from symbody.worksheet.evaluation.derivative_rules import with_rules
 from symbody.worksheet.evaluation.session import Command, Session
 from symbody.worksheet.mechanics.modes import Mechanics, mechanics
@@ -74,11 +75,15 @@ COMMANDS: dict[str, Command] = {name: _noting(command) for name, command in _TAB
 
 
 def describe(name: str) -> str | None:
-    """Return what Describe prints of a command: how it is called, and what it returns."""
+    """Return what Describe prints of a command: what it returns, and how it is declared or called."""
     command = COMMANDS.get(name)
     if command is None:
         return None
     call, _, meaning = (command.__doc__ or "").split("\n")[0].partition(": ")
+    if name in SIGNATURES:
+        _, _, other = call.partition(" or ")
+        lines = [f"# {meaning}", f"# Or {other}."] if other else [f"# {meaning}"]
+        return "\n".join([*lines, f"{name}{SIGNATURES[name]}"])
     return f"# {meaning}\n{name}{call[call.find('(') :]}" if "(" in call else f"# {meaning}\n{name}"
 
 

@@ -13,21 +13,6 @@ from symbody.worksheet.values.value import Listed, Range, Relation, String, Valu
 
 __all__ = ["number_of", "plot_options", "range_of", "styled"]
 
-_COLORS = {
-    "red",
-    "green",
-    "blue",
-    "black",
-    "cyan",
-    "magenta",
-    "yellow",
-    "orange",
-    "gray",
-    "grey",
-    "brown",
-    "purple",
-}
-
 
 def plot_options(session: Session, arguments: list[Value]) -> dict[str, Value]:
     """Return options by name; one that changes nothing here is told."""
@@ -139,8 +124,7 @@ _LINES = {
 
 
 def _color(session: Session, options: dict[str, Value], place: int = 0) -> str:
-    name = _chosen(session, options.get("color", options.get("colour")), place).lower()
-    return name if name in _COLORS else ""
+    return _chosen(session, options.get("color", options.get("colour")), place).lower()
 
 
 def range_of(session: Session, span: Value) -> Value:

@@ -35,7 +35,7 @@ class Piece:
         kind: "curve", "points", "area", "surface" or "text".
         points: a row of two or three coordinates for each point.
         labels: the names of the axes, or the text.
-        color: a name of a colour, or nothing.
+        color: a name of a colour, or nothing; Maple's names of colours are those of web pages.
         name: what the legend calls it.
         line: how a curve is drawn: "solid", "dashed", "dotted" or "dashdot".
         width: the width of a curve in points; nothing for the usual one.
@@ -185,8 +185,10 @@ def _set_view(axes: Any, view: object) -> None:
 
 
 def _add(axes: Any, piece: Piece) -> None:
+    from matplotlib.colors import is_color_like  # noqa: PLC0415 - loaded for the first drawing
+
     columns = list(piece.points.T)
-    color = {"color": piece.color} if piece.color else {}
+    color = {"color": piece.color} if len(piece.color) > 1 and is_color_like(piece.color) else {}
     if piece.kind == "text":
         axes.text(*(column[0] for column in columns), piece.labels[0], **color)
     elif piece.kind == "points":

@@ -6,10 +6,11 @@ with the count of assignments and the names that it depends on, so that this cos
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Protocol
 
+from symbody.errors import ExpressionError
 from symbody.symbolic import Expr, UndefinedFunction, free_symbols, pi, t, time_derivative
 from symbody.symbolic.expression.traverse import post_order
 from symbody.worksheet.printing.print import sort_key
@@ -32,7 +33,7 @@ from symbody.worksheet.values.value import (
     Value,
 )
 
-__all__ = ["Seen", "current", "is_last_name", "named", "resolved", "set_of"]
+__all__ = ["Seen", "current", "is_last_name", "named", "replaced", "resolved", "set_of"]
 
 CONSTANTS: dict[str, Value] = {
     "Pi": pi,
@@ -290,7 +291,15 @@ def _evaluated(session: State, value: Expr) -> Value:
     others = {old: found for old, found in new.items() if not isinstance(found, Expr | Reference)}
     if others:
         return session.rebuild(value, new)
-    return value.subs(scalars) if scalars else value
+    return replaced(session, value, scalars) if scalars else value
+
+
+def replaced(session: State, value: Expr, scalars: Mapping[Expr, Expr]) -> Value:
+    """Return a scalar with others in place of some; the root of what becomes a negative number is complex."""
+    try:
+        return value.subs(scalars)
+    except ExpressionError:
+        return session.rebuild(value, dict(scalars))
 
 
 def _variables(session: State, value: Expr) -> list[Expr]:

@@ -68,9 +68,14 @@ def _inside(node: Any, strength: int) -> str:
 
 
 def _name(node: syntax.Name) -> tuple[str, int]:
-    plain = node.name.replace("_", "a").replace("~", "a")
+    return _quoted(node.name), _ATOM
+
+
+def _quoted(name: str) -> str:
+    """Return a name, in backquotes if it needs them."""
+    plain = name.replace("_", "a").replace("~", "a")
     simple = plain.isalnum() and plain.isascii() and not plain[0].isdigit()
-    return (node.name if simple else f"`{node.name}`"), _ATOM
+    return name if simple else f"`{name}`"
 
 
 def _text(node: syntax.Text) -> tuple[str, int]:
@@ -168,7 +173,7 @@ _WRITERS: dict[type, Callable[[Any], tuple[str, int]]] = {
     syntax.Concatenation: lambda node: (f"{_inside(node.left, 15)}||{_inside(node.right, 15)}", 15),
     syntax.Call: lambda node: (f"{_inside(node.function, 15)}({_arguments(node.arguments)})", _ATOM),
     syntax.Selection: lambda node: (f"{_inside(node.whole, 15)}[{_arguments(node.indices)}]", _ATOM),
-    syntax.Member: lambda node: (f"{source_text(node.package)}:-{node.name}", _ATOM),
+    syntax.Member: lambda node: (f"{source_text(node.package)}:-{_quoted(node.name)}", _ATOM),
     syntax.Elementwise: lambda node: (f"{source_text(node.function)}~", _ATOM),
     syntax.Arrow: _arrow,
     syntax.Procedure: _procedure,

@@ -6,6 +6,7 @@ import warnings
 from collections.abc import Iterator, Sequence
 
 from symbody.errors import WorksheetError
+from symbody.worksheet.evaluation.notices import in_maple_words
 from symbody.worksheet.interpreter.interpret import Interpreter, Stop
 from symbody.worksheet.reading import located, names_in_code, statements
 from symbody.worksheet.sheet.outcome import Outcome
@@ -48,6 +49,6 @@ def _executed(number: int, cell: Cell, statement: Statement, interpreter: Interp
                 f"a fault of symbody, {type(fault).__name__}: {str(fault)[:200]}; please report the statement"
             )
             error = located(cell, statement.place, text)
-    notices = [*session.notices, *(str(warning.message) for warning in raised)]
-    lines = tuple(session.lines)
-    return Outcome(number, statement.place.line, statement, lines, error, tuple(dict.fromkeys(notices)))
+    told = map(in_maple_words, [*session.notices, *(str(warning.message) for warning in raised)])
+    notices = tuple(dict.fromkeys(notice for notice in told if notice))
+    return Outcome(number, statement.place.line, statement, tuple(session.lines), error, notices)

@@ -49,20 +49,56 @@ def as_complex(value: Expr) -> complex | None:
         return None
 
 
-def parts(value: Expr) -> Pair | None:
-    """Return the real and the imaginary part of a scalar, all of whose names but I are real; None if it has none."""
+def parts(value: Expr, *, roots: bool = False) -> Pair | None:
+    """Return the real and the imaginary part of a scalar, all of whose names but I are real; None if it has none.
+
+    With ``roots``, a square root of something whose sign isn't known has both parts; else it counts as real.
+    """
     made: dict[int, Pair | None] = {}
     tree = tree_of(value)
     for node in walk(tree):
         inner = [made[id(part)] for part in node.parts]
-        made[id(node)] = _node_parts(node, [each for each in inner if each is not None], len(inner))
+        known = [each for each in inner if each is not None]
+        made[id(node)] = _root_parts(node, known) if roots else None
+        made[id(node)] = made[id(node)] or _node_parts(node, known, len(inner))
     return made[id(tree)]
+
+
+def _root_parts(node: Tree, inner: list[Pair]) -> Pair | None:
+    """Return the parts of an odd power of a square root of what is real: one of them is 0, which one is not known."""
+    if node.kind != "power" or len(inner) != 2 or not inner[1][0].is_number:
+        return None
+    (x, y), (numerator, denominator) = inner[0], inner[1][0].ratio
+    if denominator != 2 or not y.is_zero or x.is_constant or abs(numerator) > _HIGHEST:
+        return None
+    if _is_never_negative(tree_of(x)):
+        return None
+    root = sqrt((abs(x) + x) / 2), sqrt((abs(x) - x) / 2)
+    total = root
+    for _ in range(abs(numerator) - 1):
+        total = _product(total, root)
+    if numerator > 0:
+        return total
+    size = abs(x) ** -numerator  # of the square of the absolute value
+    return total[0] / size, -total[1] / size
+
+
+def _is_never_negative(node: Tree) -> bool:
+    """Whether a real scalar is seen to be positive or zero: sums and products of squares and absolute values."""
+    if node.value.is_number:
+        return node.value.evaluate({}) >= 0
+    if node.kind in ("sum", "product"):
+        return all(_is_never_negative(part) for part in node.parts)
+    if node.kind == "power":
+        power = node.parts[1].value
+        return power.is_number and power.ratio[0] % 2 == 0
+    return node.kind == "function" and node.name in ("abs", "exp", "cosh")
 
 
 def _node_parts(node: Tree, inner: list[Pair], count: int) -> Pair | None:
     if node.value == I:
         return _ZERO, _ONE
-    if not has_i(node.value):
+    if not has_i(node.value) and all(y.is_zero for _, y in inner):
         return node.value, _ZERO
     if len(inner) != count:
         return None
