@@ -229,6 +229,15 @@ def _in(language: Language, name: str) -> Command:
 
 
 def _program(session: Session, value: Value, name: str, language: Language, *, shares: bool) -> list[str]:
+    """Return the lines of a program.
+
+    Args:
+        session: the session.
+        value: what it computes.
+        name: the name of a result that has none.
+        language: the language.
+        shares: whether parts that occur several times get names.
+    """
     results = list(_named_results(session, session.resolve(value), name, language))
     names, rights = [name for name, _ in results], [right for _, right in results]
     lines: list[str] = []
