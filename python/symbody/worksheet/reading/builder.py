@@ -8,8 +8,8 @@ from typing import Any, TypeVar
 
 from lark import Token
 
-from symbody.worksheet import syntax
-from symbody.worksheet.syntax import Expression, Parameter, Place, Statement
+from symbody.worksheet.sheet import syntax
+from symbody.worksheet.sheet.syntax import Expression, Parameter, Place, Statement
 
 __all__ = ["Builder", "Mistake", "one_place", "unquoted"]
 

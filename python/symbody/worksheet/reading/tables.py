@@ -15,7 +15,7 @@ from lark import Lark, Tree
 from lark.grammar import Rule
 from lark.parse_tree_builder import maybe_create_child_filter
 
-from symbody.worksheet.syntax import Place
+from symbody.worksheet.sheet.syntax import Place
 
 __all__ = ["Meaning", "Reduction", "Tables", "tables_of"]
 
