@@ -10,6 +10,7 @@ mod addition_theorem;
 mod angle_sum;
 mod collect;
 mod combine_trig;
+mod content;
 mod expand;
 mod factor_terms;
 mod flat_sums;

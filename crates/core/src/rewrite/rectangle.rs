@@ -13,7 +13,7 @@ use crate::interrupt::tick;
 use crate::polynomial::{Budget, Monomial, Polynomial};
 use crate::value::Number;
 
-use super::factor_terms::content;
+use super::content::content;
 
 /// Sums of more terms are searched for common atoms only.
 const LONGEST_SUM: usize = 256;

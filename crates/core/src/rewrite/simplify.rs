@@ -13,8 +13,8 @@ use crate::polynomial::{Budget, Monomial, Polynomial};
 use crate::value::Number;
 
 use super::collect::{Kind, grouped};
+use super::content::content;
 use super::expand::Opening;
-use super::factor_terms::content;
 use super::ring::Ring;
 use super::search::Search;
 
