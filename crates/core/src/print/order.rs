@@ -69,12 +69,13 @@ impl Term {
         matches!(&self.factors[..], [Factor { base: Base::Symbol { is_subtracted: true, .. }, .. }])
     }
 
-    /// The factors as written: roots among the functions, `m*l**2` rather than `l**2*m`.
+    /// The factors as written: roots among the functions, `m*l**2` and `(m1 + m2)*l**2` rather than `l**2*m` and
+    /// `l**2*(m1 + m2)`.
     pub(super) fn written_factors(&self) -> Vec<&Factor> {
         let mut factors: Vec<&Factor> = self.factors.iter().collect();
         factors.sort_by(|a, b| {
             let place = written_place(a).cmp(&written_place(b));
-            place.then_with(|| match a.base.place() {
+            place.then_with(|| match written_place(a) {
                 Place::Parameter | Place::Coordinate | Place::Speed | Place::Acceleration => {
                     a.exponent.abs().compare(&b.exponent.abs())
                 }
@@ -86,7 +87,10 @@ impl Term {
 }
 
 fn written_place(factor: &Factor) -> Place {
-    let place = factor.base.place();
+    let place = match &factor.base {
+        Base::Group(sum) if sum.terms.iter().all(Term::is_symbol) => Place::Parameter,
+        base => base.place(),
+    };
     if place > Place::Number && !factor.exponent.is_integer() { Place::Function.max(place) } else { place }
 }
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from symbody.dynamics.tree.partial_motion import PartialTwist
-from symbody.geometry.component.triple import Triple, is_null
+from symbody.geometry.component.triple import NULL, Triple, is_null
 from symbody.geometry.motion.frame_motion import FrameMotion
-from symbody.symbolic import Expr, add3, cross3, dot3, scale3, sub3
+from symbody.symbolic import Expr, add3, cross3, dot3, scale3, sub3, sum_of
 
 
 class Wrench(NamedTuple):
@@ -23,6 +24,11 @@ class Wrench(NamedTuple):
     def minus(self, other: Wrench) -> Wrench:
         """Return the difference of two wrenches on one frame."""
         return Wrench(sub3(self.force, other.force), sub3(self.moment, other.moment))
+
+    @property
+    def opposite(self) -> Wrench:
+        """The wrench that balances this one."""
+        return Wrench(NULL, NULL).minus(self)
 
     def scaled(self, factor: Expr) -> Wrench:
         """Return the wrench times a factor."""
@@ -43,3 +49,14 @@ class Wrench(NamedTuple):
     def is_null(self) -> bool:
         """Whether there is neither force nor moment."""
         return is_null(self.force) and is_null(self.moment)
+
+
+def resultant(wrenches: Sequence[Wrench]) -> Wrench:
+    """Return the sum of wrenches on one frame, added up at once, so that factors which several have stand once."""
+    forces, moments = zip(*wrenches, strict=True) if wrenches else ((), ())
+    return Wrench(_sum(forces), _sum(moments))
+
+
+def _sum(triples: Sequence[Triple]) -> Triple:
+    x, y, z = map(sum_of, zip(*triples, strict=True)) if triples else NULL
+    return x, y, z

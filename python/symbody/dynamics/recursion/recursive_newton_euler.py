@@ -16,7 +16,7 @@ from collections.abc import Mapping
 
 from symbody.dynamics.inertia.base_inertia import base_inertias
 from symbody.dynamics.inertia.inertia_wrench import inertia_wrenches
-from symbody.dynamics.inertia.wrench import Wrench
+from symbody.dynamics.inertia.wrench import Wrench, resultant
 from symbody.dynamics.recursion.forces_along_speeds import forces_along_speeds
 from symbody.dynamics.tree.frame_tree import FrameTree
 from symbody.geometry import Point
@@ -53,14 +53,13 @@ def needed_wrenches(system: System, tree: FrameTree, rest: Mapping[Expr, int] | 
     """Return, frame by frame, the wrench that the motion needs beyond weight and loads."""
     known: dict[Expr, ExprLike] = {**system.known_rates, **(rest or {})}
     field = AccelerationField(_minus_gravity(system), _rate(known) if known else time_derivatives)
-    wrenches = [Wrench(NULL, NULL)] * len(tree.frames)
+    parts: list[list[Wrench]] = [[] for _ in tree.frames]
     for place, wrench in inertia_wrenches(base_inertias(system, tree, particles=True), tree, field):
-        wrenches[place] = wrenches[place].plus(wrench)
+        parts[place].append(wrench)
     for action in tree.actions:
         anchor = action.anchor
-        place = tree.index(anchor.frame)
-        wrenches[place] = wrenches[place].minus(_load(system, action, anchor, rest or {}))
-    return wrenches
+        parts[tree.index(anchor.frame)].append(_load(system, action, anchor, rest or {}).opposite)
+    return [resultant(wrenches) for wrenches in parts]
 
 
 def _rate(known: Mapping[Expr, ExprLike]) -> Rate:
