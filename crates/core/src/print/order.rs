@@ -64,6 +64,13 @@ impl Term {
         }
     }
 
+    /// Whether the term is a parameter times a square over a square, as a moment of inertia behind a gear.
+    fn is_transmitted(&self) -> bool {
+        let is_square = |factor: &Factor, sign: i64| factor.exponent.to_i64() == Some(sign * 2);
+        let has_square = |sign| self.factors.iter().any(|factor| is_square(factor, sign));
+        has_square(1) && has_square(-1)
+    }
+
     /// Whether the term is a parameter that differences of the model subtract.
     pub(super) fn is_subtracted(&self) -> bool {
         matches!(&self.factors[..], [Factor { base: Base::Symbol { is_subtracted: true, .. }, .. }])
@@ -239,8 +246,10 @@ pub(super) fn are_of_different_kinds(a: &Term, b: &Term) -> bool {
 /// Terms in the reader's order; like terms are neighbours.
 pub(super) fn sorted_terms(terms: Vec<Term>) -> Vec<Term> {
     let mut ranked: Vec<(Rank, Term)> = terms.into_iter().map(|term| (Rank::of_term(&term), term)).collect();
+    let is_constant = ranked.iter().all(|(rank, _)| rank.coordinates == 0.0);
     let is_mass_by_square = |(rank, term): &&(Rank, Term)| {
-        rank.coordinates <= SQUARE && rank.degree >= MOMENT && term.factors.len() > 1
+        let is_moment = rank.coordinates <= SQUARE && rank.degree >= MOMENT;
+        term.factors.len() > 1 && (is_moment || is_constant && term.is_transmitted())
     };
     let has_rates = ranked.iter().any(|(rank, _)| rank.derivative > 0);
     let products = ranked
