@@ -313,7 +313,12 @@ impl Graph {
         let bases_of =
             |term| self.flat_factors(term).into_iter().map(|(base, _)| base).collect::<BTreeSet<Id>>();
         let all: Vec<BTreeSet<Id>> = terms.iter().map(|&(_, term)| bases_of(term)).collect();
+        let has_divisor = |id: Id| match self.view(id) {
+            View::Product(factors) => factors.iter().any(|(_, e)| self.get_number(e).is_negative()),
+            _ => false,
+        };
         all.iter().flatten().all(|&base| is_symbol(base))
+            && !terms.iter().any(|&(_, term)| has_divisor(term))
             && all
                 .first()
                 .is_some_and(|first| first.iter().any(|b| all.iter().all(|other| other.contains(b))))
