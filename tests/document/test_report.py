@@ -561,7 +561,7 @@ def test_a_long_sum_under_a_root_has_a_name() -> None:
     at = Point(ground, r, l, 0)
     end = Point(rotate("Y", phi) * rotate("X", beta) * translate(s, 0, 0), m3, m2, l)
     body = Body(end.frame, m1)
-    strut = spring(at, end, tau, free_length=r, on=body)
+    strut = spring(end, at, tau, free_length=r, on=body)
     document = blocks(newton_euler(System([body], [strut], q)))
     formulas = [block for block in document.blocks if isinstance(block, Formula)]
     assert any(r"\sqrt{d_{1}}" in formula.latex and r"d_{1} &= " in formula.latex for formula in formulas)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from symbody.dynamics.tree.partial_motion import PartialTwist
-from symbody.geometry.component.triple import NULL, Triple, is_null
+from symbody.geometry.component.triple import Triple, is_null
 from symbody.geometry.motion.frame_motion import FrameMotion
 from symbody.symbolic import Expr, add3, cross3, dot3, scale3, sub3, sum_of
 
@@ -25,11 +25,6 @@ class Wrench(NamedTuple):
         """Return the difference of two wrenches on one frame."""
         return Wrench(sub3(self.force, other.force), sub3(self.moment, other.moment))
 
-    @property
-    def opposite(self) -> Wrench:
-        """The wrench that balances this one."""
-        return Wrench(NULL, NULL).minus(self)
-
     def scaled(self, factor: Expr) -> Wrench:
         """Return the wrench times a factor."""
         return Wrench(scale3(factor, self.force), scale3(factor, self.moment))
@@ -46,6 +41,11 @@ class Wrench(NamedTuple):
         return dot3(twist.spin, self.moment) + dot3(twist.drift, self.force)
 
     @property
+    def is_central(self) -> bool:
+        """Whether there is only a force, whose line passes through the origin."""
+        return is_null(self.moment)
+
+    @property
     def is_null(self) -> bool:
         """Whether there is neither force nor moment."""
         return is_null(self.force) and is_null(self.moment)
@@ -53,10 +53,10 @@ class Wrench(NamedTuple):
 
 def resultant(wrenches: Sequence[Wrench]) -> Wrench:
     """Return the sum of wrenches on one frame, added up at once, so that factors which several have stand once."""
-    forces, moments = zip(*wrenches, strict=True) if wrenches else ((), ())
+    forces, moments = zip(*wrenches, strict=True)
     return Wrench(_sum(forces), _sum(moments))
 
 
 def _sum(triples: Sequence[Triple]) -> Triple:
-    x, y, z = map(sum_of, zip(*triples, strict=True)) if triples else NULL
+    x, y, z = map(sum_of, zip(*triples, strict=True))
     return x, y, z

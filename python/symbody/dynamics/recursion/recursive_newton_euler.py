@@ -53,13 +53,20 @@ def needed_wrenches(system: System, tree: FrameTree, rest: Mapping[Expr, int] | 
     """Return, frame by frame, the wrench that the motion needs beyond weight and loads."""
     known: dict[Expr, ExprLike] = {**system.known_rates, **(rest or {})}
     field = AccelerationField(_minus_gravity(system), _rate(known) if known else time_derivatives)
-    parts: list[list[Wrench]] = [[] for _ in tree.frames]
+    wrenches = [Wrench(NULL, NULL)] * len(tree.frames)
     for place, wrench in inertia_wrenches(base_inertias(system, tree, particles=True), tree, field):
-        parts[place].append(wrench)
+        wrenches[place] = wrenches[place].plus(wrench)
+    central: dict[int, list[Wrench]] = {}
     for action in tree.actions:
         anchor = action.anchor
-        parts[tree.index(anchor.frame)].append(_load(system, action, anchor, rest or {}).opposite)
-    return [resultant(wrenches) for wrenches in parts]
+        place, load = tree.index(anchor.frame), _load(system, action, anchor, rest or {})
+        if load.is_central:
+            central.setdefault(place, []).append(load)
+        else:
+            wrenches[place] = wrenches[place].minus(load)
+    for place, loads in central.items():
+        wrenches[place] = wrenches[place].minus(resultant(loads))
+    return wrenches
 
 
 def _rate(known: Mapping[Expr, ExprLike]) -> Rate:
