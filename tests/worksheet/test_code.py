@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 
 from symbody.symbolic import cos, sin, symbols
-from symbody.worksheet.interpret import Interpreter
-from symbody.worksheet.matlab_text import matlab_text
-from symbody.worksheet.shared_parts import named_parts
+from symbody.worksheet.interpreter.interpret import Interpreter
+from symbody.worksheet.mathematics.shared_parts import named_parts
+from symbody.worksheet.printing.matlab_text import matlab_text
 from tests.worksheet.printed_by import printed
 
 

@@ -6,16 +6,16 @@ from collections import Counter
 
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, number
-from symbody.worksheet.arithmetic import scalar
 from symbody.worksheet.builtins.files import output_path
 from symbody.worksheet.builtins.texts import unparsed
-from symbody.worksheet.entrywise import parts_of
-from symbody.worksheet.matlab_text import matlab_name, matlab_text
-from symbody.worksheet.naming import symbol
-from symbody.worksheet.operation_count import operation_count
-from symbody.worksheet.session import Command, Session, sequence
-from symbody.worksheet.shared_parts import named_parts
-from symbody.worksheet.value import (
+from symbody.worksheet.evaluation.arithmetic import scalar
+from symbody.worksheet.evaluation.entrywise import parts_of
+from symbody.worksheet.evaluation.session import Command, Session, sequence
+from symbody.worksheet.mathematics.operation_count import operation_count
+from symbody.worksheet.mathematics.shared_parts import named_parts
+from symbody.worksheet.printing.matlab_text import matlab_name, matlab_text
+from symbody.worksheet.values.naming import symbol
+from symbody.worksheet.values.value import (
     NULL,
     Array,
     Listed,

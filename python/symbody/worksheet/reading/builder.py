@@ -10,8 +10,8 @@ from lark import Token, v_args
 from lark.tree import Meta
 from lark.visitors import Transformer_NonRecursive
 
-from symbody.worksheet import syntax
-from symbody.worksheet.syntax import Expression, Parameter, Place, Statement
+from symbody.worksheet.sheet import syntax
+from symbody.worksheet.sheet.syntax import Expression, Parameter, Place, Statement
 
 __all__ = ["Builder", "Mistake", "one_place", "unquoted"]
 

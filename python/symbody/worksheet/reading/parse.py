@@ -15,8 +15,8 @@ from lark.parsers.lalr_interactive_parser import InteractiveParser
 
 from symbody.files.cache_folder import folder
 from symbody.worksheet.reading.builder import Builder, Mistake, one_place
-from symbody.worksheet.source import Line
-from symbody.worksheet.syntax import Place, Statement
+from symbody.worksheet.sheet.source import Line
+from symbody.worksheet.sheet.syntax import Place, Statement
 
 __all__ = [
     "TERMINATORS",

@@ -19,8 +19,8 @@ from symbody.worksheet.reading.parse import (
     tokens_of,
 )
 from symbody.worksheet.reading.remark import Span, is_trailing_remark, remark_in, used_names
-from symbody.worksheet.source import Cell, Line, Remark, SyntaxMistake
-from symbody.worksheet.syntax import Place, Statement
+from symbody.worksheet.sheet.source import Cell, Line, Remark, SyntaxMistake
+from symbody.worksheet.sheet.syntax import Place, Statement
 
 #: Words that begin a statement, and can't be part of an expression.
 _STATEMENTS = frozenset({"IF", "FOR", "CLAUSE", "TRY", "READ", "SAVE", "RETURN", "ERROR"})
