@@ -98,9 +98,25 @@ impl FieldId {
         Self { point, ..self }
     }
 
+    /// The first field of the lane, at the same point: signs are those of the values there.
+    pub(crate) fn of_signs(self) -> Self {
+        Self { index: self.index - self.index % FIELDS_OF_A_LANE_WORD, ..self.unturned() }
+    }
+
     /// The coordinate of the random point that is drawn for a key.
     pub(crate) fn draw(self, key: &Key) -> Quadratic {
         self.field().draw(&self.at_point(key))
+    }
+
+    /// The coordinate of a real variable, which has one sign in all fields of a lane.
+    pub(crate) fn draw_real(self, key: &Key) -> Quadratic {
+        let drawn = self.draw(key);
+        if self.is_first() {
+            return drawn;
+        }
+        let first = self.of_signs();
+        let is_positive = first.field().is_positive(&first.draw(key));
+        if self.field().is_positive(&drawn) == is_positive { drawn } else { self.field().neg(&drawn) }
     }
 
     /// A positive coordinate.
