@@ -5,6 +5,7 @@ Times are for `make bench`: a test of them would fail on a busy machine.
 
 from __future__ import annotations
 
+import re
 from math import inf
 from pathlib import Path
 
@@ -214,6 +215,8 @@ def test_the_table_of_a_graphics_processor(
     host = Host(tmp_path)
     monkeypatch.setitem(devices.DEVICES, "cuda", lambda: host)
     two = [manner for manner in gpu.ours(pendulum) if manner.label.endswith(("tsit5", "of 64"))][:2]
-    head, _, *rows = gpu.lines(pendulum, two, 3, 1)
+    rivals = [manner for manner in gpu.theirs(pendulum) if "odeint" not in manner.label]
+    head, _, *rows, last = gpu.lines(pendulum, [*two, *rivals], 3, 1)
     assert head.startswith("9 motions of 0.5 s")
-    assert [row.split("  ")[0] for row in rows] == [manner.label for manner in two]
+    assert [row.split("  ")[0] for row in rows] == [manner.label for manner in (*two, *rivals)]
+    assert re.search(r"[0-9] times the best of JAX \(JAX, vmap of .*\); aim: 3 times", last)

@@ -531,11 +531,8 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     ),
     (
         errors.LoadError,
-        lambda: magic_formula({"FNOMIN": 4000, "UNLOADED_RADIUS": 0.3, "LMUV": 0.1}),
-        (
-            "magic_formula: LMUV = 0.1 belongs to an effect that the law doesn't have, such as that of speed on "
-            "friction; leave it out to do without"
-        ),
+        lambda: magic_formula({"FNOMIN": 4000, "UNLOADED_RADIUS": 0.3, "QBZ7": 0.1}),
+        "magic_formula: QBZ7 = 0.1 belongs to an effect that the law doesn't have; leave it out to do without",
     ),
     (
         errors.LoadError,

@@ -52,14 +52,14 @@ MISTAKES: list[tuple[Callable[[], object], str]] = [
     (
         lambda: sb.magic_formula(TIRE | {"QSY3": 0.1}),
         (
-            "magic_formula: LONGVL missing; expected the speed, in m/s, to which the coefficients QSY3 and QSY4 of "
-            "rolling resistance are relative"
+            "magic_formula: LONGVL missing; expected the speed, in m/s, to which the coefficients QSY3, QSY4 and LMUV "
+            "are relative"
         ),
     ),
     (
         lambda: sb.magic_formula(TIRE | {"QSY3": 0.1, "LONGVL": 16.7})(N, 0.1),
         (
-            "magic_formula: no speed, on which the rolling resistance depends by QSY3 and QSY4; expected law(load, "
+            "magic_formula: no speed, on which the law depends by QSY3; expected law(load, "
             "kappa, lateral_slip, camber, speed=v); a tire gives its own"
         ),
     ),

@@ -91,6 +91,11 @@ def moving_four_bar(**options: Any) -> Motion:
 MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     (
         errors.JointError,
+        lambda: assemble([*FOUR], tolerance=1),
+        "assemble: tolerance = 1; expected a small number, such as 1e-6, or 0 for none",
+    ),
+    (
+        errors.JointError,
         lambda: revolute("J", ground, a, coordinate=IDLE.diff(t)),
         (
             "revolute J: the coordinate phi_D' holds the rate phi_D'; expected a function of time, such as phi_D, or "

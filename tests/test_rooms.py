@@ -13,7 +13,7 @@ HOME = Path(symbody.__file__).parent
 ROOT = Path(__file__).parent.parent
 DOORS = {"__init__.py", "__main__.py", "deferred.py", "doctor.py", "errors.py"}
 """Files of the package itself: what it gives to the outside, and what all layers need."""
-DIVIDED = {"codegen", "dynamics", "geometry", "simulation", "symbolic"}
+DIVIDED = {"codegen", "dynamics", "geometry", "simulation", "symbolic", "worksheet"}
 """Layers that are divided: their files lie in rooms, and none beside these."""
 FOLDERS = sorted(path.parent for path in HOME.rglob("__init__.py") if path.parent != HOME)
 

@@ -131,7 +131,7 @@ class WorksheetError(SymbodyError, ValueError):
     """A worksheet that can't be read, or a statement of it that can't be executed.
 
     Attributes:
-        place: where it stands in the file (`symbody.worksheet.syntax.Place`), if that is known.
+        place: where it stands in the file (`symbody.worksheet.sheet.syntax.Place`), if that is known.
     """
 
     def __init__(self, message: str, place: object = None) -> None:

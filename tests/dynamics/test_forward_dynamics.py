@@ -32,6 +32,7 @@ from symbody import (
 )
 from symbody.dynamics import Equations
 from symbody.errors import ConstraintError, ModelError, ModelNotice
+from symbody.models import rolling_disc
 from tests.dynamics.models import cart_pendulum, chain, gimbal_chain
 from tests.dynamics.test_equations import bead
 from tests.reference.robot import NAMES, motion_at, robot
@@ -292,3 +293,15 @@ def test_mistakes(kind: type[ModelError], mistake: object, message: str) -> None
     with pytest.raises(kind) as caught:
         mistake()  # type: ignore[operator]
     assert str(caught.value) == message
+
+
+@pytest.mark.parametrize("asked", ["forcing", "constraint_jacobian", "constraints", "program", "description"])
+def test_the_solution_does_not_depend_on_what_was_asked_before(asked: str) -> None:
+    def solved(asked: str = "") -> list[str]:
+        eqs = newton_euler(rolling_disc().system)
+        known = getattr(eqs, asked) if asked else None
+        if callable(known):
+            known()
+        return [str(acceleration) for acceleration in forward_dynamics(eqs).accelerations]
+
+    assert solved(asked) == solved()

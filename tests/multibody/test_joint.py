@@ -525,3 +525,47 @@ def test_rounded_places_make_no_constraints_of_rounding_errors() -> None:
         ]
     )
     assert [constraint.name for constraint in made.constraints] == ["C.x", "C.y"]
+
+
+def tilted_four_bar(digits: int) -> list[Joint]:
+    """A plane four-bar linkage, whose pins are along an axis in space that is rounded to some digits."""
+    exact = (rotate("X", 0.3) * rotate("Y", 0.7)).matrix.subs({})
+    turned = np.array([float(entry) for entry in exact.entries]).reshape(4, 4).round(digits)
+    links = [Link(name, 1, 0.1, 0.1, 0.1) for name in ("crank", "rod", "rocker")]
+    crank, rod, rocker = links
+
+    def pin(along: float) -> Frame:
+        place = turned.copy()
+        place[:3, 3] = (along * turned[:3, 0]).round(digits)
+        return Frame(place.tolist())
+
+    return [
+        revolute("A", ground, crank, at=pin(0), to=pin(0)),
+        revolute("B", crank, rod, at=pin(1), to=pin(0)),
+        revolute("D", ground, rocker, at=pin(2), to=pin(0)),
+        revolute("C", rod, rocker, at=pin(2.6), to=pin(1.8)),
+    ]
+
+
+@pytest.mark.filterwarnings("ignore:Frame")
+def test_a_loop_of_rounded_dimensions_moves_within_a_tolerance() -> None:
+    with pytest.warns(
+        ModelNotice, match=r"C closes its loop but for rounding: C.z stays within 3.1e-09 at all"
+    ):
+        stiff = assemble(tilted_four_bar(8))
+    assert [each.name for each in stiff.constraints] == ["C.x", "C.y", "C.z"]
+    made = assemble(tilted_four_bar(8), tolerance=1e-6)
+    assert [each.name for each in made.constraints] == ["C.x", "C.y"]
+    assert "by themselves hold C.z (within 3.1e-09), C.about x" in made.description()
+    A, B, D = made.coordinates
+    start, guess = {A: 1.0}, {B: -0.5, D: 1.5}
+    found, exact = (
+        simulate(
+            newton_euler(each.system(gravity=Vector(ground, 0, -9.81, 0))), {}, start, (0, 1), guess=guess
+        )
+        for each in (made, assemble(tilted_four_bar(17)))
+    )
+    np.testing.assert_allclose([found[q] for q in (A, B, D)], [exact[q] for q in (A, B, D)], atol=1e-6)
+    C = made.joint("C")
+    gap = found[C.sides.gap.components[2]]
+    assert 1e-11 < abs(gap).max() < 1e-7  # it stays, as told

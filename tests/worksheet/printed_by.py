@@ -5,10 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 from symbody.errors import WorksheetError
-from symbody.worksheet.interpret import Interpreter
+from symbody.worksheet.interpreter.interpret import Interpreter
 from symbody.worksheet.reading.files import source_cells
 from symbody.worksheet.reading.statements import statements
-from symbody.worksheet.source import Remark, SyntaxMistake
+from symbody.worksheet.sheet.source import Remark, SyntaxMistake
 
 __all__ = ["failures", "printed"]
 

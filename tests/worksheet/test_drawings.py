@@ -8,9 +8,9 @@ from typing import Any
 import pytest
 from matplotlib.figure import Figure
 
-from symbody.worksheet.drawing import _fill, pieces_of
-from symbody.worksheet.interpret import Interpreter
-from symbody.worksheet.value import Plot
+from symbody.worksheet.drawing.pieces import _fill, pieces_of
+from symbody.worksheet.interpreter.interpret import Interpreter
+from symbody.worksheet.values.value import Plot
 from tests.worksheet.printed_by import printed
 
 

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from symbody.worksheet.interpret import Interpreter
+from symbody.worksheet.interpreter.interpret import Interpreter
 from tests.worksheet.printed_by import failures, printed
 
 

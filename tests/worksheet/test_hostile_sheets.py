@@ -10,10 +10,10 @@ import pytest
 
 from symbody.errors import WorksheetError
 from symbody.worksheet.check import verdicts
-from symbody.worksheet.interpret import Interpreter
+from symbody.worksheet.evaluation.session import Session
+from symbody.worksheet.interpreter.interpret import Interpreter
 from symbody.worksheet.reading.files import source_cells
 from symbody.worksheet.run import outcomes
-from symbody.worksheet.session import Session
 from tests.worksheet.reading.test_hostile_text import PIECES
 
 WORDS = (

@@ -9,11 +9,11 @@ import pytest
 
 from symbody.errors import WorksheetError
 from symbody.worksheet.builtins import FORMS, KERNEL, PACKAGES
-from symbody.worksheet.interpret import Interpreter, Stop
-from symbody.worksheet.mbsymba import COMMANDS
+from symbody.worksheet.commands.mbsymba import COMMANDS
+from symbody.worksheet.interpreter.interpret import Interpreter, Stop
 from symbody.worksheet.reading.files import source_cells
 from symbody.worksheet.reading.statements import statements
-from symbody.worksheet.source import Remark, SyntaxMistake
+from symbody.worksheet.sheet.source import Remark, SyntaxMistake
 
 _OPERANDS = [
     *(

@@ -8,11 +8,11 @@ from pathlib import Path
 import pytest
 
 from symbody.errors import WorksheetError
-from symbody.worksheet.interpret import Interpreter
+from symbody.worksheet.interpreter.interpret import Interpreter
 from symbody.worksheet.reading.files import source_cells
 from symbody.worksheet.reading.statements import statements
-from symbody.worksheet.source import Remark, SyntaxMistake
-from symbody.worksheet.syntax import Place
+from symbody.worksheet.sheet.source import Remark, SyntaxMistake
+from symbody.worksheet.sheet.syntax import Place
 from tests.worksheet.printed_by import failures, run
 
 

@@ -19,8 +19,8 @@ from symbody.symbolic import (
     tan,
     time_derivative,
 )
-from symbody.worksheet.interpret import Interpreter
-from symbody.worksheet.print import text_of
+from symbody.worksheet.interpreter.interpret import Interpreter
+from symbody.worksheet.printing.print import text_of
 
 _LEAVES = [
     symbol("a"),

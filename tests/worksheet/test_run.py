@@ -110,3 +110,15 @@ def test_ctrl_c_keeps_what_is_done(tmp_path: Path) -> None:
     assert process.returncode == 130
     assert "interrupted" in err
     assert out.splitlines()[-1].startswith("1 statement, 0 failed")
+
+
+def test_notices_about_angles_are_for_writers_of_sheets(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    sheet = "q := evalf(Pi/3): A := rotate('Z',q):\nB := rotate('Z',1.57):\nC := rotate('Z',90.):\n"
+    assert run(tmp_path, sheet, name="sheet.mpl") == 0
+    notes = [line for line in capsys.readouterr().out.splitlines() if line.startswith("Note")]
+    assert [note.partition("; ")[2] for note in notes] == [
+        "write Pi/2 if that is meant",
+        "angles are in radians: write 90.0*Pi/180 if degrees are meant",
+    ]

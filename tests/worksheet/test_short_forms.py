@@ -7,7 +7,7 @@ import re
 import pytest
 
 import symbody as sb
-from symbody.worksheet.shortest import shortest
+from symbody.worksheet.mechanics.shortest import shortest
 from tests.worksheet.printed_by import printed
 
 PLANE = """with(MBSymba_r4): T := translate(x(t),y(t),0)*rotate('Z',phi(t)):

@@ -25,6 +25,14 @@ CASES = {
         "solve({diff(x(t),t)-3*k, diff(y(t),t)+diff(x(t),t)}, diff([x(t),y(t)],t));",
         ["[[diff(x(t),t) = 3*k, diff(y(t),t) = -3*k]]"],
     ),
+    "the first of several solutions": (
+        "s := {u = v+1, w = 1}, {u = -v-1, w = 2}: u := subs(s,u); u := subs(s,u);",
+        ["u := v+1", "u := v+1"],
+    ),
+    "roots that become complex": (
+        "r := solve(m*z^2+c*z+k=0,z): subs(m=1,c=2,k=10,[r]); m := 1: c := 2: k := 10: r;",
+        ["[-1+3*I, -1-3*I]", "-1+3*I, -1-3*I"],
+    ),
     "free unknowns": (
         "solve({x+y=1},{x,y});",
         ["{x = 1-y, y = y}"],

@@ -6,11 +6,11 @@ from pathlib import Path
 from typing import Any
 
 from symbody.symbolic import Expr, Matrix, symbol
-from symbody.worksheet.interpret import Interpreter
-from symbody.worksheet.objects import kind_of
+from symbody.worksheet.interpreter.interpret import Interpreter
+from symbody.worksheet.mechanics.objects import kind_of
 from symbody.worksheet.reading import names_in_code, read_source, statements
-from symbody.worksheet.source import Remark, SyntaxMistake
-from symbody.worksheet.value import Array, Listed, MapleSet, Relation, Sequence, Table, Value
+from symbody.worksheet.sheet.source import Remark, SyntaxMistake
+from symbody.worksheet.values.value import Array, Listed, MapleSet, Relation, Sequence, Table, Value
 
 VALID = Path(__file__).parent / "valid"
 

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from symbody.worksheet.interpret import Interpreter
+from symbody.worksheet.interpreter.interpret import Interpreter
 from symbody.worksheet.reading.files import source_cells
 from symbody.worksheet.run import outcomes
-from symbody.worksheet.value import Listed
+from symbody.worksheet.values.value import Listed
 from tests.worksheets.test_seeds import FOLDERS, TRIFILAR, ran
 
 PAGE = Path(__file__).parents[2] / "docs" / "worksheets.md"

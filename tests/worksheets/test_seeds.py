@@ -17,12 +17,12 @@ from symbody.symbolic import Expr
 from symbody.worksheet.check import verdict, verdicts
 from symbody.worksheet.check.align import aligned
 from symbody.worksheet.check.printed import functions_in, printed, value_of
-from symbody.worksheet.interpret import Interpreter
-from symbody.worksheet.outcome import Outcome
+from symbody.worksheet.interpreter.interpret import Interpreter
 from symbody.worksheet.reading import read_source
 from symbody.worksheet.run import outcomes
-from symbody.worksheet.source import Cell
-from symbody.worksheet.value import Listed, Relation, Sequence, Unevaluated, Value
+from symbody.worksheet.sheet.outcome import Outcome
+from symbody.worksheet.sheet.source import Cell
+from symbody.worksheet.values.value import Listed, Relation, Sequence, Unevaluated, Value
 from tests.worksheets.printed import assert_values
 
 NEWTON, TRIFILAR = "000_ea6b06c18f5e54f8", "001_44942c621e52e3cb"

@@ -10,7 +10,7 @@ import pytest
 
 from symbody.__main__ import add_run_options
 from symbody.worksheet import builtins
-from symbody.worksheet.mbsymba import COMMANDS, describe
+from symbody.worksheet.commands.mbsymba import COMMANDS, describe
 from symbody.worksheet.run import run_file
 
 SHEETS = sorted(path for path in (Path(__file__).parent / "valid").iterdir() if path.is_file())
@@ -46,4 +46,4 @@ def test_every_command_is_in_a_sheet() -> None:
 def test_commands_of_mbsymba_are_described(name: str) -> None:
     text = describe(name)
     assert text is not None
-    assert re.match(r"# .+\n\w+\(", text), text
+    assert re.match(r"(# .+\n)+\w+\(", text), text

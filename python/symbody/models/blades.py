@@ -63,7 +63,7 @@ def snakeboard() -> ClassicSystem:
 
     The axles are at the distance l from the middle. The rotor turns by psi; the inputs Mr and Ms are the torques on the
     rotor and on each axle. The number of J makes J + Jr + 2 Jw = m l^2, which the source assumes. The others are quoted
-    from the source; no test compares them.
+    from the source, which prints no numbers of motions: tests compare accelerations with those of SymPy.
 
     >>> from symbody import newton_euler
     >>> newton_euler(snakeboard().system)

@@ -15,6 +15,7 @@ from .element.magic_formula import magic_formula
 from .element.motor import motor, saturated
 from .element.spring import spring
 from .element.tire import tire
+from .element.tire_file import TireFile, tire_file
 from .element.tire_force import TireForce, TireLaw
 from .element.tire_kinematics import TireKinematics, tire_kinematics
 from .element.tire_shape import TireShape, tire_shape
@@ -54,6 +55,7 @@ __all__ = [
     "Mechanism",
     "Resultant",
     "System",
+    "TireFile",
     "TireForce",
     "TireKinematics",
     "TireLaw",
@@ -97,6 +99,7 @@ __all__ = [
     "spherical",
     "spring",
     "tire",
+    "tire_file",
     "tire_kinematics",
     "tire_shape",
     "torsion_spring",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from symbody.worksheet.check import Verdict, verdicts
-from symbody.worksheet.interpret import Interpreter
+from symbody.worksheet.interpreter.interpret import Interpreter
 from symbody.worksheet.reading.files import source_cells
 from symbody.worksheet.run import outcomes
 

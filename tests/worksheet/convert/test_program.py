@@ -19,12 +19,12 @@ from symbody.worksheet.convert import convert_file
 from symbody.worksheet.convert.names import identifier
 from symbody.worksheet.convert.program import Converted, converted
 from symbody.worksheet.convert.same import same
-from symbody.worksheet.interpret import Interpreter
+from symbody.worksheet.evaluation.session import Session
+from symbody.worksheet.interpreter.interpret import Interpreter
 from symbody.worksheet.reading import names_in_code, read_source, statements
 from symbody.worksheet.reading.files import source_cells
-from symbody.worksheet.session import Session
-from symbody.worksheet.source import Remark, SyntaxMistake
-from symbody.worksheet.syntax import For
+from symbody.worksheet.sheet.source import Remark, SyntaxMistake
+from symbody.worksheet.sheet.syntax import For
 from tests.repeated import repeated
 from tests.worksheets.test_seeds import FOLDERS, NEWTON, TRIFILAR
 

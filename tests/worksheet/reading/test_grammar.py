@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from symbody.worksheet import syntax
 from symbody.worksheet.reading import statements
-from symbody.worksheet.source import Cell, Line, Remark, SyntaxMistake
-from symbody.worksheet.syntax import (
+from symbody.worksheet.sheet import syntax
+from symbody.worksheet.sheet.source import Cell, Line, Remark, SyntaxMistake
+from symbody.worksheet.sheet.syntax import (
     Assignment,
     Call,
     Columns,

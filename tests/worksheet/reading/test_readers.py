@@ -10,8 +10,8 @@ import pytest
 from symbody.errors import WorksheetError
 from symbody.worksheet.reading import read_source, statements
 from symbody.worksheet.reading.files import source_cells
-from symbody.worksheet.source import Cell, SyntaxMistake
-from symbody.worksheet.syntax import Assignment, For, Statement
+from symbody.worksheet.sheet.source import Cell, SyntaxMistake
+from symbody.worksheet.sheet.syntax import Assignment, For, Statement
 
 
 def code(cells: tuple[Cell, ...]) -> list[list[str]]:

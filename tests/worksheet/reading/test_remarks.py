@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from symbody.worksheet.reading import statements
-from symbody.worksheet.source import Cell, Line, Remark, SyntaxMistake
-from symbody.worksheet.syntax import Assignment, Evaluation, For
+from symbody.worksheet.sheet.source import Cell, Line, Remark, SyntaxMistake
+from symbody.worksheet.sheet.syntax import Assignment, Evaluation, For
 
 
 def read(text: str, **options: bool) -> tuple[list[str], list[str]]:
@@ -25,6 +25,7 @@ CASES = [
     ("show(AB); crank\nB := 3;", TWO, ["crank"]),
     ("show(AB);  ground coordinates\nB := 3;", TWO, ["ground coordinates"]),
     ("show(AB): the wheel's axis\nB := 3;", TWO, ["the wheel's axis"]),
+    ("show(AB); 'sin' and 'cos' of it\nB := 3;", TWO, ["'sin' and 'cos' of it"]),
     ('show(AB): the "first" link\nB := 3;', TWO, ['the "first" link']),
     ("show(AB); x(t), y(t), lateral displacement\nB := 3;", TWO, ["x(t), y(t), lateral displacement"]),
     ("show(AB); it moves (see the figure\nB := 3;", TWO, ["it moves (see the figure"]),
@@ -40,6 +41,7 @@ CASES = [
     ("q := [x(t),\n the first of the coordinates\n y(t)];", ["Assignment"], ["the first of the coordinates"]),
     ("q := [x(t), lateral, of the vehicle\n y(t)];", ["Assignment"], ["lateral, of the vehicle"]),
     ("q := [x(t), z, of the vehicle\n y(t)]: z := 1;", ["Assignment"] * 2, ["of the vehicle"]),
+    ("q := {x(t),y(t)\nplace (of the body)\n}: z := 1;", ["Assignment"] * 2, ["place (of the body)"]),
     ("for i to 3 do  all links\n i; od;", ["For"], ["all links"]),
     (
         "q := [x(t) = 0,   the first\n y(t) = 0        the second one, of them\n ]:",

@@ -22,6 +22,7 @@ from symbody.symbolic import (
     Program,
     are_small,
     cost,
+    derivation,
     free_symbols,
     truncated,
     without_idle_symbols,
@@ -193,7 +194,8 @@ class Equations:
     @cached_property
     def forcing(self) -> tuple[Expr, ...]:
         """The negative of the bias, n."""
-        return tuple(-entry for entry in self.bias)
+        with derivation(fresh=True):  # its form doesn't depend on where it is read first
+            return tuple(-entry for entry in self.bias)
 
     @cached_property
     def parameters(self) -> tuple[Expr, ...]:

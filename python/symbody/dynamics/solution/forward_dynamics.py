@@ -261,7 +261,8 @@ def _eliminated(method: str, eqs: Equations, baumgarte: Damping) -> ForwardDynam
 def _by_saddle_point(method: str, eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
     with derivation(fresh=True, order=MOTION):
         right = [-entry for entry in eqs.constraint_bias(*(baumgarte or (0, 0)))] if eqs.constraints else []
-        solution = saddle_point_solve(eqs.mass_matrix, eqs.constraint_jacobian, eqs.forcing, right, method)
+        forcing = tuple(-entry for entry in eqs.bias)  # in the forms of this derivation
+        solution = saddle_point_solve(eqs.mass_matrix, eqs.constraint_jacobian, forcing, right, method)
     return ForwardDynamics(solution.x, solution.y, method, solution.conditions).without_idle_symbols()
 
 

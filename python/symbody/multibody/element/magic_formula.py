@@ -5,7 +5,7 @@ The curve ``D sin(C atan(B x - E (B x - atan(B x))))`` has the slope B C D at ze
 are cited by their numbers in this section. The sets 5.2 and 6.1 differ in the effect of camber and in the aligning
 moment.
 
-Not included: turn slip, and the dependence of friction on the speed of sliding.
+Not included: turn slip, and friction that decreases less in the shifts than in the peaks (4.E8).
 """
 
 from __future__ import annotations
@@ -108,11 +108,11 @@ class MagicFormula:
             kappa: the longitudinal slip.
             lateral_slip: the tangent of the slip angle.
             camber: the camber, in rad.
-            speed: that of the wheel, in m/s, if the rolling resistance depends on it.
+            speed: that of the wheel, in m/s, if the rolling resistance or friction depends on it.
         """
         if speed is None and self.needs_speed:
             raise LoadError(
-                f"magic_formula: no speed, on which the rolling resistance depends by {' and '.join(BY_SPEED)}; "
+                f"magic_formula: no speed, on which the law depends by {' and '.join(self._by_speed)}; "
                 "expected law(load, kappa, lateral_slip, camber, speed=v); a tire gives its own"
             )
         with derivation(order=ENERGY):
@@ -121,8 +121,12 @@ class MagicFormula:
 
     @property
     def needs_speed(self) -> bool:
-        """Whether the rolling resistance depends on the speed."""
-        return any(not self.coefficients[name].is_zero for name in BY_SPEED)
+        """Whether the rolling resistance or friction depends on the speed."""
+        return bool(self._by_speed)
+
+    @property
+    def _by_speed(self) -> list[str]:
+        return [name for name in BY_SPEED if not self.coefficients[name].is_zero]
 
     @checked(LoadError)
     def relaxation_lengths(self, load: Scalar, camber: Scalar = 0) -> tuple[Expr, Expr]:
@@ -184,6 +188,24 @@ class _Forces:
         """gamma*, the sine of the camber (4.E4)."""
         return sin(self.gamma)
 
+    @cached_property
+    def mu_x(self) -> Expr:
+        """LMUX, which decreases with the speed of sliding (4.E7)."""
+        return self.p["LMUX"] / self._decrease
+
+    @cached_property
+    def mu_y(self) -> Expr:
+        """LMUY, which decreases with the speed of sliding (4.E7)."""
+        return self.p["LMUY"] / self._decrease
+
+    @cached_property
+    def _decrease(self) -> Expr:
+        """1 + LMUV Vs/V0, with the speed of sliding Vs."""
+        if self.p["LMUV"].is_zero:
+            return number(1)
+        sliding = self.speed * sqrt(self.kappa**2 + self.alpha**2 + _AT_REST)
+        return 1 + self.p["LMUV"] * sliding / self.p["LONGVL"]
+
     # --- pure slip ---
 
     @cached_property
@@ -191,9 +213,9 @@ class _Forces:
         """The curve of the longitudinal force (4.E9 to 4.E18)."""
         p, df, N = self.p, self.df, self.N
         C = p["PCX1"] * p["LCX"]
-        mu = (p["PDX1"] + p["PDX2"] * df) * (1 - p["PDX3"] * self.gamma**2) * p["LMUX"]
+        mu = (p["PDX1"] + p["PDX2"] * df) * (1 - p["PDX3"] * self.gamma**2) * self.mu_x
         SH = (p["PHX1"] + p["PHX2"] * df) * p["LHX"]
-        SV = N * (p["PVX1"] + p["PVX2"] * df) * p["LVX"] * p["LMUX"]
+        SV = N * (p["PVX1"] + p["PVX2"] * df) * p["LVX"] * self.mu_x
         E = (p["PEX1"] + p["PEX2"] * df + p["PEX3"] * df**2) * p["LEX"]
         if not p["PEX4"].is_zero:
             E *= 1 - p["PEX4"] * sign(self.kappa + SH)
@@ -210,14 +232,14 @@ class _Forces:
         C = p["PCY1"] * p["LCY"]
         mu = self._lateral_friction(lean)
         K = self._cornering_stiffness(lean)
-        by_camber = N * (p["PVY3"] + p["PVY4"] * df) * p["LKYC"] * p["LMUY"]
+        by_camber = N * (p["PVY3"] + p["PVY4"] * df) * p["LKYC"] * self.mu_y
         SH = (p["PHY1"] + p["PHY2"] * df) * p["LHY"]
         if self.version == "5.2":
             SH += p["PHY3"] * lean * p["LKYC"]
         else:
             stiffness = N * (p["PKY6"] + p["PKY7"] * df) * p["LKYC"]
             SH += (stiffness - by_camber) * lean / (K + _TINY * sign(p["PKY1"]))
-        SV = N * (p["PVY1"] + p["PVY2"] * df) * p["LVY"] * p["LMUY"] + by_camber * lean
+        SV = N * (p["PVY1"] + p["PVY2"] * df) * p["LVY"] * self.mu_y + by_camber * lean
         E = (p["PEY1"] + p["PEY2"] * df) * p["LEY"]
         asymmetry = p["PEY3"] + p["PEY4"] * lean
         shape = 1 + p["PEY5"] * lean**2
@@ -229,7 +251,7 @@ class _Forces:
 
     def _lateral_friction(self, lean: Expr) -> Expr:
         p = self.p
-        return (p["PDY1"] + p["PDY2"] * self.df) * (1 - p["PDY3"] * lean**2) * p["LMUY"]
+        return (p["PDY1"] + p["PDY2"] * self.df) * (1 - p["PDY3"] * lean**2) * self.mu_y
 
     def _cornering_stiffness(self, lean: Expr, load: Expr | None = None) -> Expr:
         """Return K_ya (4.E25)."""
@@ -277,13 +299,17 @@ class _Forces:
     # --- moments ---
 
     def overturning(self, Fy: Expr) -> Expr:
-        """Return Mx (4.E69)."""
+        """Return Mx (4.E69), with the terms QSX12 to QSX14 of set 6.2 [Besselink et al. 2010; mfeval]."""
         p, load, side = self.p, self.N / self.p["FNOMIN"], Fy / self.p["FNOMIN"]
         lever = p["QSX1"] * p["LVMX"] - p["QSX2"] * self.gamma + p["QSX3"] * side
         bent = p["QSX7"] * self.gamma + p["QSX8"] * atan(p["QSX9"] * side)
         lever += p["QSX4"] * cos(p["QSX5"] * atan((p["QSX6"] * load) ** 2)) * sin(bent)
         lever += p["QSX10"] * atan(p["QSX11"] * load) * self.gamma
-        return p["UNLOADED_RADIUS"] * self.N * lever * p["LMX"]
+        moment = self.N * lever
+        if not all(p[name].is_zero for name in ("QSX12", "QSX13", "QSX14")):
+            steep = Abs(self.gamma)
+            moment += Fy * (p["QSX13"] + p["QSX14"] * steep) - self.N * p["QSX12"] * self.gamma * steep
+        return p["UNLOADED_RADIUS"] * moment * p["LMX"]
 
     def rolling(self, Fx: Expr) -> Expr:
         """Return My, the rolling resistance of a wheel that rolls ahead (4.E70)."""
@@ -311,8 +337,9 @@ class _Forces:
         """The pneumatic trail t (4.E33 to 4.E35, 4.E40 to 4.E44, 4.E73)."""
         p, df, gamma = self.p, self.df, self.gamma
         turned = self.alpha + p["QHZ1"] + p["QHZ2"] * df + (p["QHZ3"] + p["QHZ4"] * df) * self.lean
-        B = (p["QBZ1"] + p["QBZ2"] * df + p["QBZ3"] * df**2) * p["LKY"] / p["LMUY"]
-        B *= 1 + p["QBZ4"] * gamma + (number(0) if p["QBZ5"].is_zero else p["QBZ5"] * Abs(gamma))
+        B = (p["QBZ1"] + p["QBZ2"] * df + p["QBZ3"] * df**2) * p["LKY"] / self.mu_y
+        by_camber = p["QBZ4"] * gamma + p["QBZ6"] * gamma**2
+        B *= 1 + by_camber + (number(0) if p["QBZ5"].is_zero else p["QBZ5"] * Abs(gamma))
         C = p["QCZ1"]
         D = (p["QDZ1"] + p["QDZ2"] * df) * (1 + p["QDZ3"] * gamma + p["QDZ4"] * gamma**2)
         D *= self.N * p["UNLOADED_RADIUS"] / self.F0 * p["LTR"]
@@ -327,12 +354,12 @@ class _Forces:
         p, df, lean = self.p, self.df, self.lean
         curve = self.across
         turned = self.alpha + curve.SH + curve.SV / (curve.K + _TINY * sign(p["PKY1"]))
-        B = p["QBZ9"] * p["LKY"] / p["LMUY"] + p["QBZ10"] * curve.B * curve.C
+        B = p["QBZ9"] * p["LKY"] / self.mu_y + p["QBZ10"] * curve.B * curve.C
         size = (p["QDZ6"] + p["QDZ7"] * df) * p["LRES"]
         leaning = p["QDZ8"] + p["QDZ9"] * df
         more = p["QDZ10"] + p["QDZ11"] * df
         size += (leaning if more.is_zero else leaning + more * Abs(lean)) * lean * p["LKZC"]
-        D = self.N * p["UNLOADED_RADIUS"] * size * p["LMUY"] * self._direction
+        D = self.N * p["UNLOADED_RADIUS"] * size * self.mu_y * self._direction
         return D * cos(atan(B * self._equivalent(turned)))
 
     @property
@@ -377,7 +404,8 @@ def magic_formula(
     Args:
         coefficients: numbers, or symbols, by the names of tyre property files; those left out have no effect. Needed
             are FNOMIN, UNLOADED_RADIUS, and PCX1, PDX1 and PKX1 for longitudinal forces, or PCY1, PDY1, PKY1 and PKY2
-            for lateral ones. Turn slip is not part of the law; its coefficients are ignored. QSY3 and QSY4 need LONGVL.
+            for lateral ones. Turn slip is not part of the law; its coefficients are ignored. QSY3, QSY4 and LMUV need
+            LONGVL.
         version: "5.2", or "6.1" for its effect of camber (PKY6, PKY7) and its aligning moment.
         pressure: the inflation pressure, in the unit of NOMPRES; the nominal one by default.
 
@@ -430,8 +458,8 @@ def _check_names(given: Mapping[str, Expr]) -> None:
     for name, value in given.items():
         if name in EXCLUDED and not value.is_zero:
             raise LoadError(
-                f"magic_formula: {name} = {brief(value)} belongs to an effect that the law doesn't have, such as that "
-                "of speed on friction; leave it out to do without"
+                f"magic_formula: {name} = {brief(value)} belongs to an effect that the law doesn't have; leave it out "
+                "to do without"
             )
         if name not in names | EXCLUDED:
             near = get_close_matches(name.upper(), sorted(names), 1)
@@ -443,7 +471,7 @@ def _check_names(given: Mapping[str, Expr]) -> None:
     if "LONGVL" not in given and any(name in given and not given[name].is_zero for name in BY_SPEED):
         raise LoadError(
             "magic_formula: LONGVL missing; expected the speed, in m/s, to which the coefficients "
-            f"{' and '.join(BY_SPEED)} of rolling resistance are relative"
+            f"{', '.join(BY_SPEED[:-1])} and {BY_SPEED[-1]} are relative"
         )
     for first, *others in (NEEDED["along"], NEEDED["across"]):
         missing += [name for name in others if first in given and name not in given]

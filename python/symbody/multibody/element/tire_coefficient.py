@@ -23,15 +23,15 @@ def _series(**last: int) -> frozenset[str]:
     return frozenset(f"{name}{k}" for name, count in last.items() for k in range(1, count + 1))
 
 
-EXCLUDED = frozenset({"QDZ5", "QBZ6", "QBZ7", "QBZ8", "LMUV"}) | (_series(QSX=14) - _series(QSX=11))
-"""Coefficients of effects that the law does not have; they must be zero."""
+EXCLUDED = frozenset({"QDZ5", "QBZ7", "QBZ8"})
+"""Coefficients that the sets 5.2 to 6.2 don't have; they must be zero."""
 
 COEFFICIENTS = (
-    frozenset({"FNOMIN", "UNLOADED_RADIUS", "NOMPRES", "LONGVL"})
+    frozenset({"FNOMIN", "UNLOADED_RADIUS", "NOMPRES", "LONGVL", "LMUV"})
     | _series(PPX=4, PPY=5, PPZ=2, PPMX=1)
     | _series(PCX=1, PDX=3, PEX=4, PKX=3, PHX=2, PVX=2, RBX=3, RCX=1, REX=2, RHX=1, PTX=3)
     | _series(PCY=1, PDY=3, PEY=5, PKY=7, PHY=3, PVY=4, RBY=4, RCY=1, REY=2, RHY=2, RVY=6, PTY=2)
-    | _series(QSX=11, QSY=8, QBZ=10, QCZ=1, QDZ=11, QEZ=5, QHZ=4, SSZ=4)
+    | _series(QSX=14, QSY=8, QBZ=10, QCZ=1, QDZ=11, QEZ=5, QHZ=4, SSZ=4)
 ) - EXCLUDED
 """What the law is made of."""
 
@@ -79,8 +79,8 @@ NEEDED = {
 POSITIVE = frozenset({"FNOMIN", "UNLOADED_RADIUS", "NOMPRES", "LONGVL", "LFZO", "LCX", "LMUX", "LCY", "LMUY"})
 """What must be positive: sizes, and the scaling factors by which the law divides."""
 
-BY_SPEED = ("QSY3", "QSY4")
-"""The coefficients by which the rolling resistance depends on the speed, relative to LONGVL."""
+BY_SPEED = ("QSY3", "QSY4", "LMUV")
+"""The coefficients by which the rolling resistance and friction depend on the speed, relative to LONGVL."""
 
 DIVISORS = {"PDX1": "PCX1", "PDY1": "PCY1", "PKY1": "PCY1", "PKY2": "PCY1"}
 """Coefficients by which the law divides, and the one that is zero where the whole force is."""

@@ -17,15 +17,20 @@ from .joint import Joint
 from .link import Link
 from .mechanism import Mechanism
 from .placed_joint import PlacedJoint
+from .rounded_loop import report_nearly_held, within_tolerance
 from .spanning_tree import Branch, spanning_tree
 
 __all__ = ["assemble"]
 
 Joints: TypeAlias = Annotated[Sequence[Joint], "a list of joints, such as [revolute('A', ground, crank)]"]
 
+Tolerance: TypeAlias = Annotated[float | int, "a number, such as 1e-6, in m and as the sine of an angle"]
+
+_LARGEST_TOLERANCE = 0.1
+
 
 @checked(JointError)
-def assemble(joints: Joints) -> Mechanism:
+def assemble(joints: Joints, *, tolerance: Tolerance = 0.0) -> Mechanism:
     """Return the mechanism of joints and the links that they join.
 
     Joints place the links one after the other, as a tree from ground outwards, by their coordinates. A joint between
@@ -34,10 +39,13 @@ def assemble(joints: Joints) -> Mechanism:
     chosen is printed by ``show(mechanism)``.
 
     Conditions that hold at every position by themselves, such as those across the plane of a plane mechanism, make no
-    constraints. What they would exert cannot be known from rigid bodies, and `reaction` takes it for zero.
+    constraints. What they would exert cannot be known from rigid bodies, and `reaction` takes it for zero. A notice
+    tells of conditions that hold but for rounded dimensions.
 
     Args:
         joints: the joints of the mechanism.
+        tolerance: a length in m, and the sine of an angle, up to which a condition of numbers holds by itself;
+            ``show(mechanism)`` tells how much is left of it.
 
     Raises:
         JointError: no joints lead from a frame to a link, or two things have one name.
@@ -54,6 +62,10 @@ def assemble(joints: Joints) -> Mechanism:
     prismatic D: ground -> slider, by s_D
     revolute C: rod -> slider closes a loop by C.x, C.y; by themselves hold C.z, C.about x, C.about y
     """
+    if not 0 <= tolerance <= _LARGEST_TOLERANCE:
+        raise JointError(
+            f"assemble: tolerance = {tolerance}; expected a small number, such as 1e-6, or 0 for none"
+        )
     _check_names(joints)
     _check_coupled(joints)
     branches, loops = spanning_tree(joints, [each for joint in joints for each in joint.pair.coupled])
@@ -72,7 +84,10 @@ def assemble(joints: Joints) -> Mechanism:
     placed = tuple(PlacedJoint.of(joint, sides[joint], outboard.get(joint)) for joint in joints)
     values = _coupled_values(placed)
     placed = tuple(_with_closures(each, each.joint.pair.meshing(str(each), sides, values)) for each in placed)
+    if tolerance:
+        placed = tuple(each if each.opens else within_tolerance(each, tolerance) for each in placed)
     _check_loops(placed)
+    report_nearly_held(placed)
     for joint in loops:
         _report_idle_coordinates(joint)
     links = dict.fromkeys(

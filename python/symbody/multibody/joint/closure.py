@@ -7,9 +7,10 @@ intensity of the force f at this point and the moment m that the parent exerts o
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from math import inf
 from typing import Any
 
 from symbody.geometry import Frame, Point, Vector, cross, dot, origin
@@ -18,11 +19,13 @@ from symbody.symbolic.expression.container import Container, contains
 
 __all__ = [
     "AXES",
+    "NEARLY",
     "Closure",
     "Sides",
     "along",
     "held_point",
     "holds_by_itself",
+    "largest_value",
     "names_that_constrain",
     "perpendicular",
 ]
@@ -112,20 +115,36 @@ def holds_by_itself(condition: Expr) -> bool:
     Doubles in places leave 1e-17 or 1e-17*sin(q) of what is zero in a plane mechanism: such conditions would depend on
     others, or contradict them.
     """
+    return all(value < _ROUNDING for value in _values(condition))
+
+
+def _holds(closure: Closure, size: float) -> bool:
+    return all(value < size for value in _values(closure.condition))
+
+
+def largest_value(condition: Expr) -> float:
+    """Return the largest size of a condition at some positions; infinity if it has parameters that are symbols."""
+    return max(_values(condition))
+
+
+def _values(condition: Expr) -> Iterator[float]:
+    """Yield the sizes of a condition at some positions; infinity if they depend on symbols and are not zero."""
     leaves = sorted(condition.free_symbols, key=str)
     if condition.is_zero or any(not leaf.depends_on_time for leaf in leaves):
-        return condition.is_zero
-    positions = (
-        {leaf: 0.3 + (turn * k * _GOLDEN) % 1 for k, leaf in enumerate(leaves, start=1)}
-        for turn in range(1, _POSITIONS + 1)
-    )
-    return all(abs(condition.evaluate(position)) < _ROUNDING for position in positions)
+        yield 0.0 if condition.is_zero else inf
+        return
+    for turn in range(1, _POSITIONS + 1):
+        yield abs(
+            condition.evaluate({leaf: 0.3 + (turn * k * _GOLDEN) % 1 for k, leaf in enumerate(leaves, 1)})
+        )
 
 
 _POSITIONS = 5
 _GOLDEN = 0.6180339887498949
 """Multiples of the golden ratio spread evenly."""
 _ROUNDING = 1e-12
+NEARLY = 1e-5
+"""The size up to which a condition is like one of rounded dimensions: a sine, or a length beside the distances."""
 
 
 def held_point(sides: Sides) -> tuple[Closure, ...]:
@@ -144,7 +163,9 @@ def held_point(sides: Sides) -> tuple[Closure, ...]:
                 for k, (name, component) in enumerate(zip("xyz", gap.components, strict=True))
             )
         )
-    return max(ways, key=lambda way: sum(holds_by_itself(closure.condition) for closure in way))
+    return max(
+        ways, key=lambda way: [sum(_holds(each, size) for each in way) for size in (_ROUNDING, NEARLY)]
+    )
 
 
 def along(sides: Sides, axis: int) -> Closure:

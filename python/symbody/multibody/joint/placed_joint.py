@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any, final
 
@@ -38,6 +38,7 @@ class PlacedJoint:
         constraining: the names of the closures that make constraints: those that don't hold by themselves.
         outboard: the names of the bodies beyond it, where it opens the tree; None where it closes a loop.
         limits: the least and the largest values of its coordinates.
+        residuals: the sizes of conditions that were left out within a tolerance, by name.
     """
 
     joint: Joint
@@ -48,6 +49,7 @@ class PlacedJoint:
     constraining: tuple[str, ...]
     outboard: tuple[str, ...] | None
     limits: tuple[Limit, ...] = ()
+    residuals: Mapping[str, float] = field(default_factory=dict)
 
     @classmethod
     def of(cls, joint: Joint, sides: Sides, outboard: tuple[str, ...] | None) -> PlacedJoint:
@@ -180,7 +182,11 @@ class PlacedJoint:
         return text
 
     def _named(self, closures: Sequence[Closure]) -> str:
-        return ", ".join(f"{self.name}.{closure.name}" for closure in closures)
+        return ", ".join(f"{self.name}.{closure.name}{self._within(closure)}" for closure in closures)
+
+    def _within(self, closure: Closure) -> str:
+        size = self.residuals.get(closure.name)
+        return "" if size is None else f" (within {size:.2g})"
 
     def __repr__(self) -> str:
         return str(self.joint)

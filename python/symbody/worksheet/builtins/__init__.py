@@ -6,8 +6,6 @@ import inspect
 from collections.abc import Callable, Iterator
 
 from symbody.symbolic import Expr
-from symbody.worksheet import mbsymba, syntax
-from symbody.worksheet.arithmetic import rebuilt
 from symbody.worksheet.builtins import (
     algebra,
     arrays,
@@ -33,9 +31,12 @@ from symbody.worksheet.builtins import (
 from symbody.worksheet.builtins.display import display
 from symbody.worksheet.builtins.forms import FORMS, dollar, repeated
 from symbody.worksheet.builtins.structural import elementwise, items_of
-from symbody.worksheet.print import name_text
-from symbody.worksheet.session import Command, Session
-from symbody.worksheet.value import NULL, Builtin, Reference, String, Unevaluated, Value
+from symbody.worksheet.commands import mbsymba
+from symbody.worksheet.evaluation.arithmetic import rebuilt
+from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.printing.print import name_text
+from symbody.worksheet.sheet import syntax
+from symbody.worksheet.values.value import NULL, Builtin, Reference, String, Unevaluated, Value
 
 __all__ = [
     "FORMS",
@@ -84,6 +85,10 @@ for _family in _FAMILIES:
         PACKAGES.setdefault(_package, {}).update(_commands)
 
 
+_OVERLOADED = frozenset("+-*.")
+"""Operators that MBSymba declares for its objects, and that saved procedures call by their package."""
+
+
 def command(session: Session, name: str) -> Command | None:
     """Return the command that a name stands for, or None."""
     if name in session.packages:
@@ -97,25 +102,43 @@ def known_names(session: Session) -> list[str]:
 
 
 def package_command(session: Session, name: str, indices: tuple[syntax.Expression, ...]) -> Value | None:
-    """Return the command of ``package[command]``, or None for another selection."""
-    if name in session.names or len(indices) != 1 or not isinstance(indices[0], syntax.Name | syntax.Delayed):
+    """Return the command of ``package[command]``, or None for another selection.
+
+    What ``save`` writes may name a package twice: ``plottools[plottools:-sphere]``.
+    """
+    if len(indices) != 1:
         return None
     word = indices[0].body if isinstance(indices[0], syntax.Delayed) else indices[0]
-    return member(session, name, [word.name]) if isinstance(word, syntax.Name) else None
+    if not isinstance(word, syntax.Name | syntax.Member):
+        return None
+    found, package = member(session, name, [word.name]), _meant_package(session, name)
+    if found is None and package in PACKAGES:
+        session.notice(f"{package}[{word.name}] is not known; it comes back unevaluated")
+    return found
 
 
 def member(session: Session, package: str, names: list[str]) -> Value | None:
     """Return the command of ``package:-name``, or None; ``:-name`` of a package inside a package too."""
-    name = names[-1]
+    package, name = _meant_package(session, package), names[-1]
     for path in (package, names[0] if len(names) > 1 else package):
         found = PACKAGES.get(path, {}).get(name)
         if found is not None:
             return Builtin(name, found)
-    if package.lower().startswith("mbsymba") and name in mbsymba.COMMANDS:
-        return Builtin(name, mbsymba.COMMANDS[name])
+    if package.lower().startswith("mbsymba"):
+        found = mbsymba.COMMANDS.get(name) or (KERNEL.get(name) if name in _OVERLOADED else None)
+        if found is not None:
+            return Builtin(name, found)
     if package in PACKAGES and name in FORMS:
         return Builtin(name, lambda session, *arguments: NULL)
     return None
+
+
+def _meant_package(session: Session, name: str) -> str:
+    """Return the package for which a name stands: ``LA := LinearAlgebra``; nothing for one with another value."""
+    held = session.names.get(name, Reference(name))
+    return (
+        held.name if isinstance(held, Reference) or (isinstance(held, Expr) and held.kind == "symbol") else ""
+    )
 
 
 def with_package(session: Session, *names: Value) -> Value:

@@ -11,15 +11,15 @@ from symbody.symbolic import collect as collected
 from symbody.symbolic import expand as expanded
 from symbody.symbolic import simplify as simplified
 from symbody.symbolic.linear.elimination import eliminated, is_linear
-from symbody.worksheet.arithmetic import scalar
-from symbody.worksheet.entrywise import entrywise
-from symbody.worksheet.numeric import as_integer
-from symbody.worksheet.polynomial import coefficients, degree, reduced
-from symbody.worksheet.print import text_of
-from symbody.worksheet.session import Command, Session
-from symbody.worksheet.structure import tree_of
-from symbody.worksheet.substitution import substituted
-from symbody.worksheet.value import (
+from symbody.worksheet.builtins.substitution import substituted
+from symbody.worksheet.evaluation.arithmetic import scalar
+from symbody.worksheet.evaluation.entrywise import entrywise
+from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.mathematics.polynomial import coefficients, degree, reduced
+from symbody.worksheet.printing.print import text_of
+from symbody.worksheet.values.numeric import as_integer
+from symbody.worksheet.values.structure import tree_of
+from symbody.worksheet.values.value import (
     Array,
     Listed,
     MapleSet,
@@ -37,12 +37,25 @@ __all__ = ["COMMANDS", "equations_of", "mapping_of"]
 
 
 def subs(session: Session, *arguments: Value) -> Value:
-    """subs(x = a, .., e): one equation after the other; those of a list or a set at once."""
+    """subs(x = a, .., e): one equation after the other; those of a list or a set at once.
+
+    Of several solutions for the same unknowns, as solve returns them, the first one counts. The next ones find nothing
+    to replace, unless an unknown has got its value meanwhile: this would be replaced by that of another solution.
+    """
     if not arguments:
         raise WorksheetError("subs: no arguments; expected equations and an expression")
     *rules, value = arguments
+    solutions: list[dict[Value, Value]] = []
     for rule in rules:
-        value = substituted(session, value, mapping_of(session, rule))
+        mapping = mapping_of(session, rule)
+        after = substituted(session, value, mapping)
+        if not isinstance(rule, Relation):
+            if any(mapping.keys() == each.keys() and mapping != each for each in solutions):
+                if session.text(after) != session.text(value):
+                    session.notice("subs: several solutions for the same unknowns; the first one is used")
+                continue
+            solutions.append(mapping)
+        value = after
     return session.current(value)
 
 
@@ -81,7 +94,10 @@ def evaluated(session: Session, value: Value, *rules: Value) -> Value:
 
 
 def unapply(session: Session, value: Value, *variables: Value) -> Value:
-    """unapply(e, x, ..): the operator (x, ..) -> e."""
+    """unapply(e, x, ..), unapply(e, [x, ..]): the operator (x, ..) -> e."""
+    variables = tuple(
+        item for each in variables for item in (each.items if isinstance(each, Listed) else (each,))
+    )
     names = [each.name for each in variables if isinstance(each, Expr) and each.kind == "symbol"]
     if len(names) != len(variables):
         raise WorksheetError("unapply: expected names behind the expression")

@@ -6,10 +6,10 @@ from dataclasses import replace
 
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, number
-from symbody.worksheet.naming import symbol
-from symbody.worksheet.numeric import as_integer
-from symbody.worksheet.session import Command, Session
-from symbody.worksheet.value import (
+from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.values.naming import symbol
+from symbody.worksheet.values.numeric import as_integer
+from symbody.worksheet.values.value import (
     Array,
     Builtin,
     Listed,

@@ -7,13 +7,13 @@ from math import factorial
 
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, number, t, time_derivative
-from symbody.worksheet.arithmetic import scalar
-from symbody.worksheet.derivative_rules import by_rules
-from symbody.worksheet.entrywise import entrywise
-from symbody.worksheet.naming import symbol
-from symbody.worksheet.numeric import as_integer
-from symbody.worksheet.session import Command, Session
-from symbody.worksheet.value import Array, Listed, MapleSet, Relation, Sequence, Unevaluated, Value
+from symbody.worksheet.evaluation.arithmetic import scalar
+from symbody.worksheet.evaluation.derivative_rules import by_rules
+from symbody.worksheet.evaluation.entrywise import entrywise
+from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.values.naming import symbol
+from symbody.worksheet.values.numeric import as_integer
+from symbody.worksheet.values.value import Array, Listed, MapleSet, Relation, Sequence, Unevaluated, Value
 
 __all__ = ["COMMANDS", "derivative_at", "diff"]
 

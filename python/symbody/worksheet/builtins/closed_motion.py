@@ -15,7 +15,7 @@ from symbody.symbolic import (
     time_function,
     to_sympy,
 )
-from symbody.worksheet.naming import symbol
+from symbody.worksheet.values.naming import symbol
 
 __all__ = ["closed_solution"]
 

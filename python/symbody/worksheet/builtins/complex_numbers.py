@@ -6,19 +6,19 @@ from collections.abc import Callable
 
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, atan2, sqrt
-from symbody.worksheet.arithmetic import scalar
-from symbody.worksheet.complex_number import I, normal, parts
-from symbody.worksheet.entrywise import entrywise
-from symbody.worksheet.numeric import with_decimals
-from symbody.worksheet.session import Command, Session
-from symbody.worksheet.value import Value
+from symbody.worksheet.evaluation.arithmetic import scalar
+from symbody.worksheet.evaluation.entrywise import entrywise
+from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.values.complex_number import I, normal, parts
+from symbody.worksheet.values.numeric import with_decimals
+from symbody.worksheet.values.value import Value
 
 __all__ = ["COMMANDS"]
 
 
 def _of_parts(name: str, made: Callable[[Expr, Expr], Expr]) -> Command:
     def command(session: Session, value: Value) -> Value:
-        found = parts(scalar(session, value))
+        found = parts(scalar(session, value), roots=True)
         if found is None:
             raise WorksheetError(
                 f"{name}: {session.text(value)[:60]} has no real and imaginary part that is known"

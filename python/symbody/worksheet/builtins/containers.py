@@ -6,18 +6,18 @@ from dataclasses import replace
 
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, number, pi
-from symbody.worksheet.arithmetic import scalar
 from symbody.worksheet.builtins.arrays import array_of
 from symbody.worksheet.builtins.elementary import in_decimals
 from symbody.worksheet.builtins.structural import operands
 from symbody.worksheet.builtins.texts import unparsed
-from symbody.worksheet.current import set_of
-from symbody.worksheet.entrywise import copied, parts_of
-from symbody.worksheet.naming import symbol
-from symbody.worksheet.numeric import as_integer
-from symbody.worksheet.select import key_of
-from symbody.worksheet.session import Command, Session, sequence
-from symbody.worksheet.value import (
+from symbody.worksheet.evaluation.arithmetic import scalar
+from symbody.worksheet.evaluation.current import set_of
+from symbody.worksheet.evaluation.entrywise import copied, parts_of
+from symbody.worksheet.evaluation.select import key_of
+from symbody.worksheet.evaluation.session import Command, Session, sequence
+from symbody.worksheet.values.naming import symbol
+from symbody.worksheet.values.numeric import as_integer
+from symbody.worksheet.values.value import (
     NULL,
     Array,
     Boolean,
@@ -265,13 +265,20 @@ def reverse(session: Session, value: Value) -> Value:
     return Listed(tuple(reversed(_items(session, value))))
 
 
+def search(session: Session, what: Value, value: Value) -> Value:
+    """ListTools[Search](x, L): the place of the first item that is x, 0 if none is."""
+    wanted, items = session.current(what), _items(session, value)
+    places = (k for k, each in enumerate(items, start=1) if session.current(each) == wanted)
+    return number(next(places, 0))
+
+
 def make_unique(session: Session, value: Value) -> Value:
     """ListTools[MakeUnique](L): each item once, in their order."""
     return Listed(tuple(dict.fromkeys(_items(session, value))))
 
 
 PACKAGES: dict[str, dict[str, Command]] = {
-    "ListTools": {"Flatten": flatten, "Reverse": reverse, "MakeUnique": make_unique}
+    "ListTools": {"Flatten": flatten, "Reverse": reverse, "MakeUnique": make_unique, "Search": search}
 }
 
 COMMANDS: dict[str, Command] = {

@@ -6,14 +6,14 @@ import time as clock
 
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, number
-from symbody.worksheet import mbsymba
 from symbody.worksheet.builtins.texts import unparsed
-from symbody.worksheet.drawing import drawn
-from symbody.worksheet.naming import symbol
-from symbody.worksheet.numeric import as_integer, decimal
-from symbody.worksheet.print import PLAIN, text_of
-from symbody.worksheet.session import Command, Session
-from symbody.worksheet.value import (
+from symbody.worksheet.commands import mbsymba
+from symbody.worksheet.drawing.pieces import drawn
+from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.printing.print import PLAIN, text_of
+from symbody.worksheet.values.naming import symbol
+from symbody.worksheet.values.numeric import as_integer, decimal
+from symbody.worksheet.values.value import (
     NULL,
     Array,
     Listed,

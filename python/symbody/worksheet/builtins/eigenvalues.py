@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING, Any
 from symbody.deferred import Deferred
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, Matrix, expand
-from symbody.worksheet.arithmetic import identity, scalar
 from symbody.worksheet.builtins.arrays import array_of
 from symbody.worksheet.builtins.solving import solve
-from symbody.worksheet.closed_roots import is_complex, polynomial_in, roots_of
-from symbody.worksheet.complex_number import of_number
-from symbody.worksheet.naming import symbol
-from symbody.worksheet.numeric import as_float
-from symbody.worksheet.session import Command, Session, sequence
-from symbody.worksheet.value import Array, Sequence, Value
+from symbody.worksheet.evaluation.arithmetic import identity, scalar
+from symbody.worksheet.evaluation.session import Command, Session, sequence
+from symbody.worksheet.mathematics.closed_roots import is_complex, polynomial_in, roots_of
+from symbody.worksheet.values.complex_number import of_number
+from symbody.worksheet.values.naming import symbol
+from symbody.worksheet.values.numeric import as_float
+from symbody.worksheet.values.value import Array, Sequence, Value
 
 if TYPE_CHECKING:
     import numpy as np

@@ -31,15 +31,15 @@ from symbody.symbolic import (
     tan,
     tanh,
 )
-from symbody.worksheet.arithmetic import called_with, raised, scalar
-from symbody.worksheet.closed_roots import root_number
-from symbody.worksheet.complex_number import as_complex, of_number
-from symbody.worksheet.naming import symbol
-from symbody.worksheet.numeric import as_float, as_integer, decimal, with_decimals
-from symbody.worksheet.quadrature import integral_number
-from symbody.worksheet.session import Command, Session, sequence
-from symbody.worksheet.structure import Tree, tree_of, walk
-from symbody.worksheet.value import (
+from symbody.worksheet.evaluation.arithmetic import called_with, raised, scalar
+from symbody.worksheet.evaluation.session import Command, Session, sequence
+from symbody.worksheet.mathematics.closed_roots import root_number
+from symbody.worksheet.mathematics.quadrature import integral_number
+from symbody.worksheet.values.complex_number import as_complex, of_number
+from symbody.worksheet.values.naming import symbol
+from symbody.worksheet.values.numeric import as_float, as_integer, decimal, with_decimals
+from symbody.worksheet.values.structure import Tree, tree_of, walk
+from symbody.worksheet.values.value import (
     Array,
     Boolean,
     Listed,

@@ -8,11 +8,11 @@ from typing import IO
 
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, number
+from symbody.worksheet.builtins.saved_text import saved_text
 from symbody.worksheet.builtins.texts import formatted, unparsed
-from symbody.worksheet.numeric import as_integer
-from symbody.worksheet.saved_text import saved_text
-from symbody.worksheet.session import Command, Session
-from symbody.worksheet.value import NULL, Boolean, Reference, String, Value
+from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.values.numeric import as_integer
+from symbody.worksheet.values.value import NULL, Boolean, Reference, String, Value
 
 __all__ = ["COMMANDS", "PACKAGES", "output_path", "read_file", "save_file"]
 

@@ -8,20 +8,20 @@ from typing import Any
 
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, number
-from symbody.worksheet import syntax
-from symbody.worksheet.arithmetic import binary, matrix_product, rebuilt, scalar
 from symbody.worksheet.builtins.containers import assigned as is_assigned
 from symbody.worksheet.builtins.display import alias as set_alias
 from symbody.worksheet.builtins.display import aliases
 from symbody.worksheet.builtins.integrals import closed_sum
 from symbody.worksheet.builtins.structural import items_of
-from symbody.worksheet.condition import truth
-from symbody.worksheet.current import flattened
-from symbody.worksheet.naming import symbol
-from symbody.worksheet.numeric import as_float, as_integer
-from symbody.worksheet.session import Scope, Session, sequence
-from symbody.worksheet.structure import tree_of
-from symbody.worksheet.value import (
+from symbody.worksheet.evaluation.arithmetic import binary, matrix_product, rebuilt, scalar
+from symbody.worksheet.evaluation.condition import truth
+from symbody.worksheet.evaluation.current import flattened
+from symbody.worksheet.evaluation.session import Scope, Session, sequence
+from symbody.worksheet.sheet import syntax
+from symbody.worksheet.values.naming import symbol
+from symbody.worksheet.values.numeric import as_float, as_integer
+from symbody.worksheet.values.structure import tree_of
+from symbody.worksheet.values.value import (
     Array,
     Listed,
     MapleSet,

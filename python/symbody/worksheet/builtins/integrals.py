@@ -7,13 +7,22 @@ from typing import Any
 
 from symbody.errors import SymbodyError, WorksheetError
 from symbody.symbolic import Expr, from_sympy, number, to_sympy
-from symbody.worksheet.arithmetic import scalar
-from symbody.worksheet.complex_number import has_i
-from symbody.worksheet.entrywise import entrywise
-from symbody.worksheet.naming import symbol
-from symbody.worksheet.numeric import as_integer
-from symbody.worksheet.session import Command, Session
-from symbody.worksheet.value import Array, Listed, MapleSet, Range, Reference, Relation, Unevaluated, Value
+from symbody.worksheet.evaluation.arithmetic import scalar
+from symbody.worksheet.evaluation.entrywise import entrywise
+from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.values.complex_number import has_i
+from symbody.worksheet.values.naming import symbol
+from symbody.worksheet.values.numeric import as_integer
+from symbody.worksheet.values.value import (
+    Array,
+    Listed,
+    MapleSet,
+    Range,
+    Reference,
+    Relation,
+    Unevaluated,
+    Value,
+)
 
 __all__ = ["COMMANDS", "closed_sum"]
 

@@ -7,13 +7,20 @@ from dataclasses import replace
 
 from symbody.errors import WorksheetError
 from symbody.symbolic import Abs, Expr, Matrix, jacobian, number, sqrt
-from symbody.worksheet.arithmetic import binary, identity, inverted, matrix_product, scalar, transposed
 from symbody.worksheet.builtins import arrays
 from symbody.worksheet.builtins.arrays import array_of, filled, from_columns, from_rows
-from symbody.worksheet.entrywise import parts_of
-from symbody.worksheet.numeric import as_integer
-from symbody.worksheet.session import Command, Session, sequence
-from symbody.worksheet.value import (
+from symbody.worksheet.evaluation.arithmetic import (
+    binary,
+    identity,
+    inverted,
+    matrix_product,
+    scalar,
+    transposed,
+)
+from symbody.worksheet.evaluation.entrywise import parts_of
+from symbody.worksheet.evaluation.session import Command, Session, sequence
+from symbody.worksheet.values.numeric import as_integer
+from symbody.worksheet.values.value import (
     Array,
     Boolean,
     Listed,

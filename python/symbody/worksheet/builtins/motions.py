@@ -11,11 +11,21 @@ from symbody.dynamics import Equations, equations_from_differential
 from symbody.errors import SymbodyError, WorksheetError
 from symbody.symbolic import Expr, free_symbols, substitute, t, time_derivative, time_function
 from symbody.worksheet.builtins.closed_motion import closed_solution
-from symbody.worksheet.builtins.plot_options import plot_options, styled
-from symbody.worksheet.drawing import Piece
-from symbody.worksheet.numeric import as_float, decimal
-from symbody.worksheet.session import Command, Session
-from symbody.worksheet.value import Array, Builtin, Listed, MapleSet, Plot, Range, Relation, Sequence, Value
+from symbody.worksheet.drawing.options import plot_options, styled
+from symbody.worksheet.drawing.pieces import Piece
+from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.values.numeric import as_float, decimal
+from symbody.worksheet.values.value import (
+    Array,
+    Builtin,
+    Listed,
+    MapleSet,
+    Plot,
+    Range,
+    Relation,
+    Sequence,
+    Value,
+)
 
 if TYPE_CHECKING:
     import numpy as np

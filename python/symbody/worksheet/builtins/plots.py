@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from symbody.deferred import Deferred
 from symbody.errors import SymbodyError, WorksheetError
 from symbody.symbolic import Expr
-from symbody.worksheet.builtins.plot_options import number_of, plot_options, range_of, styled
-from symbody.worksheet.drawing import Piece, pieces_of
-from symbody.worksheet.numeric import decimal
-from symbody.worksheet.session import Command, Session
-from symbody.worksheet.value import (
+from symbody.worksheet.drawing.options import number_of, plot_options, range_of, styled
+from symbody.worksheet.drawing.pieces import Piece, pieces_of
+from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.values.numeric import decimal
+from symbody.worksheet.values.value import (
     NULL,
     Array,
     Boolean,
@@ -254,6 +255,34 @@ def _arc(session: Session, arguments: tuple[Value, ...]) -> NDArray[np.float64]:
     return np.concatenate(rings)
 
 
+def _direction(session: Session, arguments: tuple[Value, ...]) -> NDArray[np.float64]:
+    """Return the ends of an arrow by its vector, from a point or from the origin."""
+    *base, vector = (_place(session, each) for each in arguments[:2])
+    start = base[0] if base else np.zeros(len(vector))
+    return np.array([start, start + vector])
+
+
+def transform(session: Session, function: Value) -> Value:
+    """plottools[transform](f): what moves each point of a drawing to f(x, y) or f(x, y, z), which is a list."""
+
+    def moved(session: Session, drawing: Value) -> Value:
+        found = session.resolve(drawing)
+        if not isinstance(found, Plot):
+            raise WorksheetError("transform: expected a drawing")
+        pieces = [
+            replace(piece, points=np.array([_image(session, function, point) for point in piece.points]))
+            for piece in pieces_of(found)
+        ]
+        return Plot("curves", tuple(pieces), found.options)
+
+    return Builtin("transform", moved)
+
+
+def _image(session: Session, function: Value, point: NDArray[np.float64]) -> NDArray[np.float64]:
+    session.limits.check()
+    return _place(session, session.current(session.call(function, tuple(decimal(float(x)) for x in point))))
+
+
 def _rectangle(session: Session, arguments: tuple[Value, ...]) -> NDArray[np.float64]:
     (a, b), (c, d) = (_place(session, each) for each in arguments[:2])
     return np.array([[a, b], [c, b], [c, d], [a, d], [a, b]])
@@ -264,6 +293,7 @@ _PLOTS: dict[str, Command] = {
     "display": display,
     "display3d": display,
     "animate": animate,
+    "arrow": _shape("curve", _direction, "arrow([x, y, z], [vx, vy, vz])"),
     "textplot": textplot,
     "textplot3d": textplot,
     "pointplot": _shape("points", _polyline, "pointplot([[x, y], ...])"),
@@ -284,5 +314,6 @@ _TOOLS: dict[str, Command] = {
     "rectangle": _shape("area", _rectangle, "rectangle([x1, y1], [x2, y2])"),
     "arrow": _shape("curve", _polyline, "arrow([x, y], [x, y], width, head width, head length)"),
     "cylinder": _shape("curve", _polyline, "cylinder([x, y, z], [x, y, z], radius)"),
+    "transform": transform,
 }
 PACKAGES: dict[str, dict[str, Command]] = {"plots": _PLOTS, "plottools": _TOOLS}

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from symbody.errors import WorksheetError
 from symbody.symbolic import number
-from symbody.worksheet.arithmetic import binary
-from symbody.worksheet.condition import equal
-from symbody.worksheet.current import set_of
-from symbody.worksheet.session import Command, Session
-from symbody.worksheet.value import Array, Boolean, Listed, MapleSet, Relation, Sequence, Value
+from symbody.worksheet.evaluation.arithmetic import binary
+from symbody.worksheet.evaluation.condition import equal
+from symbody.worksheet.evaluation.current import set_of
+from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.values.value import Array, Boolean, Listed, MapleSet, Relation, Sequence, Value
 
 __all__ = ["COMMANDS", "joined_by"]
 

@@ -7,15 +7,21 @@ from collections.abc import Mapping
 from symbody.errors import SymbodyError, WorksheetError
 from symbody.symbolic import Expr, factor_terms
 from symbody.symbolic.roots.solutions import solutions as all_solutions
-from symbody.worksheet.arithmetic import scalar
-from symbody.worksheet.closed_roots import closed_roots, is_complex, numeric_roots, polynomial_in, roots_of
-from symbody.worksheet.complex_number import of_number
-from symbody.worksheet.current import set_of
-from symbody.worksheet.naming import symbol
-from symbody.worksheet.numeric import as_float, decimal
-from symbody.worksheet.root_finding import newton
-from symbody.worksheet.session import Command, Session, sequence
-from symbody.worksheet.value import (
+from symbody.worksheet.evaluation.arithmetic import scalar
+from symbody.worksheet.evaluation.current import set_of
+from symbody.worksheet.evaluation.session import Command, Session, sequence
+from symbody.worksheet.mathematics.closed_roots import (
+    closed_roots,
+    is_complex,
+    numeric_roots,
+    polynomial_in,
+    roots_of,
+)
+from symbody.worksheet.mathematics.root_finding import newton
+from symbody.worksheet.values.complex_number import of_number
+from symbody.worksheet.values.naming import symbol
+from symbody.worksheet.values.numeric import as_float, decimal
+from symbody.worksheet.values.value import (
     NULL,
     Array,
     Listed,

@@ -8,16 +8,16 @@ from functools import cmp_to_key
 
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, number
-from symbody.worksheet.arithmetic import scalar
-from symbody.worksheet.condition import compared, is_type, truth
-from symbody.worksheet.current import flattened, set_of
-from symbody.worksheet.entrywise import parts_of, with_parts
-from symbody.worksheet.naming import symbol
-from symbody.worksheet.numeric import as_integer
-from symbody.worksheet.print import sort_key
-from symbody.worksheet.session import Command, Session, sequence
-from symbody.worksheet.structure import Tree, leaves, tree_of, walk
-from symbody.worksheet.value import (
+from symbody.worksheet.evaluation.arithmetic import scalar
+from symbody.worksheet.evaluation.condition import compared, is_type, truth
+from symbody.worksheet.evaluation.current import flattened, set_of
+from symbody.worksheet.evaluation.entrywise import parts_of, with_parts
+from symbody.worksheet.evaluation.session import Command, Session, sequence
+from symbody.worksheet.printing.print import sort_key
+from symbody.worksheet.values.naming import symbol
+from symbody.worksheet.values.numeric import as_integer
+from symbody.worksheet.values.structure import Tree, leaves, tree_of, walk
+from symbody.worksheet.values.value import (
     Array,
     Boolean,
     Listed,

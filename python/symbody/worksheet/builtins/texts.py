@@ -6,12 +6,12 @@ import re
 
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, number
-from symbody.worksheet.arithmetic import scalar
-from symbody.worksheet.naming import symbol
-from symbody.worksheet.numeric import as_float, as_integer
-from symbody.worksheet.print import Style, text_of
-from symbody.worksheet.session import Command, Session
-from symbody.worksheet.value import NULL, Array, Listed, Range, String, Value
+from symbody.worksheet.evaluation.arithmetic import scalar
+from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.printing.print import Style, text_of
+from symbody.worksheet.values.naming import symbol
+from symbody.worksheet.values.numeric import as_float, as_integer
+from symbody.worksheet.values.value import NULL, Array, Listed, Range, String, Value
 
 __all__ = ["COMMANDS", "formatted", "unparsed"]
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import takewhile
 
-from symbody.worksheet import syntax
+from symbody.worksheet.sheet import syntax
 
 __all__ = ["Block", "Output", "aligned"]
 
@@ -71,7 +71,12 @@ def _likeness(block: Block, head: str, output: Output, other: str) -> float:
     """Return how much an output looks like a block, 0 if it can't be its partner."""
     if output.cell > block.cell or head != other:
         return 0.0
-    left, right = (re.sub(r"\s", "", text[:200]) for text in (block.text, output.text))
+    left, right = (re.sub(r"\s", "", _compared(text)[:200]) for text in (block.text, output.text))
     same = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], zip(left, right, strict=False)))
     alike = same / max(1, min(len(left), len(right)))
     return (4.0 if head else 1.0) + 2.0 * alike + (0.5 if output.cell == block.cell else 0.0)
+
+
+def _compared(text: str) -> str:
+    """Return what is compared of an output: of what Describe prints, the declaration below its words."""
+    return text.splitlines()[-1] if text.startswith("# ") else text

@@ -9,9 +9,18 @@ from fractions import Fraction
 from symbody.errors import SymbodyError
 from symbody.symbolic import Expr, free_symbols, number, subs
 from symbody.symbolic.expression.traverse import post_order
-from symbody.worksheet import syntax
 from symbody.worksheet.check.printed import NotComparable, functions_in, printed, value_of
-from symbody.worksheet.value import Listed, MapleSet, Range, Relation, Sequence, String, Unevaluated, Value
+from symbody.worksheet.sheet import syntax
+from symbody.worksheet.values.value import (
+    Listed,
+    MapleSet,
+    Range,
+    Relation,
+    Sequence,
+    String,
+    Unevaluated,
+    Value,
+)
 
 __all__ = ["difference"]
 

@@ -17,11 +17,20 @@ from lark import Token
 import symbody.symbolic as sb
 from symbody.errors import SymbodyError
 from symbody.symbolic import Expr, UndefinedFunction, number, pi, symbol, t
-from symbody.worksheet import syntax
-from symbody.worksheet.complex_number import normal
 from symbody.worksheet.reading.parse import Failure, next_statement, terminator_after, tokens_of
-from symbody.worksheet.source import Line
-from symbody.worksheet.value import Listed, MapleSet, Range, Relation, Sequence, String, Unevaluated, Value
+from symbody.worksheet.sheet import syntax
+from symbody.worksheet.sheet.source import Line
+from symbody.worksheet.values.complex_number import normal
+from symbody.worksheet.values.value import (
+    Listed,
+    MapleSet,
+    Range,
+    Relation,
+    Sequence,
+    String,
+    Unevaluated,
+    Value,
+)
 
 __all__ = ["NotComparable", "Printed", "functions_in", "is_cut", "printed", "value_of"]
 

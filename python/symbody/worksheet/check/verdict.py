@@ -6,13 +6,13 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from symbody.worksheet import syntax
 from symbody.worksheet.check.align import Block, Output, aligned
 from symbody.worksheet.check.compare import difference
 from symbody.worksheet.check.printed import NotComparable, is_cut
-from symbody.worksheet.outcome import Outcome
-from symbody.worksheet.reading.text_export import is_picture
-from symbody.worksheet.source import Cell
+from symbody.worksheet.reading.prompts import is_declaration, is_picture
+from symbody.worksheet.sheet import syntax
+from symbody.worksheet.sheet.outcome import Outcome
+from symbody.worksheet.sheet.source import Cell
 
 __all__ = ["Verdict", "verdicts"]
 
@@ -96,6 +96,8 @@ def _unmatched(block: Block, outcomes: Sequence[Outcome]) -> str:
 
 
 def _verdict(block: Block, output: Output, outputs: Sequence[Output]) -> Verdict:
+    if is_declaration(block.text):
+        return _declared(block, output)
     try:
         reason = difference(block.text, output.text)
     except NotComparable as error:
@@ -107,6 +109,15 @@ def _verdict(block: Block, output: Output, outputs: Sequence[Output]) -> Verdict
     if _counts_items(output.statement):
         return Verdict(output.line, "not comparable", f"a count, which depends on the form: {reason}")
     return Verdict(output.line, "differs", reason)
+
+
+def _declared(block: Block, output: Output) -> Verdict:
+    """Return the verdict on what Describe printed: its words are free, its declaration isn't."""
+    ours = output.text.splitlines()[-1]
+    theirs, ours = (re.sub(r"[\s\\]", "", text) for text in (block.text, ours))
+    if theirs == ours:
+        return Verdict(output.line, "equal")
+    return Verdict(output.line, "not comparable", "commands are declared otherwise here")
 
 
 def _is_elsewhere(block: Block, output: Output, outputs: Sequence[Output]) -> bool:

@@ -12,9 +12,10 @@ from symbody.multibody import kinetic_energy as kinetic_energy_of
 from symbody.multibody import linear_momentum as linear_momentum_of
 from symbody.multibody import power as power_of
 from symbody.symbolic import ENERGY, Expr, derivation, dot3, number
-from symbody.worksheet import frame_face
-from symbody.worksheet.mechanics import mechanics
-from symbody.worksheet.objects import (
+from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.mechanics import frame_face
+from symbody.worksheet.mechanics.modes import mechanics
+from symbody.worksheet.mechanics.objects import (
     Reader,
     described,
     face_of,
@@ -26,9 +27,8 @@ from symbody.worksheet.objects import (
     vector_entries,
     written,
 )
-from symbody.worksheet.session import Command, Session
-from symbody.worksheet.small_variables import result
-from symbody.worksheet.value import Array, Listed, Table, Value
+from symbody.worksheet.mechanics.small_variables import result
+from symbody.worksheet.values.value import Array, Listed, Table, Value
 
 __all__ = ["COMMANDS", "gravity"]
 

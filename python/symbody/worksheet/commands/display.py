@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from symbody.geometry import ground
 from symbody.symbolic import Expr, symbol
-from symbody.worksheet import frame_face
-from symbody.worksheet.mechanics import mechanics
-from symbody.worksheet.objects import kind_of
-from symbody.worksheet.session import Command, Session
-from symbody.worksheet.value import Array, Reference, Relation, String, Table, Unevaluated, Value
+from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.mechanics import frame_face
+from symbody.worksheet.mechanics.modes import mechanics
+from symbody.worksheet.mechanics.objects import kind_of
+from symbody.worksheet.values.value import Array, Reference, Relation, String, Table, Unevaluated, Value
 
 __all__ = ["COMMANDS"]
 

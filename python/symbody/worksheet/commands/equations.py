@@ -10,13 +10,13 @@ from symbody.errors import WorksheetError
 from symbody.geometry import Frame, Point
 from symbody.multibody import Body, gravitational_energy, kinetic_energy
 from symbody.symbolic import ENERGY, Expr, derivation, number, small
-from symbody.worksheet import frame_face
 from symbody.worksheet.commands.bodies import gravity
-from symbody.worksheet.mechanics import mechanics
-from symbody.worksheet.objects import Reader, described, kind_of, members, table_of_vector
-from symbody.worksheet.session import Command, Session
-from symbody.worksheet.small_variables import result
-from symbody.worksheet.value import Boolean, Listed, MapleSet, Sequence, Value
+from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.mechanics import frame_face
+from symbody.worksheet.mechanics.modes import mechanics
+from symbody.worksheet.mechanics.objects import Reader, described, kind_of, members, table_of_vector
+from symbody.worksheet.mechanics.small_variables import result
+from symbody.worksheet.values.value import Boolean, Listed, MapleSet, Sequence, Value
 
 __all__ = ["COMMANDS"]
 

@@ -8,12 +8,12 @@ from symbody.geometry import rotate as rotated
 from symbody.geometry import translate as translated
 from symbody.multibody import displaced
 from symbody.symbolic import Expr, dot3, sqrt, symbol
-from symbody.worksheet import frame_face
-from symbody.worksheet.mechanics import mechanics
-from symbody.worksheet.objects import Reader, face_of, fields_of, kind_of, members, put, written
-from symbody.worksheet.session import Command, Session
-from symbody.worksheet.small_variables import entered_frame
-from symbody.worksheet.value import NULL, Array, Sequence, String, Table, Value
+from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.mechanics import frame_face
+from symbody.worksheet.mechanics.modes import mechanics
+from symbody.worksheet.mechanics.objects import Reader, face_of, fields_of, kind_of, members, put, written
+from symbody.worksheet.mechanics.small_variables import entered_frame
+from symbody.worksheet.values.value import NULL, Array, Sequence, String, Table, Value
 
 __all__ = ["COMMANDS", "copied"]
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, time_function
-from symbody.worksheet import frame_face
-from symbody.worksheet.mechanics import mechanics
-from symbody.worksheet.objects import Reader, column, made, members, written
-from symbody.worksheet.session import Command, Session
-from symbody.worksheet.value import MapleSet, Reference, Sequence, String, Value
+from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.mechanics import frame_face
+from symbody.worksheet.mechanics.modes import mechanics
+from symbody.worksheet.mechanics.objects import Reader, column, made, members, written
+from symbody.worksheet.values.value import MapleSet, Reference, Sequence, String, Value
 
 __all__ = ["COMMANDS"]
 

@@ -8,12 +8,20 @@ from symbody.geometry import acceleration as acceleration_of
 from symbody.geometry import angular_velocity as spin_of
 from symbody.geometry import velocity as velocity_of
 from symbody.symbolic import ENERGY, Expr, derivation, number
-from symbody.worksheet import frame_face
-from symbody.worksheet.mechanics import mechanics
-from symbody.worksheet.objects import Reader, computed, fields_of, get, kind_of, table_of_vector, written
-from symbody.worksheet.session import Command, Session
-from symbody.worksheet.small_variables import result
-from symbody.worksheet.value import Array, Reference, Sequence, String, Table, Value
+from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.mechanics import frame_face
+from symbody.worksheet.mechanics.modes import mechanics
+from symbody.worksheet.mechanics.objects import (
+    Reader,
+    computed,
+    fields_of,
+    get,
+    kind_of,
+    table_of_vector,
+    written,
+)
+from symbody.worksheet.mechanics.small_variables import result
+from symbody.worksheet.values.value import Array, Reference, Sequence, String, Table, Value
 
 __all__ = ["COMMANDS", "join_points"]
 

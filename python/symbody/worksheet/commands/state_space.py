@@ -5,10 +5,10 @@ from __future__ import annotations
 from symbody.errors import ExpressionError, WorksheetError
 from symbody.symbolic import Expr, Matrix, jacobian, number, solve, substitute, time_derivative, time_function
 from symbody.symbolic.given.arguments import counted
-from symbody.worksheet.mechanics import mechanics
-from symbody.worksheet.objects import members
-from symbody.worksheet.session import Command, Session
-from symbody.worksheet.value import Array, Listed, Relation, Sequence, Value
+from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.mechanics.modes import mechanics
+from symbody.worksheet.mechanics.objects import members
+from symbody.worksheet.values.value import Array, Listed, Relation, Sequence, Value
 
 __all__ = ["COMMANDS"]
 

@@ -14,12 +14,12 @@ from symbody.geometry.motion.principal_rotation import Rotation
 from symbody.multibody import Body, TireKinematics, TireShape, tire_shape
 from symbody.multibody import tire_kinematics as kinematics_of
 from symbody.symbolic import ENERGY, Expr, atan2, derivation, number, pi, simplify, symbol
-from symbody.worksheet import frame_face
-from symbody.worksheet.mechanics import mechanics
-from symbody.worksheet.objects import Reader, column, face_of, get, made, members, put, written
-from symbody.worksheet.session import Command, Session
-from symbody.worksheet.small_variables import left
-from symbody.worksheet.value import Listed, Relation, Sequence, Value
+from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.mechanics import frame_face
+from symbody.worksheet.mechanics.modes import mechanics
+from symbody.worksheet.mechanics.objects import Reader, column, face_of, get, made, members, put, written
+from symbody.worksheet.mechanics.small_variables import left
+from symbody.worksheet.values.value import Listed, Relation, Sequence, Value
 
 __all__ = ["COMMANDS", "tyre_axes"]
 

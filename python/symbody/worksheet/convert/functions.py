@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from symbody.worksheet import syntax
 from symbody.worksheet.convert.expressions import PythonText
 from symbody.worksheet.convert.names import Names, identifier
+from symbody.worksheet.convert.operators import condition
 from symbody.worksheet.convert.statements import INDENT, block, branch_words, target_text
+from symbody.worksheet.sheet import syntax
 
 __all__ = ["definition"]
 
@@ -97,8 +98,8 @@ def _returned(statement: syntax.Statement, text: PythonText) -> list[str]:
             return [*block((statement,), text), f"{INDENT}return {target_text(text, target)}"]
         case syntax.If(branches=branches, otherwise=otherwise):
             lines: list[str] = []
-            for word, (condition, body) in zip(branch_words(), branches, strict=False):
-                lines += [f"{INDENT}{word} {text.condition(condition)}:"]
+            for word, (case, body) in zip(branch_words(), branches, strict=False):
+                lines += [f"{INDENT}{word} {condition(text, case)}:"]
                 lines += [f"{INDENT}{line}" for line in _body(body, text.within(text.names.inner()))]
             rest = _body(otherwise, text.within(text.names.inner())) if otherwise else []
             return [*lines, *rest]

@@ -9,13 +9,14 @@ from typing import Any, TypeAlias
 from symbody.geometry import Frame, Point, Vector
 from symbody.multibody import Body, Force, Torque
 from symbody.symbolic import Expr, Matrix
-from symbody.worksheet import syntax
 from symbody.worksheet.convert.names import NoText, identifier
 from symbody.worksheet.convert.operations import SUM, grouped
 from symbody.worksheet.convert.selections import key
+from symbody.worksheet.convert.sequences import comprehension, items
 from symbody.worksheet.convert.sheet_names import names_in
 from symbody.worksheet.convert.substitutions import generated, simplified, solution, substitution
 from symbody.worksheet.convert.writer import Arguments, Writer
+from symbody.worksheet.sheet import syntax
 
 __all__ = ["MAPLE"]
 
@@ -27,7 +28,7 @@ def _plain(function: str, *counts: int) -> Call:
     """Return the writer of a function with the same arguments; ``counts`` are how many it may have."""
 
     def write(text: Writer, arguments: Arguments) -> str:
-        written = text.items(arguments)
+        written = items(text, arguments)
         if counts and len(arguments) not in counts and "*" not in written:
             raise NoText(function)
         return f"{function}({written})"
@@ -94,14 +95,14 @@ def _applied(text: Writer, function: syntax.Expression, first: object, rest: Arg
 
 
 def _sequence(text: Writer, arguments: Arguments) -> str:
-    return text.comprehension(*arguments)
+    return comprehension(text, *arguments)
 
 
 def _summed(text: Writer, arguments: Arguments) -> str:
     body, span = arguments
     while isinstance(body, syntax.Delayed):
         body = body.body
-    return f"sum({text.comprehension(body, span)[1:-1]})"
+    return f"sum({comprehension(text, body, span)[1:-1]})"
 
 
 def _part(text: Writer, arguments: Arguments) -> str:
@@ -243,15 +244,15 @@ def _replaced(node: Any, name: str, other: syntax.Expression) -> Any:
 
 
 def _coefficient(text: Writer, arguments: Arguments) -> str:
-    return f"sb.coeff({text.items(arguments)})"
+    return f"sb.coeff({items(text, arguments)})"
 
 
 def _arctangent(text: Writer, arguments: Arguments) -> str:
-    return f"sb.{'atan' if len(arguments) == 1 else 'atan2'}({text.items(arguments)})"
+    return f"sb.{'atan' if len(arguments) == 1 else 'atan2'}({items(text, arguments)})"
 
 
 def _reciprocal(function: str) -> Call:
-    return lambda text, arguments: f"1/sb.{function}({text.items(arguments)})"
+    return lambda text, arguments: f"1/sb.{function}({items(text, arguments)})"
 
 
 def _table(text: Writer, arguments: Arguments) -> str:
@@ -283,7 +284,7 @@ def _unapplied(text: Writer, arguments: Arguments) -> str:
 
 
 def _jacobian(text: Writer, arguments: Arguments) -> str:
-    return f"sb.jacobian({text.items(arguments[:2])})"
+    return f"sb.jacobian({items(text, arguments[:2])})"
 
 
 def _cost(text: Writer, arguments: Arguments) -> str:

@@ -8,8 +8,10 @@ from typing import TypeAlias
 from symbody.geometry import Frame, Vector
 from symbody.multibody import Body
 from symbody.symbolic import Expr, Matrix
+from symbody.worksheet.convert.frames import axis, components, frame
 from symbody.worksheet.convert.names import NoText
 from symbody.worksheet.convert.operations import SUM, grouped, product
+from symbody.worksheet.convert.sequences import item, items
 from symbody.worksheet.convert.tyres import tyre_forces, tyre_motion
 from symbody.worksheet.convert.writer import Arguments, Writer
 
@@ -22,7 +24,7 @@ def _framed(function: str, *places: int) -> Call:
     """Return the writer of a function with the same arguments, of which those at some places are frames."""
 
     def write(text: Writer, arguments: Arguments) -> str:
-        parts = [text.frame(each) if k in places else text.item(each) for k, each in enumerate(arguments)]
+        parts = [frame(text, each) if k in places else item(text, each) for k, each in enumerate(arguments)]
         return f"{function}({', '.join(parts)})"
 
     return write
@@ -32,8 +34,8 @@ def _moved(function: str, count: int) -> Call:
     """Return the writer of ``translate`` and ``rotate``, which also move an object."""
 
     def write(text: Writer, arguments: Arguments) -> str:
-        first = text.axis(arguments[0]) if count == 2 else text.item(arguments[0])
-        motion = f"{function}({', '.join([first, *map(text.item, arguments[1:count])])})"
+        first = axis(text, arguments[0]) if count == 2 else item(text, arguments[0])
+        motion = f"{function}({', '.join([first, *(item(text, each) for each in arguments[1:count])])})"
         if len(arguments) <= count:
             return motion
         if len(arguments) > count + 1:
@@ -52,15 +54,15 @@ def _moved(function: str, count: int) -> Call:
 
 def _point(text: Writer, arguments: Arguments) -> str:
     if len(arguments) == 3:
-        return f"sb.Point({text.names.master or 'sb.ground'}, {text.items(arguments)})"
-    return f"sb.Point({text.frame(arguments[0])}, {text.items(arguments[1:])})"
+        return f"sb.Point({text.names.master or 'sb.ground'}, {items(text, arguments)})"
+    return f"sb.Point({frame(text, arguments[0])}, {items(text, arguments[1:])})"
 
 
 def _vector(text: Writer, arguments: Arguments) -> str:
     if len(arguments) == 4:
-        return f"sb.Vector({text.frame(arguments[0])}, {text.items(arguments[1:])})"
+        return f"sb.Vector({frame(text, arguments[0])}, {items(text, arguments[1:])})"
     if len(arguments) == 3:
-        return f"sb.Vector({text.names.master or 'sb.ground'}, {text.items(arguments)})"
+        return f"sb.Vector({text.names.master or 'sb.ground'}, {items(text, arguments)})"
     first, second = (text.text(each) for each in arguments)
     return f"sb.project({grouped(second, SUM)} - {grouped(first)}, {grouped(first)}.frame)"
 
@@ -82,17 +84,17 @@ def _loaded(text: Writer, arguments: Arguments, count: int, most: int) -> tuple[
     first = text.text(arguments[0])
     by_components = len(arguments) > most and isinstance(text.value(first), Frame | Matrix)
     taken = count if by_components else 1
-    what = f"{text.frame(arguments[0])}, {text.items(arguments[1:taken])}" if by_components else first
+    what = f"{frame(text, arguments[0])}, {items(text, arguments[1:taken])}" if by_components else first
     return what, [text.text(each) for each in arguments[taken:]]
 
 
 def _body(text: Writer, arguments: Arguments) -> str:
-    place = text.frame(arguments[0])
+    place = frame(text, arguments[0])
     if len(arguments) == 3:
         inertia = text.text(arguments[2])
         if isinstance(text.value(inertia), Matrix):
             return f"sb.Body.of_inertia({place}, {text.text(arguments[1])}, {inertia})"
-    return f"sb.Body({place}, {text.items(arguments[1:])})"
+    return f"sb.Body({place}, {items(text, arguments[1:])})"
 
 
 def _heavy(function: str, *places: int) -> Call:
@@ -106,12 +108,12 @@ def _heavy(function: str, *places: int) -> Call:
 
 
 def _component(index: int) -> Call:
-    return lambda text, arguments: f"{text.components(arguments)}[{index}]"
+    return lambda text, arguments: f"{components(text, arguments)}[{index}]"
 
 
 def _unit(index: int) -> Call:
     components = ", ".join(str(int(k == index)) for k in range(3))
-    return lambda text, arguments: f"sb.Vector({text.frame(arguments[0])}, {components})"
+    return lambda text, arguments: f"sb.Vector({frame(text, arguments[0])}, {components})"
 
 
 def _center(text: Writer, arguments: Arguments) -> str:
@@ -127,17 +129,17 @@ def _velocity(function: str) -> Call:
     def write(text: Writer, arguments: Arguments) -> str:
         first = text.text(arguments[0])
         if isinstance(text.value(first), Frame):
-            first = f"sb.origin({text.frame(arguments[0])})"
+            first = f"sb.origin({frame(text, arguments[0])})"
         elif isinstance(text.value(first), Body):
             first = f"{grouped(first)}.center_of_mass"
-        rest = [text.frame(each) for each in arguments[1:]]
+        rest = [frame(text, each) for each in arguments[1:]]
         return f"{function}({', '.join([first, *rest])})"
 
     return write
 
 
 def _lagrange(text: Writer, arguments: Arguments) -> str:
-    return f"sb.lagrange({text.items(arguments[:2])})"
+    return f"sb.lagrange({items(text, arguments[:2])})"
 
 
 def _lagrange_of_system(text: Writer, arguments: Arguments) -> str:
@@ -218,7 +220,7 @@ MECHANICS: Mapping[str, Call] = {
     **dict.fromkeys(("comp_X", "Xcomp"), _component(0)),
     **dict.fromkeys(("comp_Y", "Ycomp"), _component(1)),
     **dict.fromkeys(("comp_Z", "Zcomp"), _component(2)),
-    **dict.fromkeys(("comp_XYZ", "Comps"), lambda text, arguments: text.components(arguments)),
+    **dict.fromkeys(("comp_XYZ", "Comps"), components),
     **{f"uvec_{axis}": _unit(index) for index, axis in enumerate("XYZ")},
     **{name: _velocity(f"sb.{name}") for name in ("velocity", "acceleration")},
     "angular_velocity": _framed("sb.angular_velocity", 0, 1),

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from symbody.symbolic import Expr, small
-from symbody.worksheet import syntax
 from symbody.worksheet.convert.names import NoText, identifier
+from symbody.worksheet.convert.sequences import items
 from symbody.worksheet.convert.writer import Writer
+from symbody.worksheet.sheet import syntax
 
 __all__ = ["mode_lines"]
 
@@ -26,7 +27,7 @@ def mode_lines(text: Writer, value: syntax.Expression) -> list[str] | None:
 
 def _moving(text: Writer, arguments: tuple[syntax.Expression, ...]) -> list[str]:
     """Return ``master = sb.moving_frame(...)``; frames hang on it when a command takes them."""
-    written = text.items(arguments[:6])
+    written = items(text, arguments[:6])
     text.names.master = ""
     name = _MASTER
     while isinstance(text.names.values.get(name), Expr):

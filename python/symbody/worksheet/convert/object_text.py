@@ -7,9 +7,9 @@ from symbody.multibody import Body, Force, Torque
 from symbody.symbolic import identity
 from symbody.worksheet.convert.names import Names, NoText
 from symbody.worksheet.convert.scalar_text import scalar_text
-from symbody.worksheet.objects import Reader, kind_of
-from symbody.worksheet.session import Session
-from symbody.worksheet.value import Table
+from symbody.worksheet.evaluation.session import Session
+from symbody.worksheet.mechanics.objects import Reader, kind_of
+from symbody.worksheet.values.value import Table
 
 __all__ = ["known_frame", "load_text", "object_text"]
 

@@ -6,10 +6,11 @@ from collections.abc import Sequence
 from typing import Any
 
 from symbody.symbolic import Expr, symbols
-from symbody.worksheet import syntax
 from symbody.worksheet.convert.expressions import PythonText
 from symbody.worksheet.convert.functions import definition
 from symbody.worksheet.convert.names import Names, NoText, identifier
+from symbody.worksheet.convert.writer import Writer
+from symbody.worksheet.sheet import syntax
 
 __all__ = ["Procedures"]
 
@@ -54,7 +55,7 @@ class Procedures:
         """Whether a name is that of a procedure which hasn't been called."""
         return name in self._open
 
-    def called(self, text: PythonText, name: str, arguments: tuple[syntax.Expression, ...]) -> str | None:
+    def called(self, text: Writer, name: str, arguments: tuple[syntax.Expression, ...]) -> str | None:
         """Return the identifier of a procedure, which is written with its first call; None for another name."""
         if name in self._writing:
             return identifier(name)
@@ -117,7 +118,7 @@ def _is_keyword(node: syntax.Expression) -> bool:
     return isinstance(node, syntax.Infix) and node.operator == "=" and isinstance(node.left, syntax.Name)
 
 
-def _keyword(text: PythonText, node: syntax.Expression) -> tuple[str, Any]:
+def _keyword(text: Writer, node: syntax.Expression) -> tuple[str, Any]:
     if not isinstance(node, syntax.Infix) or not isinstance(node.left, syntax.Name):
         raise NoText("keyword")
     return node.left.name, text.value(text.text(node.right))

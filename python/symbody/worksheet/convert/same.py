@@ -10,9 +10,9 @@ from symbody.errors import SymbodyError
 from symbody.geometry import Frame
 from symbody.multibody import Body, Force, TireKinematics, Torque
 from symbody.symbolic import Expr, Matrix, number, substitute
-from symbody.worksheet.objects import Reader, kind_of
-from symbody.worksheet.session import Session
-from symbody.worksheet.value import (
+from symbody.worksheet.evaluation.session import Session
+from symbody.worksheet.mechanics.objects import Reader, kind_of
+from symbody.worksheet.values.value import (
     Array,
     Boolean,
     Builtin,

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from symbody.geometry import Frame
 from symbody.symbolic import Expr, Matrix
-from symbody.worksheet import syntax
 from symbody.worksheet.convert.names import NoText, identifier
 from symbody.worksheet.convert.operations import SUM, grouped
 from symbody.worksheet.convert.writer import Writer
+from symbody.worksheet.sheet import syntax
 
 __all__ = ["index", "indexed", "key", "place", "selection", "word_of"]
 

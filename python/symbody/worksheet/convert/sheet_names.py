@@ -6,10 +6,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import fields, is_dataclass
 from typing import Any
 
-from symbody.worksheet import syntax
 from symbody.worksheet.check.printed import functions_in
 from symbody.worksheet.reading import statements
-from symbody.worksheet.source import Cell
+from symbody.worksheet.sheet import syntax
+from symbody.worksheet.sheet.source import Cell
 
 __all__ = ["functions_of_time", "names_in", "solved_names"]
 

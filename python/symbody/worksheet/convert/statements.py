@@ -13,14 +13,16 @@ from typing import Any
 from symbody.geometry import Frame, Point, Vector
 from symbody.multibody import Body, Force, Torque
 from symbody.symbolic import Expr, Matrix
-from symbody.worksheet import syntax
 from symbody.worksheet.convert.expressions import PythonText
 from symbody.worksheet.convert.files import FILES
 from symbody.worksheet.convert.modes import mode_lines
 from symbody.worksheet.convert.names import Names, NoText, identifier
 from symbody.worksheet.convert.operations import grouped
+from symbody.worksheet.convert.operators import condition
 from symbody.worksheet.convert.selections import index, key
+from symbody.worksheet.convert.sequences import items
 from symbody.worksheet.convert.tyres import tyre_lines
+from symbody.worksheet.sheet import syntax
 
 __all__ = ["INDENT", "block", "branch_words", "lines_of", "mentions", "target_text"]
 
@@ -78,7 +80,7 @@ def _line(statement: syntax.Statement, text: PythonText) -> str:
         case syntax.Empty() | syntax.Declaration():
             return ""
         case syntax.Raise(arguments=arguments):
-            return f"raise ValueError({text.items(arguments[:1])})"
+            return f"raise ValueError({items(text, arguments[:1])})"
     raise NoText(type(statement).__name__)
 
 
@@ -228,7 +230,7 @@ def _shown_item(text: PythonText, item: syntax.Expression, *, shown: bool, keeps
             text.shown.clear()  # what show returns is what it prints
             return _show(text, what, synthetic=bool(options), keeps=keeps)
         case syntax.Call(function=syntax.Name(name="print"), arguments=arguments):
-            return [f"print({text.items(arguments)})"]
+            return [f"print({items(text, arguments)})"]
         case syntax.Call(function=syntax.Name(name="printf"), arguments=(syntax.Text(text=form), *rest)):
             return [_printed(text, form, rest)]
         case syntax.Call(function=syntax.Name(name="unassign"), arguments=arguments):
@@ -337,12 +339,12 @@ def _for(text: PythonText, loop: syntax.For) -> list[str]:
     elif loop.stop is None and loop.start is None:
         if loop.condition is None:
             raise NoText("do")
-        head = f"while {text.condition(loop.condition)}:"
+        head = f"while {condition(text, loop.condition)}:"
     else:
         head = _counted(text, loop, inner)
     body = block(loop.body, writer, shown=loop.shown)
     if loop.condition is not None and not head.startswith("while"):
-        body = [f"{INDENT}if not ({writer.condition(loop.condition)}):", f"{INDENT * 2}break", *body]
+        body = [f"{INDENT}if not ({condition(writer, loop.condition)}):", f"{INDENT * 2}break", *body]
     before = [
         f"{name} = {{}}"
         for name, made in inner.values.items()
@@ -376,9 +378,9 @@ def _counted(text: PythonText, loop: syntax.For, inner: Names) -> str:
 
 def _if(text: PythonText, statement: syntax.If) -> list[str]:
     lines: list[str] = []
-    for word, (condition, body) in zip(branch_words(), statement.branches, strict=False):
+    for word, (case, body) in zip(branch_words(), statement.branches, strict=False):
         inner = text.within(text.names.inner())
-        lines += [f"{word} {text.condition(condition)}:", *block(body, inner, shown=statement.shown)]
+        lines += [f"{word} {condition(text, case)}:", *block(body, inner, shown=statement.shown)]
     if statement.otherwise:
         inner = text.within(text.names.inner())
         lines += ["else:", *block(statement.otherwise, inner, shown=statement.shown)]

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from symbody.symbolic import Expr
-from symbody.worksheet import syntax
 from symbody.worksheet.convert.names import NoText
 from symbody.worksheet.convert.writer import Arguments, Writer
+from symbody.worksheet.sheet import syntax
 
 __all__ = ["generated", "simplified", "solution", "substitution"]
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from symbody.geometry import Frame
 from symbody.multibody import Body
 from symbody.worksheet.commands.tyres import tyre_axes
+from symbody.worksheet.convert.frames import frame
 from symbody.worksheet.convert.names import NoText
 from symbody.worksheet.convert.operations import POWER, SUM, grouped
 from symbody.worksheet.convert.writer import Arguments, Writer
@@ -31,7 +32,7 @@ def tyre_lines(text: Writer, variable: str, arguments: Arguments) -> list[str]:
     written = [text.text(each) for each in scalars] + ["0"] * (11 - len(scalars))
     y, z, spin, y_def, z_def, *loads = written
     body = text.text(wheel)
-    road = text.frame(arguments[12]) if len(arguments) > 12 else text.names.master or "sb.ground"
+    road = frame(text, arguments[12]) if len(arguments) > 12 else text.names.master or "sb.ground"
     axes = _axes(text, body, road)
     contact = f"sb.Point({axes}, 0, {_sum(y, y_def)}, {_sum(z, z_def)})"
     more = {"spin_deformation": _minus(spin), "y_deformation": _minus(y_def), "z_deformation": z_def}

@@ -9,9 +9,9 @@ from symbody.symbolic import Expr
 from symbody.worksheet.convert.names import Names, NoText, identifier
 from symbody.worksheet.convert.object_text import known_frame, load_text, object_text
 from symbody.worksheet.convert.scalar_text import scalar_text
-from symbody.worksheet.objects import kind_of
-from symbody.worksheet.session import Session
-from symbody.worksheet.value import (
+from symbody.worksheet.evaluation.session import Session
+from symbody.worksheet.mechanics.objects import kind_of
+from symbody.worksheet.values.value import (
     Array,
     Boolean,
     Listed,

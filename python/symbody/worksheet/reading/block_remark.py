@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from itertools import accumulate
 
-from symbody.worksheet.source import Line
+from symbody.worksheet.sheet.source import Line
 
 __all__ = ["without_block_remarks"]
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from symbody.worksheet.reading.mw import mw_cells
 from symbody.worksheet.reading.plain_text import plain_text_cells
 from symbody.worksheet.reading.text_export import text_export_cells
-from symbody.worksheet.source import Cell
+from symbody.worksheet.sheet.source import Cell
 
 __all__ = ["read_source", "source_cells"]
 

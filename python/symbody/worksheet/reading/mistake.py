@@ -8,8 +8,8 @@ from lark import Token
 
 from symbody.worksheet.reading.builder import one_place
 from symbody.worksheet.reading.parse import Failure, accepted
-from symbody.worksheet.source import Cell, SyntaxMistake
-from symbody.worksheet.syntax import Place
+from symbody.worksheet.sheet.source import Cell, SyntaxMistake
+from symbody.worksheet.sheet.syntax import Place
 
 __all__ = ["located", "mistake"]
 

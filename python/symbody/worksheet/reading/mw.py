@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from xml.parsers import expat
 
 from symbody.errors import WorksheetError
-from symbody.worksheet.source import Cell, Line
+from symbody.worksheet.sheet.source import Cell, Line
 
 __all__ = ["mw_cells"]
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from symbody.worksheet.source import Cell, Line
+from symbody.worksheet.sheet.source import Cell, Line
 
 __all__ = ["plain_text_cells"]
 

@@ -12,8 +12,8 @@ from itertools import pairwise
 
 from lark import Token
 
-from symbody.worksheet import syntax
 from symbody.worksheet.reading.parse import TERMINATORS, Failure, Parsed, is_statement, next_statement
+from symbody.worksheet.sheet import syntax
 
 __all__ = ["Span", "is_trailing_remark", "remark_in", "used_names"]
 
@@ -85,6 +85,10 @@ def _candidates(tokens: Sequence[Token], begin: int, index: int) -> Iterator[Spa
             yield Span(begin, end)
         yield from _behind_separators(tokens, begin, min(index, end - 1), end)
     yield from _behind_operands(tokens, begin, last, ends[-1])
+    if (
+        begin < last and tokens[last].line != tokens[last - 1].line
+    ):  # a line of its own behind a complete operand
+        yield Span(last, ends[-1])
 
 
 def _is_tail(tokens: Sequence[Token], begin: int, end: int) -> bool:
@@ -160,11 +164,12 @@ def _is_prose(tokens: Sequence[Token], span: Span, begin: int) -> bool:
         return False
     if any(token.type == "UNKNOWN" for token in text):
         return True
-    if all(token.type in _WORDS | _MARKS for token in text):
+    words = [token for token in text if token.type != "QUOTE"]  # 'sin' and 'cos' are words, too
+    if all(token.type in _WORDS | _MARKS for token in words):
         return True
     return any(
         {first.type, second.type} <= _OPERANDS and "NAME" in {first.type, second.type}
-        for first, second in pairwise(text)
+        for first, second in pairwise(words)
     )
 
 

@@ -6,26 +6,30 @@ as statements, each with its terminator; it is output if it can be read as a val
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 from lark import Token
 
-from symbody.worksheet import syntax
+from symbody.worksheet.reading.interrupted import begins_block, with_whole_blocks
 from symbody.worksheet.reading.parse import TERMINATORS, Failure, next_statement, terminator_after, tokens_of
+from symbody.worksheet.reading.prompts import (
+    inputs,
+    is_declaration,
+    is_message,
+    is_picture,
+    prompt_of,
+    split_at_prompt,
+    with_whole_declarations,
+)
 from symbody.worksheet.reading.statements import is_open, statements
-from symbody.worksheet.source import Cell, Line, Remark, SyntaxMistake
+from symbody.worksheet.sheet import syntax
+from symbody.worksheet.sheet.source import Cell, Line, Remark, SyntaxMistake
 
-__all__ = ["is_picture", "text_export_cells"]
+__all__ = ["text_export_cells"]
 
 #: How many lines without a prompt can stand in an open bracket.
 _HELD = 20
-
-_PROMPTS = re.compile(r"\s*(?:>\s*)+")
-_PROMPT_WITHIN = re.compile(r"(?<=[;:])\s*>\s")
-_PICTURE = re.compile(r"\[Maple [\w ]+\]|!\[.*\]\(.*\)")
-_MESSAGE = re.compile(r"(Warning|Error),|MBSymba(_| release)")
 
 
 @dataclass(slots=True)
@@ -59,24 +63,20 @@ class _Cells:
 def text_export_cells(text: str) -> tuple[Cell, ...]:
     """Return the cells of a text export."""
     cells = _Cells()
-    for paragraph in _paragraphs(text):
+    for paragraph in with_whole_blocks(list(_paragraphs(text))):
         _read_paragraph(cells, paragraph)
     _release(cells)
     cells.close()
     return tuple(cells.done)
 
 
-def is_picture(block: str) -> bool:
-    """Whether a block of output stands for a picture that the export left out."""
-    return _PICTURE.fullmatch(block.strip()) is not None
-
-
 def _paragraphs(text: str) -> Iterator[list[Line]]:
     """Return the groups of lines between empty lines."""
     group: list[Line] = []
-    for number, line in enumerate(text.split("\n"), start=1):
-        if line.strip():
-            group.append(Line(line, number))
+    lines = [Line(line, number) for number, line in enumerate(text.split("\n"), start=1)]
+    for line in with_whole_declarations(lines):
+        if line.text.strip():
+            group += split_at_prompt(line)
         elif group:
             yield group
             group = []
@@ -85,7 +85,7 @@ def _paragraphs(text: str) -> Iterator[list[Line]]:
 
 
 def _read_paragraph(cells: _Cells, lines: Sequence[Line]) -> None:
-    prompted = [_PROMPTS.match(line.text) is not None for line in lines]
+    prompted = [bool(prompt_of(line)) for line in lines]
     first = prompted.index(True) if True in prompted else len(lines)
     if first:
         _read_without_prompt(cells, lines[:first])
@@ -99,11 +99,13 @@ def _read_paragraph(cells: _Cells, lines: Sequence[Line]) -> None:
 def _read_code(cells: _Cells, lines: Sequence[Line]) -> None:
     """Read lines from the first prompt on: code, up to lines without a prompt that can't be code."""
     for index, line in enumerate(lines):
-        prompt = _PROMPTS.match(line.text)
-        if prompt is not None:
+        prompt = prompt_of(line)
+        if prompt:
             if cells.printed:
                 cells.close()
-            cells.input += _inputs(line, prompt.end())
+            cells.input += inputs(line, prompt)
+        elif is_declaration(line.text):
+            cells.print(line.text.strip())
         elif not cells.printed and _goes_on(cells.input, _unprompted(lines[index:])):
             cells.input.append(line)
         elif _is_output(line.text):
@@ -116,13 +118,13 @@ def _read_code(cells: _Cells, lines: Sequence[Line]) -> None:
 
 def _unprompted(lines: Sequence[Line]) -> Sequence[Line]:
     """Return the lines up to the next prompt."""
-    ends = (index for index, line in enumerate(lines) if _PROMPTS.match(line.text))
+    ends = (index for index, line in enumerate(lines) if prompt_of(line))
     return lines[: next(ends, len(lines))]
 
 
 def _goes_on(code: Sequence[Line], lines: Sequence[Line]) -> bool:
     """Whether the first of some lines belongs to the code before it."""
-    if not code or is_open(code) or _begins_code(lines):
+    if not code or is_open(code) or begins_block(lines[0]) or _begins_code(lines):
         return True
     if _ends_statement(code[-1]):
         return False
@@ -133,15 +135,6 @@ def _goes_on(code: Sequence[Line], lines: Sequence[Line]) -> bool:
 def _ends_statement(line: Line) -> bool:
     tokens = tokens_of(line)
     return bool(tokens) and tokens[-1].type in TERMINATORS
-
-
-def _inputs(line: Line, begin: int) -> Iterator[Line]:
-    """Return the code behind a prompt, in pieces where there are several prompts."""
-    for prompt in _PROMPT_WITHIN.finditer(line.text, begin):
-        yield Line(line.text[begin : prompt.start()], line.line, begin + 1)
-        begin = prompt.end()
-    if line.text[begin:].strip():
-        yield Line(line.text[begin:], line.line, begin + 1)
 
 
 def _read_without_prompt(cells: _Cells, lines: Sequence[Line]) -> None:
@@ -231,7 +224,7 @@ def _is_spaced_call(tokens: Sequence[Token]) -> bool:
 def _is_output(text: str) -> bool:
     """Whether a line reads as a printed value, whole or cut, as a message or as a picture."""
     text = text.strip()
-    if text.endswith("...") or is_picture(text) or _MESSAGE.match(text):
+    if text.endswith("...") or is_picture(text) or is_message(text) or is_declaration(text):
         return True
     tokens = tokens_of(Line(text, 1))
     if not tokens or tokens[-1].type in {"SEMICOLON", "COLON"}:

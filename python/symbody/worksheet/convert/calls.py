@@ -1,0 +1,116 @@
+"""Calls: of commands by their tables, of functions of the sheet, and functions of time; operators ``x -> ...``."""
+
+from __future__ import annotations
+
+from symbody.symbolic import Expr
+from symbody.worksheet.convert.files import FILES
+from symbody.worksheet.convert.maple_calls import MAPLE
+from symbody.worksheet.convert.mechanics_calls import MECHANICS
+from symbody.worksheet.convert.name_text import concatenation
+from symbody.worksheet.convert.names import NoText, identifier
+from symbody.worksheet.convert.selections import indexed
+from symbody.worksheet.convert.sequences import item
+from symbody.worksheet.convert.writer import Writer
+from symbody.worksheet.sheet import syntax
+
+__all__ = ["arrow", "call"]
+
+
+def call(to: Writer, node: syntax.Call) -> str:
+    """Return a call of a command or of a function of the sheet."""
+    name, arguments = _called(node.function), node.arguments
+    if not name:
+        return _call_of_value(to, node)
+    if len(arguments) == 1 and isinstance(arguments[0], syntax.Name) and arguments[0].name == "t":
+        found = _function_of_time(to, name)
+        if found:
+            return found
+    written = to.called(to, name, arguments)
+    if written is not None:
+        if written in to.names.root().values:
+            to.names.define(written)
+        return f"{written}({_arguments(to, arguments)})"
+    if callable(to.names.values.get(identifier(name))):
+        return f"{identifier(name)}({_arguments(to, arguments)})"
+    command = MECHANICS.get(name) or MAPLE.get(name) or FILES.get(name)
+    if command is not None:
+        return command(to, arguments)
+    raise NoText(name)
+
+
+def _function_of_time(to: Writer, name: str) -> str:
+    """Return the name of ``x(t)``, or nothing if x isn't a function of time."""
+    if name not in to.names.functions:
+        return ""
+    known = to.names.values.get(identifier(name))
+    if known is None or (
+        isinstance(known, Expr) and known.kind == "symbol" and identifier(name) in to.names.symbols
+    ):
+        to.names.forget(name)
+        to.names.declare(name)
+    elif not isinstance(known, Expr):
+        return ""
+    return identifier(name)
+
+
+def _call_of_value(to: Writer, node: syntax.Call) -> str:
+    """Return the call of ``x[i](t)``, or of a function in a list."""
+    match node.function, node.arguments:
+        case syntax.Selection(whole=syntax.Name(name=name)) as whole, (syntax.Name(name="t"),):
+            known = to.names.values.get(identifier(name))
+            is_table = known is not None and not (isinstance(known, Expr) and known.is_variable)
+            return to.text(whole) if is_table else indexed(to, whole, is_function=True)
+        case syntax.Concatenation() as whole, (syntax.Name(name="t"),):
+            return concatenation(to, whole, is_function=True)
+    raise NoText("call")
+
+
+def _arguments(to: Writer, nodes: tuple[syntax.Expression, ...]) -> str:
+    """Return arguments of a function of the sheet: ``m = 3`` is a keyword."""
+    texts = []
+    for node in nodes:
+        match node:
+            case syntax.Infix(operator="=", left=syntax.Name(name=name), right=right):
+                texts.append(f"{identifier(name)}={to.text(right)}")
+            case _:
+                texts.append(item(to, node))
+    return ", ".join(texts)
+
+
+def arrow(to: Writer, node: syntax.Arrow) -> str:
+    """Return ``lambda x: ...`` of symbols."""
+    if isinstance(node.body, syntax.If):
+        raise NoText("if")
+    inner = to.names.inner()
+    names = [identifier(each.name) for each in node.parameters]
+    for name in names:
+        inner.values[name] = to.names.value(f"sb.symbols('{name}')")
+    return f"lambda {', '.join(names)}: {to.within(inner).text(node.body)}"
+
+
+def _called(node: syntax.Expression) -> str:
+    """Return the name of a function, also of one in a package; nothing for another value."""
+    match node:
+        case syntax.Name(name=name) | syntax.Member(name=name):
+            return name
+        case syntax.Delayed(body=syntax.Name(name=name)):
+            return name
+        case syntax.Selection(
+            whole=syntax.Name(name=package),
+            indices=(syntax.Name(name=name) | syntax.Delayed(body=syntax.Name(name=name)),),
+        ) if package in _PACKAGES or package.startswith("MBSymba"):
+            return name
+    return ""
+
+
+_PACKAGES = {
+    "LinearAlgebra",
+    "linalg",
+    "PDEtools",
+    "plots",
+    "plottools",
+    "codegen",
+    "CodeGeneration",
+    "StringTools",
+    "FileTools",
+}

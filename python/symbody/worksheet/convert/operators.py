@@ -1,0 +1,112 @@
+"""Operators: sums and products of numbers, frames and matrices, equations, conditions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from symbody.geometry import Frame
+from symbody.symbolic import Expr, Matrix
+from symbody.worksheet.convert.names import NoText
+from symbody.worksheet.convert.operations import COMPARISON, POWER, SUM, grouped, product, quotient
+from symbody.worksheet.convert.writer import Writer
+from symbody.worksheet.sheet import syntax
+
+__all__ = ["condition", "infix", "postfix", "prefix"]
+
+
+def _compared(word: str) -> Callable[[str, str], str]:
+    return lambda left, right: f"{grouped(left, COMPARISON + 1)} {word} {grouped(right, COMPARISON + 1)}"
+
+
+_OPERATIONS: Mapping[str, Callable[[str, str], str]] = {
+    "+": lambda left, right: f"{grouped(left, SUM)} + {grouped(right, SUM + 1)}",
+    "-": lambda left, right: f"{grouped(left, SUM)} - {grouped(right, SUM + 1)}",
+    "/": quotient,
+    "^": lambda left, right: f"{grouped(left)}**{grouped(right)}",
+    "mod": lambda left, right: f"{grouped(left)} % {grouped(right)}",
+    "union": lambda left, right: f"{grouped(left, SUM)} + {grouped(right, SUM + 1)}",
+    "minus": lambda left, right: f"[item for item in {left} if item not in {grouped(right)}]",
+    "<>": lambda left, right: f"{grouped(left, COMPARISON + 1)} != {grouped(right, COMPARISON + 1)}",
+    **{word: _compared(word) for word in ("<", "<=", ">", ">=")},
+}
+
+
+def prefix(to: Writer, node: syntax.Prefix) -> str:
+    """Return a sign, or ``not``."""
+    operand = to.text(node.operand)
+    if node.operator == "not":
+        return f"not {grouped(operand)}"
+    if node.operator not in {"-", "+"}:
+        raise NoText(node.operator)
+    return f"-{grouped(operand, POWER)}" if node.operator == "-" else operand
+
+
+def infix(to: Writer, node: syntax.Infix) -> str:
+    """Return an operation on two operands."""
+    if node.operator == "=":
+        return _equation(to, node)
+    left, right = to.text(node.left), to.text(node.right)
+    operator = node.operator
+    if operator in {"*", ".", "&*"}:
+        return _product(to, left, right)
+    if operator in {"+", "-"}:
+        left, right = _with_identity(to, left, right), _with_identity(to, right, left)
+    if operator == "/" and isinstance(to.value(left), int) and isinstance(to.value(right), int):
+        left = left if left.isdigit() else f"sb.number({left})"
+    writer = _OPERATIONS.get(operator)
+    if writer is None:
+        raise NoText(operator)
+    return writer(left, right)
+
+
+def _with_identity(to: Writer, text: str, other: str) -> str:
+    """Return a number beside a matrix as a multiple of the identity, as Maple takes it."""
+    matrix = to.value(other)
+    if isinstance(matrix, Frame):
+        matrix = matrix.matrix
+    found = to.value(text)
+    if isinstance(matrix, Matrix) and isinstance(found, int | Expr) and matrix.shape[0] == matrix.shape[1]:
+        unit = f"sb.identity({matrix.shape[0]})"
+        return unit if text == "1" else f"{grouped(text, POWER)}*{unit}"
+    if isinstance(found, Frame) and isinstance(matrix, int | Expr | Matrix):
+        return f"{grouped(text)}.matrix"
+    return text
+
+
+def _product(to: Writer, left: str, right: str) -> str:
+    """Return a product of numbers, frames, or matrices."""
+    a, b = to.value(left), to.value(right)
+    if isinstance(a, Frame) and isinstance(b, Matrix):
+        return f"{grouped(left)}.matrix @ {grouped(right)}"
+    if isinstance(a, Matrix) and isinstance(b, Frame):
+        return f"{grouped(left)} @ {grouped(right)}.matrix"
+    return product(left, right, " @ " if isinstance(a, Matrix) and isinstance(b, Matrix) else "*")
+
+
+def _equation(to: Writer, node: syntax.Infix) -> str:
+    """Return ``{x: value}`` for what gives a variable a value, and ``left - right`` for another equation."""
+    left, right = to.text(node.left), to.text(node.right)
+    found = to.value(left)
+    is_known = isinstance(found, Expr) and (found.is_variable or found.kind == "application")
+    if is_known and not to.as_differences:
+        return f"{{{left}: {right}}}"
+    return f"{grouped(left, SUM)} - {grouped(right, SUM + 1)}"
+
+
+def condition(to: Writer, node: syntax.Expression) -> str:
+    """Return a condition: an equation is a comparison there."""
+    match node:
+        case syntax.Infix(operator="=", left=left, right=right):
+            return f"{to.text(left)} == {to.text(right)}"
+        case syntax.Infix(operator="and" | "or" as operator, left=left, right=right):
+            return f"{grouped(condition(to, left))} {operator} {grouped(condition(to, right))}"
+        case syntax.Prefix(operator="not", operand=operand):
+            return f"not ({condition(to, operand)})"
+    return to.text(node)
+
+
+def postfix(to: Writer, node: syntax.Postfix) -> str:
+    """Return a transposed matrix."""
+    if node.operator in {"%T", "^%T"}:
+        return f"{grouped(to.text(node.operand))}.T"
+    raise NoText(node.operator)

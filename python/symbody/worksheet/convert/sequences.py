@@ -1,0 +1,94 @@
+"""Items: lists, arguments, comprehensions; sequences are opened in them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from symbody.worksheet.convert.frames import components
+from symbody.worksheet.convert.names import NoText, identifier
+from symbody.worksheet.convert.operations import SUM, grouped
+from symbody.worksheet.convert.selections import word_of
+from symbody.worksheet.convert.writer import Writer
+from symbody.worksheet.sheet import syntax
+
+__all__ = ["columns", "comprehension", "item", "items", "listed", "matrix"]
+
+
+def items(to: Writer, nodes: tuple[syntax.Expression, ...]) -> str:
+    """Return items behind each other; sequences are opened."""
+    return ", ".join(text for node in nodes for text in [item(to, node)] if text)
+
+
+def item(to: Writer, node: syntax.Expression) -> str:
+    """Return an item of a list, or an argument; a sequence is opened."""
+    match node:
+        case syntax.Call(function=syntax.Name(name="op"), arguments=(whole,)):
+            return f"*{grouped(to.text(whole))}"
+        case syntax.Call(function=syntax.Name(name="comp_XYZ" | "Comps"), arguments=arguments):
+            return f"*{components(to, arguments)}"
+        case syntax.Call(function=syntax.Name(name="seq"), arguments=(each, span)):
+            return f"*{comprehension(to, each, span)}"
+        case syntax.SequenceDisplay(items=nodes):
+            return items(to, nodes)
+    return to.text(node)
+
+
+def listed(to: Writer, nodes: tuple[syntax.Expression, ...]) -> str:
+    """Return a list; one that holds an opened sequence alone is that list."""
+    if len(nodes) == 1:
+        only = item(to, nodes[0])
+        if only.startswith("*"):
+            found = only[1:]
+            return found if isinstance(to.value(found), list) else f"[{only}]"
+    return f"[{items(to, nodes)}]"
+
+
+def comprehension(to: Writer, each: syntax.Expression, span: syntax.Expression) -> str:
+    """Return ``[each for i in range(a, b + 1)]``, or over the items of a list."""
+    name, over, first = _span(to, span)
+    inner = to.names.inner()
+    inner.values[name] = first
+    writer = to.within(inner)
+    body = item(writer, each)
+    if body.startswith("*"):
+        return f"[item for {name} in {over} for item in {body[1:]}]"
+    return f"[{body} for {name} in {over}]"
+
+
+def _span(to: Writer, span: syntax.Expression) -> tuple[str, str, Any]:
+    """Return the variable of ``i = a..b`` or ``i in L``, what it goes over, and its first value."""
+    match span:
+        case syntax.Infix(
+            operator="=", left=variable, right=syntax.Infix(operator="..", left=first, right=last)
+        ):
+            a, b = to.text(first), to.text(last)
+            name = _bare(variable)
+            if not isinstance(to.value(a), int):
+                raise NoText("range")
+            return name, f"range({a}, {_next(b)})", to.value(a)
+        case syntax.Infix(operator="in" | "=", left=variable, right=whole):
+            over = to.text(whole)
+            found = to.value(over)
+            if not isinstance(found, list | tuple) or not found:
+                raise NoText("in")
+            return _bare(variable), over, found[0]
+    raise NoText("range")
+
+
+def matrix(to: Writer, rows: list[tuple[syntax.Expression, ...]]) -> str:
+    """Return a matrix by rows."""
+    return f"sb.Matrix([{', '.join(f'[{items(to, row)}]' for row in rows)}])"
+
+
+def columns(to: Writer, node: syntax.Columns) -> str:
+    """Return a matrix given as ``<a,b;c,d>`` or ``<<a,b>|<c,d>>``."""
+    rows = [each.items if isinstance(each, syntax.Rows) else (each,) for each in node.items]
+    return matrix(to, rows)
+
+
+def _bare(node: syntax.Expression) -> str:
+    return identifier(word_of(node))
+
+
+def _next(text: str) -> str:
+    return str(int(text) + 1) if text.isdigit() else f"{grouped(text, SUM)} + 1"

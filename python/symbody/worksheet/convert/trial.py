@@ -1,0 +1,110 @@
+"""A statement as code: it is written, executed, and kept if it gives the values that the worksheet has."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+from collections.abc import Sequence
+
+from symbody.errors import SymbodyError
+from symbody.worksheet.convert.draft import Draft, has
+from symbody.worksheet.convert.expressions import PythonText
+from symbody.worksheet.convert.names import NoText, identifier
+from symbody.worksheet.convert.same import order_of, same
+from symbody.worksheet.convert.statement_kinds import begins_mode, counts
+from symbody.worksheet.convert.statements import lines_of
+from symbody.worksheet.convert.written_values import write_value
+from symbody.worksheet.sheet import syntax
+from symbody.worksheet.values.value import Sequence as Values
+
+__all__ = ["as_code", "prepare"]
+
+
+def prepare(program: Draft, statement: syntax.Statement, *, keeps: bool) -> None:
+    """Write the lines of a statement, before it changes the names of the session."""
+    program.code = None
+    program.names.as_differences = False
+    program.reason = "differs"
+    program.names.late.clear()
+    program.snapshot = program.names.snapshot()
+    program.text = text = PythonText(program.names, program.last, program.procedures.called)
+    program.procedures.text = text
+    try:
+        program.code = program.procedures.lines(statement)
+        if program.code is None:
+            program.code = lines_of(statement, text, keeps=keeps)
+    except NoText as error:
+        program.reason = str(error)
+    except (SymbodyError, ValueError, TypeError, AttributeError, LookupError) as error:
+        program.reason = repr(error)
+    program.keeps = keeps
+
+
+def as_code(program: Draft, statement: syntax.Statement, changed: Sequence[str]) -> bool:
+    """Execute the code of a statement; keep it if its values are those of the session."""
+    if program.code is None or not _runs(program, statement, changed):
+        program.names.restore(program.snapshot)
+        program.procedures.drop()
+        return False
+    program.known |= dict.fromkeys(changed, program.code if len(changed) == 1 else [])
+    program.lines += [*program.names.late, *program.code]
+    if statement.__class__ is not syntax.Empty and not program.procedures.is_definition(statement):
+        values = program.names.values
+        program.last = (
+            identifier(changed[0]) if changed else "last" if program.keeps and "last" in values else ""
+        )
+    program.procedures.keep()
+    program.written += 1
+    return True
+
+
+def _runs(program: Draft, statement: syntax.Statement, changed: Sequence[str]) -> bool:
+    values, session = program.names.values, program.interpreter.session
+    values.pop("last", None) if program.keeps else None
+    try:
+        with contextlib.redirect_stdout(io.StringIO()), contextlib.chdir(program.folder):
+            exec("\n".join([*program.names.late, *(program.code or ())]), values)
+    except Exception as error:
+        program.reason = repr(error)
+        return False
+    for name in changed:
+        if identifier(name) not in values and program.procedures.knows(name):
+            continue
+        if identifier(name) not in values and begins_mode(statement):
+            if not write_value(program, name):
+                program.reason = f"value of {name}"
+                return False
+            (program.code or []).append(program.lines.pop())
+        elif not has(program, name) and not _sorted(program, name):
+            program.reason = f"differs in {name}"
+            return False
+    if isinstance(statement, syntax.Evaluation) and program.text.shown and session.last:
+        return _shows_the_same(program, statement.expression)
+    return True
+
+
+def _shows_the_same(program: Draft, expression: syntax.Expression) -> bool:
+    """Whether the last expression that the code shows has the value of the statement."""
+    if counts(expression):
+        return True
+    session, value = program.interpreter.session, program.interpreter.session.last[0]
+    made = [program.names.value("last" if program.keeps else text) for text in program.text.shown]
+    last = value.items[-1] if isinstance(value, Values) and len(made) > 1 and value.items else value
+    if same(session, made[-1], value, program.names.small) or same(
+        session, made[-1], last, program.names.small
+    ):
+        return True
+    program.reason = "differs in %"
+    return False
+
+
+def _sorted(program: Draft, name: str) -> bool:
+    """Give a list that was a set the order of the worksheet."""
+    text, values = identifier(name), program.names.values
+    order = order_of(program.interpreter.session, values.get(text), program.interpreter.session.names[name])
+    if order is None:
+        return False
+    line = f"{text} = [{text}[k] for k in {tuple(order)}]  # the order of the worksheet"
+    exec(line, values)
+    (program.code or []).append(line)
+    return True

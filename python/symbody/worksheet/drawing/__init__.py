@@ -1,0 +1,1 @@
+"""Plots: their pieces, their options, and the files that show them."""

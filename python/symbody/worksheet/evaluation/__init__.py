@@ -1,0 +1,1 @@
+"""A session, and what evaluates values in it: names, operators, conditions, entries, types."""

@@ -1,0 +1,433 @@
+"""Full evaluation at use: a value with all that was assigned since it was made.
+
+A scalar keeps its symbols. When it is used, those that have a value by now are substituted; the result is remembered
+with the count of assignments and the names that it depends on, so that this costs nothing where nothing changed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, replace
+from typing import Any, Protocol
+
+from symbody.errors import ExpressionError
+from symbody.symbolic import Expr, UndefinedFunction, free_symbols, pi, t, time_derivative
+from symbody.symbolic.expression.traverse import post_order
+from symbody.worksheet.printing.print import sort_key
+from symbody.worksheet.values.complex_number import normal
+from symbody.worksheet.values.naming import symbol
+from symbody.worksheet.values.value import (
+    NULL,
+    Array,
+    Boolean,
+    Listed,
+    MapleSet,
+    ProcedureValue,
+    Quoted,
+    Range,
+    Reference,
+    Relation,
+    Sequence,
+    Table,
+    Unevaluated,
+    Value,
+)
+
+__all__ = ["Seen", "current", "is_last_name", "named", "replaced", "resolved", "set_of"]
+
+CONSTANTS: dict[str, Value] = {
+    "Pi": pi,
+    "true": Boolean(truth=True),
+    "false": Boolean(truth=False),
+    "FAIL": Boolean(truth=None),
+    "NULL": NULL,
+}
+
+
+@dataclass
+class Seen:
+    """An evaluated scalar: at which count, on which names it depends, and the result."""
+
+    stamp: int
+    names: frozenset[str]
+    result: Value
+
+
+class State(Protocol):
+    """What is read of a session."""
+
+    names: dict[str, Value]
+    remembered: dict[str, dict[tuple[Value, ...], Value]]
+    scopes: list[Any]
+    resolving: list[str]
+    depends: list[set[str]]
+    seen: dict[int, Seen]
+    assigned: dict[str, int]
+    log: list[str]
+    variables: dict[int, frozenset[str]]
+    applied: set[str]
+    indexed: dict[str, tuple[str, tuple[Value, ...]]]
+    opaque: dict[str, Value]
+    options: Any
+
+    @property
+    def count(self) -> int: ...
+    @property
+    def scope(self) -> Any: ...
+    @property
+    def call(self) -> Callable[[Value, tuple[Value, ...]], Value]: ...
+    @property
+    def evaluate(self) -> Callable[[Any], Value]: ...
+    @property
+    def rebuild(self) -> Callable[[Expr, dict[Expr, Value]], Value]: ...
+    @property
+    def select(self) -> Callable[[Value, tuple[Value, ...]], Value]: ...
+    @property
+    def face(self) -> Callable[[Any, Array, Array], Array] | None: ...
+
+
+def is_last_name(value: Value) -> bool:
+    """Whether evaluation of a name stops before this value: tables, procedures, matrices of the old kind."""
+    return isinstance(value, Table | ProcedureValue) or (
+        isinstance(value, Array) and value.kind in ("matrix", "vector", "array")
+    )
+
+
+def resolved(session: State, value: Value) -> Value:
+    """Return what a reference, or a bare name, stands for in the session: names of procedures are not among them."""
+    for _ in range(100):
+        if isinstance(value, Reference) or (isinstance(value, Expr) and value.kind == "symbol"):
+            name = value.name
+        else:
+            return value
+        found = session.names.get(name)
+        if found is None:
+            return value
+        value = found
+    return value
+
+
+def named(session: State, name: str) -> Value:
+    """Return what a name in the code stands for, in the procedure that runs, in those around it, or in the session."""
+    scope = session.scope
+    while scope is not None:
+        if name in scope.names:
+            return current(session, scope.names[name])
+        if name in scope.local:
+            return symbol(name)
+        scope = scope.parent
+    return _of_session(session, name)
+
+
+def _of_session(session: State, name: str) -> Value:
+    """Return what a name of the session stands for: its last name if that is a table, a procedure or an old matrix."""
+    _depend_on(session, (name,))
+    alias = session.options.aliases.get(name) if session.options.aliases else None
+    if alias is not None:
+        return current(session, alias)
+    if name not in session.names:
+        if name == "I":
+            session.options.imaginary = True
+        return CONSTANTS.get(name) or symbol(name)
+    if name in session.resolving:
+        return symbol(name)
+    value = session.names[name]
+    if is_last_name(value):
+        return Reference(name)
+    session.resolving.append(name)
+    try:
+        return current(session, value)
+    finally:
+        session.resolving.pop()
+
+
+def current(session: State, value: Value, *, arrays: bool = False) -> Value:
+    """Return a value with all that was assigned since it was made; new matrices as they are unless ``arrays``."""
+    if isinstance(value, Expr):
+        return _scalar(session, value)
+    if isinstance(value, Reference):
+        return _reference(session, value)
+    if isinstance(value, Quoted):
+        return session.evaluate(value.body)
+    if isinstance(value, Array):
+        return _array(session, value) if arrays else value
+    return _container(session, value, arrays=arrays)
+
+
+def _reference(session: State, value: Reference) -> Value:
+    found = session.names.get(value.name)
+    if found is None:
+        return symbol(value.name)
+    return value if is_last_name(found) else _of_session(session, value.name)
+
+
+def _container(session: State, value: Any, *, arrays: bool) -> Value:
+    if isinstance(value, Listed | MapleSet | Sequence):
+        items = [current(session, item, arrays=arrays) for item in value.items]
+        if all(new is old for new, old in zip(items, value.items, strict=True)):
+            return value
+        flat = flattened(items)
+        return set_of(flat) if isinstance(value, MapleSet) else type(value)(tuple(flat))
+    if isinstance(value, Relation):
+        left, right = (
+            current(session, value.left, arrays=arrays),
+            current(session, value.right, arrays=arrays),
+        )
+        return value if left is value.left and right is value.right else Relation(value.operator, left, right)
+    if isinstance(value, Range):
+        start, stop = current(session, value.start), current(session, value.stop)
+        return value if start is value.start and stop is value.stop else Range(start, stop)
+    if isinstance(value, Unevaluated):
+        arguments = tuple(_argument(session, each, arrays=arrays) for each in value.arguments)
+        function = value.function
+        if isinstance(function, Expr) and function.kind == "symbol" and function.name in session.names:
+            return session.call(function, arguments)
+        return replace(value, arguments=arguments)
+    return value  # type: ignore[no-any-return]
+
+
+def _argument(session: State, value: Value, *, arrays: bool) -> Value:
+    """A field of an object that is shown by a name stays so: ``frame = ground``."""
+    if isinstance(value, Relation) and isinstance(value.right, Expr) and value.right.kind == "symbol":
+        return value
+    return current(session, value, arrays=arrays)
+
+
+def _array(session: State, value: Array) -> Array:
+    entries = [current(session, entry) for entry in value.entries]
+    if all(new is old for new, old in zip(entries, value.entries, strict=True)):
+        made = value
+    else:
+        made = replace(value, entries=entries)
+    return (
+        session.face(session, value, made) if value.frame is not None and session.face is not None else made
+    )
+
+
+def flattened(items: Iterable[Value]) -> list[Value]:
+    """Return items with sequences among them opened."""
+    flat: list[Value] = []
+    for item in items:
+        if isinstance(item, Sequence):
+            flat.extend(item.items)
+        else:
+            flat.append(item)
+    return flat
+
+
+def set_of(items: Iterable[Value]) -> MapleSet:
+    """Return a set: items different by value, in an order that depends on their texts alone."""
+    return MapleSet(tuple(sorted(dict.fromkeys(items), key=sort_key)))
+
+
+# --- scalars ----------------------------------------------------------------------------------------------------------
+
+
+def _scalar(session: State, value: Expr) -> Value:
+    seen = session.seen.get(value.id)
+    inside = bool(session.scopes) or bool(session.resolving)
+    if seen is not None and not _changed(session, seen):
+        seen.stamp = session.count
+        _depend_on(session, seen.names)
+        return seen.result
+    session.depends.append(set())
+    try:
+        result = _evaluated(session, value)
+    finally:
+        names = session.depends.pop()
+        _depend_on(session, names)
+    if session.options.imaginary and result is not value and isinstance(result, Expr):
+        result = normal(result)
+    if not inside or not (names & _guarded(session)):
+        if len(session.seen) > 500_000:
+            session.seen.clear()
+        session.seen[value.id] = Seen(session.count, frozenset(names), result)
+    return result
+
+
+def _depend_on(session: State, names: Iterable[str]) -> None:
+    if session.depends:
+        session.depends[-1].update(names)
+
+
+def _guarded(session: State) -> set[str]:
+    """Names whose meaning here isn't that of the session: those being resolved, and local ones."""
+    names = set(session.resolving)
+    scope = session.scope
+    while scope is not None:
+        names |= scope.local
+        scope = scope.parent
+    return names
+
+
+def _changed(session: State, seen: Seen) -> bool:
+    if session.scopes and seen.names & _guarded(session):
+        return True
+    if session.resolving and not seen.names.isdisjoint(session.resolving):
+        return True
+    since = session.count - seen.stamp
+    if since < len(seen.names):
+        return any(name in seen.names for name in session.log[seen.stamp :])
+    return any(session.assigned.get(name, 0) > seen.stamp for name in seen.names)
+
+
+def _evaluated(session: State, value: Expr) -> Value:
+    if value.kind == "symbol":
+        return _symbol(session, value)
+    depends = session.depends[-1]
+    new: dict[Expr, Value] = {}
+    for variable in _variables(session, value):
+        found = _symbol(session, variable) if variable.kind == "symbol" else _function(session, variable)
+        if found is not variable:
+            new[variable] = found
+    for node in _applications(session, value):
+        depends.add(node.name)
+        if node.name in session.names or node.name in session.remembered:
+            arguments = tuple(current(session, each) for each in node.args)
+            called = session.call(symbol(node.name), arguments) if not any(node.orders) else node
+            if called is not node and called != node:
+                new[node] = called
+    scalars = {old: found for old, found in new.items() if isinstance(found, Expr)}
+    others = {old: found for old, found in new.items() if not isinstance(found, Expr | Reference)}
+    if others:
+        return session.rebuild(value, new)
+    return replaced(session, value, scalars) if scalars else value
+
+
+def replaced(session: State, value: Expr, scalars: Mapping[Expr, Expr]) -> Value:
+    """Return a scalar with others in place of some; the root of what becomes a negative number is complex."""
+    try:
+        return value.subs(scalars)
+    except ExpressionError:
+        return session.rebuild(value, dict(scalars))
+
+
+def _variables(session: State, value: Expr) -> list[Expr]:
+    """Return the variables that may have a value, in a fixed order; the scalar depends on all of them."""
+    names = names_of(session, value)
+    _depend_on(session, names)
+    known = names & _named_somewhere(session)
+    if not known:
+        return []
+    found = [each for each in free_symbols([value]) if each.name in known]
+    return sorted(found, key=lambda each: (each.name, each.kind, each.kind != "symbol" and each.order))
+
+
+def _named_somewhere(session: State) -> set[str]:
+    held = (
+        session.names,
+        session.remembered,
+        session.indexed,
+        session.opaque,
+        session.options.aliases,
+        CONSTANTS,
+    )
+    return set().union(*(each.keys() for each in held if each))
+
+
+_FEW = 8
+
+
+def names_of(session: State, value: Expr) -> frozenset[str]:
+    """Return the names of the variables in a scalar; those of its parts, if they are known, save a walk."""
+    known = session.variables.get(value.id)
+    if known is None:
+        parts = value.args
+        of_parts = [session.variables.get(part.id) for part in parts[:_FEW] if part.args or part.is_variable]
+        if parts and len(parts) <= _FEW and None not in of_parts:
+            known = frozenset().union(*(each for each in of_parts if each is not None))
+        else:
+            known = frozenset(each.name for each in free_symbols([value]))
+        if len(session.variables) > 500_000:
+            session.variables.clear()
+        session.variables[value.id] = known
+    return known
+
+
+def _applications(session: State, value: Expr) -> list[Expr]:
+    known = session.applied & (session.names.keys() | session.remembered.keys())
+    if not known:
+        if session.applied:
+            session.depends[-1].update(session.applied)
+        return []
+    nodes = post_order([value], lambda node: node.args, lambda node: node.id)
+    found = [node for node in nodes if node.kind == "application"]
+    session.depends[-1].update(node.name for node in found)
+    return found
+
+
+def _symbol(session: State, value: Expr) -> Value:
+    name = value.name
+    indexed = session.indexed.get(name)
+    if indexed is not None:
+        return _indexed(session, value, *indexed)
+    opaque = session.opaque.get(name)
+    if opaque is not None:
+        return _opaque(session, value, opaque)
+    if _is_local(session, name):
+        return value
+    found = _of_session(session, name)
+    return value if found == value or found == Reference(name) else found
+
+
+def _is_local(session: State, name: str) -> bool:
+    """Whether a symbol may be a local name that has no value yet; parameters are none, they are in the code only."""
+    scope = session.scope
+    while scope is not None:
+        if name in scope.local:
+            return True
+        scope = scope.parent
+    return False
+
+
+def _indexed(session: State, value: Expr, base: str, indices: tuple[Value, ...]) -> Value:
+    _depend_on(session, (base,))
+    holder = resolved(session, symbol(base))
+    if isinstance(holder, Table):
+        key = tuple(current(session, each) for each in indices)
+        if key in holder.entries and base not in session.resolving:
+            session.resolving.append(base)
+            try:
+                return current(session, holder.entries[key])
+            finally:
+                session.resolving.pop()
+    if isinstance(holder, Array | Listed):
+        return current(session, session.select(holder, indices))
+    return value
+
+
+def _opaque(session: State, value: Expr, content: Value) -> Value:
+    found = current(session, content)
+    return value if found == content else found
+
+
+def _function(session: State, value: Expr) -> Value:
+    """Return the value of a function of time, or of its derivative, if it has one by now."""
+    name = value.name
+    if name in session.resolving:
+        return value
+    found = _of_time(session, name)
+    if not isinstance(found, Expr):
+        return value
+    return time_derivative(found, value.order) if value.order else found
+
+
+def _of_time(session: State, name: str) -> Value | None:
+    entry = session.remembered.get(name, {}).get((t,))
+    held = session.names.get(name)
+    if entry is None and not isinstance(held, ProcedureValue | Expr):
+        return None
+    session.resolving.append(name)
+    try:
+        if entry is not None:
+            return current(session, entry)
+        if isinstance(held, ProcedureValue):
+            return session.call(Reference(name), (t,))
+        head = current(session, held) if held is not None else None
+        if isinstance(head, Expr) and head.is_number:
+            return head
+        if isinstance(head, Expr) and head.kind == "symbol" and head.name != name:
+            return UndefinedFunction(head.name)(t)
+        return None
+    finally:
+        session.resolving.pop()

@@ -1,0 +1,245 @@
+"""Entries of lists, tables and matrices: indices from 1, negative ones from the end, ranges as slices."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from symbody.errors import WorksheetError
+from symbody.symbolic import Expr
+from symbody.worksheet.evaluation.arithmetic import scalar
+from symbody.worksheet.values.naming import symbol
+from symbody.worksheet.values.numeric import as_integer
+from symbody.worksheet.values.structure import tree_of
+from symbody.worksheet.values.value import (
+    Array,
+    Listed,
+    MapleSet,
+    ProcedureValue,
+    Range,
+    Reference,
+    Relation,
+    Sequence,
+    String,
+    Table,
+    Unevaluated,
+    Value,
+)
+
+if TYPE_CHECKING:
+    from symbody.worksheet.evaluation.session import Session
+
+__all__ = ["assigned_entry", "indexed_name", "key_of", "selected"]
+
+Indices = tuple[Value, ...]
+
+
+def key_of(session: Session, indices: Indices) -> Indices:
+    """Return indices as the key of a table: references as names."""
+    return tuple(symbol(each.name) if isinstance(each, Reference) else each for each in indices)
+
+
+def selected(session: Session, whole: Value, indices: Indices) -> Value:
+    """Return entries of a value; of what has none, an indexed name."""
+    found = session.resolve(whole)
+    if isinstance(found, Listed | MapleSet | Sequence):
+        return _of_items(session, found, indices)
+    if isinstance(found, Table):
+        return _of_table(session, whole, found, indices)
+    if isinstance(found, Array):
+        return _of_array(session, whole, found, indices)
+    if isinstance(found, String):
+        place = as_integer(indices[0]) if indices else None
+        if place is not None and 0 < abs(place) <= len(found.text):
+            return String(found.text[place - 1 if place > 0 else place])
+    if isinstance(found, Relation | Unevaluated | ProcedureValue):
+        return _of_call(session, found, indices)
+    return indexed_name(session, whole, indices)
+
+
+def _of_call(session: Session, found: Value, indices: Indices) -> Value:
+    """Objects as ``show`` returns them, and equations, have parts by their number."""
+    place = as_integer(indices[0]) if len(indices) == 1 else None
+    parts: Indices = ()
+    if isinstance(found, Relation):
+        parts = (found.left, found.right)
+    elif isinstance(found, Unevaluated):
+        parts = found.arguments
+    if place is not None and 0 < place <= len(parts):
+        return parts[place - 1]
+    return indexed_name(session, found, indices)
+
+
+def indexed_name(session: Session, whole: Value, indices: Indices) -> Value:
+    """Return a name such as ``a[1]`` or ``psi[dot]``."""
+    base = scalar(session, whole)
+    if base.kind != "symbol":
+        tree = tree_of(base)
+        place = as_integer(indices[0]) if len(indices) == 1 else None
+        if place is not None and tree.parts and 0 < place <= len(tree.parts):
+            return tree.parts[place - 1].value
+        raise WorksheetError(f"{session.text(base)[:60]} has no entries")
+    name = f"{base.name}[{','.join(session.text(each) for each in indices)}]"
+    session.indexed[name] = (base.name, key_of(session, indices))
+    return symbol(name)
+
+
+# --- lists and sets ---------------------------------------------------------------------------------------------------
+
+
+def _of_items(session: Session, whole: Listed | MapleSet | Sequence, indices: Indices) -> Value:
+    if not indices:
+        return Sequence(whole.items) if len(whole.items) != 1 else whole.items[0]
+    index, rest = indices[0], indices[1:]
+    if isinstance(index, Range):
+        places = _slice(session, index, len(whole.items))
+        items = tuple(whole.items[i] for i in places)
+        if isinstance(whole, Sequence):
+            return Sequence(items) if len(items) != 1 else items[0]
+        return type(whole)(items)
+    if isinstance(index, Listed):
+        return Listed(tuple(_of_items(session, whole, (each,)) for each in index.items))
+    place = _place(session, index, len(whole.items))
+    item = (
+        session.current(whole.items[place])
+        if not isinstance(whole.items[place], Array)
+        else whole.items[place]
+    )
+    return selected(session, item, rest) if rest else item
+
+
+def _place(session: Session, index: Value, count: int) -> int:
+    number = as_integer(index)
+    if number is None:
+        raise WorksheetError(
+            f"the index {session.text(index)} is not an integer; expected one from 1 to {count}"
+        )
+    if not 0 < abs(number) <= count:
+        raise WorksheetError(f"the index {number} is out of range; expected one from 1 to {count}")
+    return number - 1 if number > 0 else count + number
+
+
+def _slice(session: Session, index: Range, count: int) -> range:
+    start = _bound(session, index.start, 1, count)
+    stop = _bound(session, index.stop, count, count)
+    if start < 1 or stop > count or stop < start - 1:
+        raise WorksheetError(
+            f"the range {session.text(index)} is out of range; expected one within 1 .. {count}"
+        )
+    return range(start - 1, stop)
+
+
+def _bound(session: Session, value: Value, missing: int, count: int) -> int:
+    if isinstance(value, Sequence):
+        return missing
+    number = as_integer(value)
+    if number is None:
+        raise WorksheetError(f"the bound {session.text(value)} of a range of indices is not an integer")
+    return number if number >= 0 else count + 1 + number
+
+
+# --- tables and matrices ----------------------------------------------------------------------------------------------
+
+
+def _of_table(session: Session, whole: Value, table: Table, indices: Indices) -> Value:
+    entry = table.entries.get(key_of(session, indices))
+    if entry is None:
+        base = whole if isinstance(whole, Reference | Expr) else symbol("table")
+        return indexed_name(session, base, indices)
+    return entry if isinstance(entry, Array) else session.current(entry)
+
+
+def _of_array(session: Session, whole: Value, array: Array, indices: Indices) -> Value:
+    if not indices:
+        return array
+    if _symbolic(indices) and isinstance(whole, Reference | Expr):
+        return indexed_name(session, whole, indices)
+    if len(indices) == 1:
+        return _of_vector(session, array, indices[0])
+    rows, columns = (
+        _places(session, index, count)
+        for index, count in zip(indices, (array.rows, array.columns), strict=False)
+    )
+    if isinstance(rows, int) and isinstance(columns, int):
+        return session.current(array.entries[rows * array.columns + columns])
+    chosen_rows = [rows] if isinstance(rows, int) else list(rows)
+    chosen_columns = [columns] if isinstance(columns, int) else list(columns)
+    entries = [array.entries[i * array.columns + j] for i in chosen_rows for j in chosen_columns]
+    kind = array.kind
+    if isinstance(columns, int):
+        kind = "vector" if kind.islower() else "Vector"
+        return Array(len(entries), 1, entries, kind)
+    if isinstance(rows, int):
+        kind = "vector" if kind.islower() else "RowVector"
+        return Array(1, len(entries), entries, kind)
+    return Array(len(chosen_rows), len(chosen_columns), entries, kind)
+
+
+def _symbolic(indices: Indices) -> bool:
+    return any(isinstance(each, Expr) and not each.is_number for each in indices)
+
+
+def _of_vector(session: Session, array: Array, index: Value) -> Value:
+    if array.columns == 1 or array.rows == 1:
+        places = _places(session, index, len(array.entries))
+        if isinstance(places, int):
+            return session.current(array.entries[places])
+        entries = [array.entries[i] for i in places]
+        shape = (len(entries), 1) if array.columns == 1 else (1, len(entries))
+        return Array(*shape, entries, array.kind)
+    row = _places(session, index, array.rows)
+    chosen = [row] if isinstance(row, int) else list(row)
+    entries = [array.entries[i * array.columns + j] for i in chosen for j in range(array.columns)]
+    if isinstance(row, int):
+        return Array(1, array.columns, entries, "vector" if array.kind.islower() else "RowVector")
+    return Array(len(chosen), array.columns, entries, array.kind)
+
+
+def _places(session: Session, index: Value, count: int) -> int | list[int]:
+    if isinstance(index, Range):
+        return list(_slice(session, index, count))
+    if isinstance(index, Listed):
+        return [_place(session, each, count) for each in index.items]
+    return _place(session, index, count)
+
+
+# --- assignment -------------------------------------------------------------------------------------------------------
+
+
+def assigned_entry(session: Session, holder: Table | Array, indices: Indices, value: Value) -> None:
+    """Give entries of a table or a matrix new values."""
+    if isinstance(holder, Table):
+        holder.entries[key_of(session, indices)] = value
+        return
+    holder.frame = None
+    holder.attributes = ()
+    if len(indices) == 1 and (holder.columns == 1 or holder.rows == 1):
+        _put(session, holder, _places(session, indices[0], len(holder.entries)), value)
+        return
+    counts = (holder.rows, holder.columns)
+    if len(indices) != 2:
+        raise WorksheetError(
+            f"{len(indices)} indices for a matrix of {holder.rows} x {holder.columns}; expected two"
+        )
+    rows, columns = (_places(session, index, count) for index, count in zip(indices, counts, strict=True))
+    if isinstance(rows, int) and isinstance(columns, int):
+        holder.entries[rows * holder.columns + columns] = value
+        return
+    chosen = [
+        i * holder.columns + j
+        for i in ([rows] if isinstance(rows, int) else rows)
+        for j in ([columns] if isinstance(columns, int) else columns)
+    ]
+    _put(session, holder, chosen, value)
+
+
+def _put(session: Session, holder: Array, places: int | list[int], value: Value) -> None:
+    if isinstance(places, int):
+        holder.entries[places] = value
+        return
+    found = session.resolve(value)
+    new = found.entries if isinstance(found, Array) else found.items if isinstance(found, Listed) else None
+    items = [value] * len(places) if new is None else list(new)
+    if len(items) != len(places):
+        raise WorksheetError(f"{len(items)} values for {len(places)} entries")
+    for place, item in zip(places, items, strict=True):
+        holder.entries[place] = item

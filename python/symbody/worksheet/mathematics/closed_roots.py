@@ -1,0 +1,227 @@
+"""Roots of one equation in one unknown that the core's closed forms don't have: complex ones, of any degree, inverses.
+
+A polynomial with numbers is divided by its rational roots first. Of what is left, square roots give degree two; higher
+degrees are ``RootOf(p(_Z), index = k)``, as in Maple, which evalf makes numbers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from math import gcd, lcm
+from typing import TYPE_CHECKING
+
+from symbody.deferred import Deferred
+from symbody.errors import ExpressionError, WorksheetError
+from symbody.symbolic import Expr, acos, asin, atan, cos, exp, log, number, sin, tan
+from symbody.worksheet.mathematics.polynomial import coefficients
+from symbody.worksheet.values.complex_number import I, angle_of, of_number, root_of_negative
+from symbody.worksheet.values.naming import symbol
+from symbody.worksheet.values.numeric import as_float, as_integer
+from symbody.worksheet.values.structure import Tree, tree_of, walk
+from symbody.worksheet.values.value import Relation, Unevaluated, Value
+
+if TYPE_CHECKING:
+    import numpy as np
+else:
+    np = Deferred("numpy")
+
+__all__ = ["closed_roots", "is_complex", "numeric_roots", "polynomial_in", "root_number", "roots_of"]
+
+_Z = symbol("_Z")
+
+
+def closed_roots(residual: Expr, unknown: Expr) -> list[Value] | None:
+    """Return the roots of an equation in one unknown; None if there is no form for them."""
+    known = polynomial_in(residual, unknown)
+    if known is None:
+        return _peeled(residual, unknown)
+    return roots_of(known) if len(known) > 1 else None
+
+
+def polynomial_in(residual: Expr, unknown: Expr) -> list[Expr] | None:
+    """Return the coefficients of the numerator of an expression, the constant first; None for no polynomial."""
+    try:
+        found = coefficients(residual, unknown)
+    except (WorksheetError, ExpressionError):
+        return None
+    coefficients_ = [found.get(k, number(0)) for k in range(max(found, default=0) + 1)]
+    return None if any(each.has(unknown) for each in coefficients_) else coefficients_
+
+
+def roots_of(known: Sequence[Expr]) -> list[Value]:
+    """Return the roots of a polynomial by its coefficients, the constant first."""
+    if all(each.is_number for each in known):
+        if any(each.is_decimal for each in known):
+            return [of_number(each) for each in numeric_roots(known)]
+        return _of_fractions([Fraction(*each.ratio) for each in known])
+    zeros: list[Value] = []
+    rest = list(known)
+    while rest[0].is_zero:
+        rest.pop(0)
+        zeros = [number(0)]
+    return [*zeros, *_of_symbols(rest)]
+
+
+def _of_symbols(known: list[Expr]) -> list[Value]:
+    degree = len(known) - 1
+    if degree == 1:
+        return [-known[0] / known[1]]
+    if degree > 1:
+        terms = [c * _Z**k for k, c in enumerate(known)]
+        return [Unevaluated(symbol("RootOf"), (sum(terms, start=number(0)),))]
+    return []
+
+
+def _of_fractions(known: list[Fraction]) -> list[Value]:
+    found: list[Value] = []
+    while len(known) > 1 and (root := _rational_root(known)) is not None:
+        found.append(number(root.numerator) / root.denominator)
+        known = _divided(known, root)
+    degree = len(known) - 1
+    if degree < 1:
+        return found
+    if degree == 2:
+        return [*found, *_quadratic(*known)]
+    if degree == 4 and not known[1] and not known[3]:
+        squares = _quadratic(known[0], known[2], known[4])
+        if all(as_float(each) is not None for each in squares):
+            return [*found, *(sign * _root(each) for each in squares for sign in (1, -1))]
+    terms = [number(c.numerator) / c.denominator * _Z**k for k, c in enumerate(known)]
+    polynomial = sum(terms, start=number(0))
+    return [*found, *(_indexed_root(polynomial, k) for k in range(1, degree + 1))]
+
+
+def _indexed_root(polynomial: Expr, index: int) -> Unevaluated:
+    """Return ``RootOf(p(_Z), index = k)``."""
+    return Unevaluated(symbol("RootOf"), (polynomial, Relation("=", symbol("index"), number(index))))
+
+
+def _rational_root(known: list[Fraction]) -> Fraction | None:
+    if not known[0]:
+        return Fraction(0)
+    leading = abs((known[-1] / _content(known)).numerator)
+    for root in numeric_roots([number(c.numerator) / c.denominator for c in known]):
+        candidate = Fraction(round(root.real * leading), leading) if abs(root.imag) < 1e-6 else None
+        if candidate is not None and not sum(c * candidate**k for k, c in enumerate(known)):
+            return candidate
+    return None
+
+
+def _content(known: list[Fraction]) -> Fraction:
+    """Return the number by which a polynomial is divided to have integers without a common factor."""
+    below = lcm(*(c.denominator for c in known))
+    return Fraction(gcd(*((c * below).numerator for c in known)), below)
+
+
+def _divided(known: list[Fraction], root: Fraction) -> list[Fraction]:
+    quotient: list[Fraction] = []
+    carry = Fraction(0)
+    for c in reversed(known):
+        carry = carry * root + c
+        quotient.append(carry)
+    return quotient[-2::-1]
+
+
+def _quadratic(c: Fraction, b: Fraction, a: Fraction) -> list[Expr]:
+    middle, square = -b / (2 * a), (b * b - 4 * a * c) / (4 * a * a)
+    root = _root(number(square.numerator) / square.denominator)
+    centre = number(middle.numerator) / middle.denominator
+    return [centre + root, centre - root]
+
+
+def _root(value: Expr) -> Expr:
+    half = number(1) / 2
+    known = as_float(value)
+    return root_of_negative(value, half) if known is not None and known < 0 else value**half
+
+
+def numeric_roots(known: Sequence[Expr]) -> list[complex]:
+    """Return the roots of a polynomial with numbers, in Maple's order: by angle, then by size.
+
+    Coefficients are given with the constant first.
+    """
+    values = [as_float(each) for each in known]
+    numbers = [0.0 if each is None else each for each in values]
+    roots = [complex(each) for each in np.roots(numbers[::-1])]
+    roots = [complex(each.real, 0.0) if abs(each.imag) < 1e-10 * abs(each) else each for each in roots]
+    return sorted(roots, key=lambda each: (round(angle_of(each), 8), abs(each)))
+
+
+def root_number(value: Value, digits: int) -> Value:
+    """Return ``RootOf(p(_Z), index = k)`` as a number, where p has numbers only; other values as they are."""
+    if not isinstance(value, Unevaluated) or getattr(value.function, "name", "") != "RootOf":
+        return value
+    polynomial, *options = value.arguments
+    known = polynomial_in(polynomial, _Z) if isinstance(polynomial, Expr) else None
+    if known is None or not all(each.is_constant for each in known):
+        return value
+    index = next((as_integer(each.right) for each in options if isinstance(each, Relation)), 1) or 1
+    roots = numeric_roots(known)
+    return of_number(roots[index - 1], digits) if 0 < index <= len(roots) else value
+
+
+# --- equations in which the unknown occurs once -----------------------------------------------------------------------
+
+_INVERSES: dict[str, Callable[[Expr], Expr]] = {
+    "exp": log,
+    "ln": exp,
+    "sin": asin,
+    "cos": acos,
+    "tan": atan,
+    "arcsin": sin,
+    "arccos": cos,
+    "arctan": tan,
+}
+
+
+def _peeled(residual: Expr, unknown: Expr) -> list[Value] | None:
+    """Return the roots of an equation in which the unknown occurs once, by the inverses of what is around it."""
+    tree = tree_of(residual)
+    holding = {id(tree_of(unknown))}
+    for node in walk(tree):
+        inner = [part for part in node.parts if id(part) in holding]
+        if len(inner) > 1:
+            return None
+        if inner:
+            holding.add(id(node))
+    sides: list[Expr] = [number(0)]
+    while tree.value != unknown:
+        step = next((part for part in tree.parts if id(part) in holding), None)
+        made = _undone(tree, step, sides) if step is not None else None
+        if made is None or step is None:
+            return None
+        tree, sides = step, made
+    return list(sides)
+
+
+def _undone(tree: Tree, inner: Tree, sides: list[Expr]) -> list[Expr] | None:
+    others = [part.value for part in tree.parts if part is not inner]
+    if tree.kind == "sum":
+        return [side - sum(others, start=number(0)) for side in sides]
+    if tree.kind == "product":
+        for other in others:
+            sides = [side / other for side in sides]
+        return sides
+    if tree.kind == "power" and tree.parts[0] is inner:
+        return _unraised(tree.parts[1].value, sides)
+    if tree.kind == "function" and len(tree.parts) == 1 and tree.name in _INVERSES:
+        return [_INVERSES[tree.name](side) for side in sides]
+    return None
+
+
+def _unraised(exponent: Expr, sides: list[Expr]) -> list[Expr] | None:
+    if not exponent.is_number:
+        return [side ** (1 / exponent) for side in sides]
+    numerator, denominator = exponent.ratio
+    if abs(numerator) == 1:
+        return [side ** (denominator * numerator) for side in sides]
+    if abs(numerator) == 2:
+        roots = [side ** (number(denominator) / numerator) for side in sides]
+        return [signed for each in roots for signed in (each, -each)]
+    return None
+
+
+def is_complex(values: Sequence[Value]) -> bool:
+    """Whether I occurs in one of the roots."""
+    return any(isinstance(each, Expr) and I in each.free_symbols for each in values)

@@ -1,0 +1,1 @@
+"""Values, syntax and programs as text."""

@@ -1,0 +1,59 @@
+"""The source of a worksheet: cells, each with its input, what was printed below it, and the prose around."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from symbody.worksheet.sheet.syntax import Place
+
+__all__ = ["Cell", "Line", "Remark", "SyntaxMistake"]
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """A line of input, without its prompt: its text, and where this begins in the file."""
+
+    text: str
+    line: int
+    column: int = 1
+
+
+@dataclass(frozen=True, slots=True)
+class Cell:
+    """One execution group.
+
+    Attributes:
+        input: the lines of code; the end of a cell ends a statement.
+        printed: blocks of printed text below it, as the file has them, cut or not.
+        prose: the text before it.
+        remarks_lost_marks: text behind the last terminator of a line, without one of its own, is a remark: exports to
+            text leave out the marks of remarks.
+    """
+
+    input: tuple[Line, ...]
+    printed: tuple[str, ...] = ()
+    prose: tuple[str, ...] = ()
+    remarks_lost_marks: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class Remark:
+    """Text among the code that is no code, though it has no ``#``."""
+
+    place: Place
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class SyntaxMistake:
+    """A statement that can't be read.
+
+    Attributes:
+        place: where reading stopped.
+        message: where, what was found and what was expected, with a caret.
+        is_open: the cell ends before the statement does.
+    """
+
+    place: Place
+    message: str
+    is_open: bool = False

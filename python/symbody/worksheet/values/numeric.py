@@ -1,0 +1,76 @@
+"""Numbers as Maple treats them: a decimal in a function or a root makes it a decimal."""
+
+from __future__ import annotations
+
+import math
+
+from symbody.errors import WorksheetError
+from symbody.symbolic import Expr, number
+from symbody.worksheet.values.decimals import rounded
+
+__all__ = ["as_float", "as_integer", "decimal", "power", "quotient", "with_decimals"]
+
+
+def decimal(value: float, digits: int = 10) -> Expr:
+    """Return a double as a decimal of so many digits; it has no more than 16."""
+    digits = min(digits, 16)
+    if not math.isfinite(value):
+        raise WorksheetError("the value is not a finite number")
+    return number(
+        f"{value:.{digits}g}" if value != int(value) or abs(value) >= 10**digits else repr(float(value))
+    )
+
+
+def as_float(value: Expr) -> float | None:
+    """Return the number that a constant stands for, or None for what isn't one."""
+    if value.is_number:
+        numerator, denominator = value.ratio
+        return numerator / denominator
+    if not value.is_constant:
+        return None
+    try:
+        result = value.evaluate({})
+    except (ArithmeticError, ValueError):
+        return None
+    return result if math.isfinite(result) else None
+
+
+def as_integer(value: object) -> int | None:
+    """Return the integer that a value is, or None for another one."""
+    if isinstance(value, Expr) and value.is_number and value.ratio[1] == 1:
+        return value.ratio[0]
+    return None
+
+
+def with_decimals(value: Expr, *arguments: Expr) -> Expr:
+    """Return the value of a function as a decimal if all its arguments are numbers and one is a decimal."""
+    if (
+        all(each.is_number for each in arguments)
+        and any(each.is_decimal for each in arguments)
+        and not value.is_number
+    ):
+        result = as_float(value)
+        if result is not None:
+            return decimal(result)
+    return value
+
+
+def quotient(a: Expr, b: Expr) -> Expr:
+    """Return a / b."""
+    if b.is_zero:
+        raise WorksheetError("numeric exception: division by zero")
+    return a / b
+
+
+def power(base: Expr, exponent: Expr) -> Expr:
+    """Return a power; numbers beyond a million digits are refused."""
+    if exponent.is_number and base.is_number:
+        if base.is_zero and exponent.ratio[0] < 0:
+            raise WorksheetError("numeric exception: division by zero")
+        size = abs(exponent.ratio[0]) * max(abs(part).bit_length() for part in base.ratio)
+        if size > 3_000_000:
+            raise WorksheetError("a power of more than a million digits; it is not computed")
+        if base.is_decimal and exponent.ratio[1] == 1 and size > 200:
+            value = rounded(base.ratio, 30) ** exponent.ratio[0]
+            return number(f"{value:.10g}")
+    return with_decimals(base**exponent, base, exponent)

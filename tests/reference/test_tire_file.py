@@ -1,0 +1,156 @@
+"""Tyre property files: the forces of mfeval by files of its sample tyres, in several units; further terms."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from symbody import ModelNotice, lambdify, magic_formula, symbols, tire_file
+from symbody.errors import LoadError
+
+SETS: dict[str, Any] = json.loads((Path(__file__).parent / "magic_formula.json").read_text(encoding="utf-8"))
+FITTYP = {"5.2": 6, "6.1": 61}
+
+UNITS: dict[str, tuple[str, dict[str, float]]] = {
+    "SI": ("LENGTH = 'meter'\nFORCE = 'newton'\n", {}),
+    "mm, kN": (
+        "LENGTH ='mm' $ a comment\r\nFORCE= 'kN'",
+        {"UNLOADED_RADIUS": 1e3, "FNOMIN": 1e-3, "NOMPRES": 1e-9},
+    ),
+    "lb, foot": (
+        "length = 'foot'\nFORCE = 'pound_force'\nANGLE = radians",
+        {
+            "UNLOADED_RADIUS": 1 / 0.3048,
+            "FNOMIN": 1 / 4.4482216152605,
+            "NOMPRES": 0.3048**2 / 4.4482216152605,
+        },
+    ),
+}
+
+
+def text_of(given: dict[str, Any], units: str) -> str:
+    """Return a tyre property file of a published set of coefficients."""
+    named, per_unit = UNITS[units]
+    entries = [f"{name} = {value * per_unit.get(name, 1)!r}" for name, value in given["coefficients"].items()]
+    return "\n".join(
+        [
+            *("[MDI_HEADER]", "FILE_TYPE = 'tir'", "! a comment", "[UNITS]", named, "[MODEL]"),
+            *(f"FITTYP = {FITTYP[given['version']]} $version", "TYRESIDE = 'LEFT'", "[INERTIA]", "MASS ="),
+            *("[SHAPE]", "{radial width}", " 1.0 0.0", "[LATERAL_COEFFICIENTS]", *entries),
+        ]
+    )
+
+
+@pytest.mark.parametrize("units", UNITS)
+@pytest.mark.parametrize("name", ["set 5.2", "set 6.1"])
+def test_forces_by_files_are_those_of_mfeval(name: str, units: str, tmp_path: Path) -> None:
+    given = SETS[name]
+    path = tmp_path / "tyre.tir"
+    path.write_text(text_of(given, units), encoding="latin-1")
+    file = tire_file(path)
+    assert (file.version, file.side) == (given["version"], "left")
+    at = dict(zip(given["columns"], np.array(given["rows"]).T, strict=True))
+    N, kappa, slip, camber, pressure = symbols("N kappa slip camber pressure")
+    law = file.law(pressure=pressure) if "pressure" in at else file.law()
+    f = lambdify([N, kappa, slip, camber, pressure], list(law(N, kappa, slip, camber))[:2])
+    pressures = at.get("pressure", np.ones_like(at["load"]))
+    Fx, Fy = f(at["load"], at["kappa"], np.tan(at["alpha"]), at["camber"], pressures)
+    np.testing.assert_allclose(Fx, at["Fx"], rtol=3e-9)
+    np.testing.assert_allclose(Fy, at["Fy"], rtol=1e-9)
+
+
+def test_friction_decreases_with_the_speed_of_sliding() -> None:
+    """LMUX and LMUY by 1 + LMUV Vs/V0 (4.E7), with Vs = |Vx| sqrt(kappa^2 + tan(alpha)^2)."""
+    p = SETS["set 6.1"]["coefficients"] | {"LMUV": 0.2, "LONGVL": 16.6}
+    kappa, slip, speed = -0.1, 0.12, 30.0
+    factor = 1 / (1 + 0.2 * speed * math.hypot(kappa, slip) / 16.6)
+    slower = magic_formula(p | {"LMUV": 0, "LMUX": factor, "LMUY": factor}, version="6.1")
+    found = magic_formula(p, version="6.1")(5000, kappa, slip, 0.05, speed=speed)
+    expected = slower(5000, kappa, slip, 0.05)
+    for one, other in zip(found, expected, strict=True):
+        assert one.evaluate({}) == pytest.approx(other.evaluate({}), rel=1e-12)
+    assert abs(found.lateral.evaluate({})) < 0.95 * abs(
+        slower(5000, kappa, slip, 0.05).lateral.evaluate({}) / factor
+    )
+
+
+def test_terms_of_set_6_2() -> None:
+    """``Mx += R0 LMX (Fy (QSX13 + QSX14 |gamma|) - N QSX12 gamma |gamma|)``, as in mfeval; QBZ6 scales the trail."""
+    p, gamma = SETS["set 6.1"]["coefficients"], -0.07
+    plain = magic_formula(p, version="6.1")(5000, 0.02, 0.05, gamma)
+    more = magic_formula(p | {"QSX12": 0.3, "QSX13": 0.2, "QSX14": -0.4}, version="6.1")(
+        5000, 0.02, 0.05, gamma
+    )
+    added = p["UNLOADED_RADIUS"] * (plain.lateral.evaluate({}) * (0.2 - 0.4 * 0.07) + 5000 * 0.3 * 0.07**2)
+    assert (more.overturning - plain.overturning).evaluate({}) == pytest.approx(added, rel=1e-9)
+    by_camber = 1 + p["QBZ4"] * gamma + p["QBZ5"] * abs(gamma)
+    wider = {name: p[name] * (by_camber + 5 * gamma**2) / by_camber for name in ("QBZ1", "QBZ2", "QBZ3")}
+    one, other = (magic_formula(p | change, version="6.1") for change in ({"QBZ6": 5}, wider))
+    aligning = [law(5000, 0.02, 0.05, gamma).aligning.evaluate({}) for law in (one, other)]
+    assert aligning[0] == pytest.approx(aligning[1], rel=1e-12)
+    assert aligning[0] != pytest.approx(plain.aligning.evaluate({}), rel=1e-3)
+
+
+START = "[MODEL]\nFITTYP = 61\nFNOMIN = 4000\nUNLOADED_RADIUS = 0.3\n"
+MISTAKES = [
+    (
+        "FNOMIN = 4000",
+        "tire_file a.tir: no FITTYP, which tells the version of the Magic Formula; expected one of 5, 6, ",
+    ),
+    (
+        "[MODEL]\nFITTYP = 2",
+        "tire_file a.tir, line 2: FITTYP = 2; expected one of 5, 6, 21, 51, 52, 60, 61, 62: the Mag",
+    ),
+    (
+        f"{START}PCX1 1.3",
+        "tire_file a.tir, line 5: 'PCX1 1.3'; expected NAME = value, a [SECTION], or a comment that ",
+    ),
+    (f"{START}PCX1 = 1,3", "tire_file a.tir, line 5: PCX1 = '1,3'; expected a number"),
+    (
+        f"{START}FNOMIN = 5000",
+        "tire_file a.tir, line 5: FNOMIN = 5000, after 4000 in line 3; expected one value",
+    ),
+    (
+        f"{START}PCX1 = 1.3",
+        "tire_file a.tir: magic_formula: PDX1, PKX1 missing; expected the nominal load, the unloade",
+    ),
+    (
+        "[UNITS]\nLENGTH = 'yard'",
+        "tire_file a.tir: the unit of length is 'yard'; expected one of meter, metre, m, mm, ",
+    ),
+    (
+        "[UNITS]\nANGLE = 'degree'",
+        "tire_file a.tir: the unit of angle is 'degree'; expected one of radians, radian, ",
+    ),
+]
+
+
+@pytest.mark.parametrize(("text", "message"), MISTAKES)
+def test_messages(text: str, message: str, tmp_path: Path) -> None:
+    path = tmp_path / "a.tir"
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(LoadError) as caught:
+        tire_file(path).law()
+    assert str(caught.value).startswith(message)
+
+
+def test_missing_files_and_names(tmp_path: Path) -> None:
+    path = tmp_path / "a.tir"
+    with pytest.raises(
+        LoadError, match=r"tire_file a.tir: No such file or directory \(.*a.tir\); expected a tyre"
+    ):
+        tire_file(path)
+    with pytest.raises(LoadError, match=r"tire_file: path = None; expected the path of a tyre property file"):
+        tire_file(None)  # type: ignore[arg-type]
+    path.write_text(f"{START}[LATERAL_COEFFICIENTS]\nPCY1 = 1.3\nPDYX = 1", encoding="utf-8")
+    with pytest.warns(
+        ModelNotice, match=r"tire_file a.tir: PDYX \(line 7\) mean nothing to the law and are left out"
+    ):
+        file = tire_file(path)
+    with pytest.raises(LoadError, match=r"tire_file a.tir: no 'FNOMI'; it has FNOMIN"):
+        file["FNOMI"]
