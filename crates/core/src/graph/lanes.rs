@@ -263,7 +263,7 @@ pub(super) fn draw_pi(field: FieldId) -> Quadratic {
 }
 
 pub(super) fn draw_time(field: FieldId) -> Quadratic {
-    field.draw_real(&Key::new("time"))
+    field.draw(&Key::new("time"))
 }
 
 /// A positive symbol is the exponential of a logarithm that is drawn.
@@ -276,7 +276,7 @@ pub(super) fn draw_symbol(field: FieldId, name: &str, assumption: Assumption) ->
         }
         (Assumption::Positive, None) => field.draw_positive(&key),
         (Assumption::None, _) => field.draw_complex(&key),
-        (Assumption::Real | Assumption::Small, _) => field.draw_real(&key),
+        (Assumption::Real | Assumption::Small, _) => field.draw(&key),
     }
 }
 
@@ -292,5 +292,5 @@ pub(super) fn draw_time_function(
     assumption: Assumption,
 ) -> Quadratic {
     let kind = if assumption == Assumption::Small { "small time function" } else { "time function" };
-    field.draw_real(&Key::new(kind).text(name).word(order.into()))
+    field.draw(&Key::new(kind).text(name).word(order.into()))
 }

@@ -152,15 +152,11 @@ impl Field {
         }
     }
 
-    pub(super) fn is_positive(&self, a: &Quadratic) -> bool {
-        self.closure.is_positive(a)
-    }
-
     /// The sign of an element, 1 or -1, and 0 of zero.
     pub(crate) fn sign(&self, a: &Quadratic) -> Quadratic {
         match a {
             _ if a.is_zero() => Quadratic::ZERO,
-            _ if self.is_positive(a) => self.one(),
+            _ if self.closure.is_positive(a) => self.one(),
             _ => self.neg(&self.one()),
         }
     }

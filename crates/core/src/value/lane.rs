@@ -108,17 +108,6 @@ impl FieldId {
         self.field().draw(&self.at_point(key))
     }
 
-    /// The coordinate of a real variable, which has one sign in all fields of a lane.
-    pub(crate) fn draw_real(self, key: &Key) -> Quadratic {
-        let drawn = self.draw(key);
-        if self.is_first() {
-            return drawn;
-        }
-        let first = self.of_signs();
-        let is_positive = first.field().is_positive(&first.draw(key));
-        if self.field().is_positive(&drawn) == is_positive { drawn } else { self.field().neg(&drawn) }
-    }
-
     /// A positive coordinate.
     pub(crate) fn draw_positive(self, key: &Key) -> Quadratic {
         self.field().draw_positive(&self.at_point(key))
