@@ -5,6 +5,7 @@ Times are for `make bench`: a test of them would fail on a busy machine.
 
 from __future__ import annotations
 
+import re
 from math import inf
 from pathlib import Path
 
@@ -200,6 +201,21 @@ def test_loops_are_counted_for_all_motions(pendulum: Problem) -> None:
     text = report.throughput(Throughput(batch, (own, loop), 1e-12))
     assert "| Python loop of solve_ivp, LSODA | 1e-08 | 1e-07 | 50 | 0.50 | 100 | 60 | 100 | 1.0 |" in text
     assert "| symbody, simulate_many | 1e-08 | 1e-07 | 10000 | 0.50 | 2 | 3.5 | 5000 | 50.0 |" in text
+    named = (
+        "symbody, 1 thread",
+        "symbody, 2 threads",
+        "JAX, a",
+        "JAX, b",
+        "MuJoCo, 1 thread",
+        "MuJoCo, 2 threads",
+    )
+    seconds = dict(zip(named, (4.0, 2.0, 20.0, 10.0, 40.0, 24.0), strict=True))
+    rates = [
+        Rate(Manner(label, many, ()), 1e-8, 1e-7, 100, 0.5, [time], [time]) for label, time in seconds.items()
+    ]
+    text = report.throughput(Throughput(batch, tuple(rates), 1e-12))
+    assert "Times the rate of JAX's best: 2.5 with 1 thread, 5.0 with 2 threads; aim: 3." in text
+    assert "Times the rate of MuJoCo's best: 10.0 with 1 thread, 12.0 with 2 threads; aim: 5." in text
 
 
 def test_decades() -> None:
@@ -214,6 +230,8 @@ def test_the_table_of_a_graphics_processor(
     host = Host(tmp_path)
     monkeypatch.setitem(devices.DEVICES, "cuda", lambda: host)
     two = [manner for manner in gpu.ours(pendulum) if manner.label.endswith(("tsit5", "of 64"))][:2]
-    head, _, *rows = gpu.lines(pendulum, two, 3, 1)
+    rivals = [manner for manner in gpu.theirs(pendulum) if "odeint" not in manner.label]
+    head, _, *rows, last = gpu.lines(pendulum, [*two, *rivals], 3, 1)
     assert head.startswith("9 motions of 0.5 s")
-    assert [row.split("  ")[0] for row in rows] == [manner.label for manner in two]
+    assert [row.split("  ")[0] for row in rows] == [manner.label for manner in (*two, *rivals)]
+    assert re.search(r"[0-9] times the best of JAX \(JAX, vmap of .*\); aim: 3 times", last)

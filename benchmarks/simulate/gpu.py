@@ -2,8 +2,9 @@
 
     python -m benchmarks.simulate.gpu [--side 1000] [--rounds 5]
 
-It needs a graphics processor of NVIDIA, `pip install "symbody[cuda]"`, and `jax[cuda12]` for the rival. It prints a
-table: side x side double pendulums of ten seconds, each contender with the loosest setting that keeps the error.
+It needs a graphics processor of NVIDIA, `pip install "symbody[cuda]"`, and `jax[cuda12]` and `diffrax` for the rivals.
+It prints a table: side x side double pendulums of ten seconds, each contender with the loosest setting that keeps the
+error.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ from symbody.simulation.device.run_kernel import run_kernel
 from symbody.simulation.integrate.task import Task
 from symbody.simulation.integrate.task_of import task_of
 
-from . import by_jax
+from . import by_diffrax, by_jax
 from .batches import ERROR, starts
 from .double_pendulum import double_pendulum
 from .problem import Array, Problem
@@ -31,6 +32,9 @@ from .throughput import Manner
 
 SAMPLE = 2000
 """The motions whose ends are compared with those of small tolerances."""
+
+AIM = 3.0
+"""How many times the rate of JAX's best is aimed at."""
 
 BLOCKS = (32, 64, 128, 256)
 """Threads of a block that are tried."""
@@ -56,10 +60,11 @@ def described() -> str:
 
     name = cupy.cuda.runtime.getDeviceProperties(0)["name"].decode()
     if by_jax.missing():
-        return f"{name}; no JAX"
+        return f"{name}; without its rivals: {by_jax.missing()} is not installed"
     import jax  # noqa: PLC0415
 
-    return f"{name}; JAX {jax.__version__} on {jax.devices()[0]}"
+    lacking = by_diffrax.missing()
+    return f"{name}; JAX {jax.__version__} on {jax.devices()[0]}{f'; without {lacking}' if lacking else ''}"
 
 
 def ours(problem: Problem) -> list[Manner]:
@@ -86,10 +91,13 @@ def theirs(problem: Problem) -> list[Manner]:
         return []
     steps = tuple(float(round(8 * problem.duration * 1.1**k) * 10) for k in range(12))
     tolerances = tuple(float(f"{digit}e-{k}") for k in range(7, 13) for digit in (3, 1))
-    return [
+    found = [
         Manner("JAX, vmap of RK4 in lax.scan", by_jax.by_runge_kutta(problem), steps, "steps"),
         Manner("JAX, vmap of odeint", by_jax.by_odeint(problem), tolerances),
     ]
+    if not by_diffrax.missing():
+        found.append(Manner("JAX, vmap of diffrax's Tsit5", by_diffrax.by_tsit5(problem), tolerances))
+    return found
 
 
 def lines(problem: Problem, manners: list[Manner], side: int, rounds: int) -> Iterator[str]:
@@ -99,6 +107,7 @@ def lines(problem: Problem, manners: list[Manner], side: int, rounds: int) -> It
     ends = _simulate_many(problem, "dop853", states[some], 1e-13, device=None)
     yield f"{len(states)} motions of {problem.duration:g} s, error at most {ERROR:g} rad"
     yield f"{'':<44} {'setting':>10} {'error':>9} {'first, s':>9} {'s':>8} {'motions/s':>11}"
+    rates: dict[str, float] = {}
     for manner in manners:
         setting, error = _setting(manner, states[some], ends)
         begin = perf_counter()
@@ -108,8 +117,22 @@ def lines(problem: Problem, manners: list[Manner], side: int, rounds: int) -> It
             begin = perf_counter()
             manner.many(states, setting)
             times.append(perf_counter() - begin)
-        rate = len(states) / median(times)
+        rate = rates[manner.label] = len(states) / median(times)
         yield f"{manner.label:<44} {setting:>10g} {error:>9.1e} {first:>9.2f} {median(times):>8.3f} {rate:>11.0f}"
+
+    yield from verdict(rates)
+
+
+def verdict(rates: dict[str, float]) -> Iterator[str]:
+    """Yield the best rate beside the rivals' best, and what is aimed at."""
+    own, rivals = (
+        {label: rate for label, rate in rates.items() if label.startswith("JAX") == is_rival}
+        for is_rival in (False, True)
+    )
+    if own and rivals:
+        best, rival = max(own, key=own.__getitem__), max(rivals, key=rivals.__getitem__)
+        ratio = own[best] / rivals[rival]
+        yield f"{best}: {ratio:.2f} times the best of JAX ({rival}); aim: {AIM:g} times"
 
 
 def _setting(manner: Manner, states: Array, ends: Array) -> tuple[float, float]:

@@ -183,6 +183,10 @@ def _row(curve: Curve, tolerances: Sequence[float], *, has_drift: bool) -> str:
     return f"| {curve.contender.label} | {' | '.join(cells)} |"
 
 
+AIMS = {"JAX": 3.0, "MuJoCo": 5.0}
+"""How many times the rate of a rival's best is aimed at."""
+
+
 def throughput(found: Throughput) -> str:
     """Return the table of many motions of a system."""
     batch, name = found.batch, found.batch.problem.name
@@ -199,7 +203,28 @@ def throughput(found: Throughput) -> str:
     rows = [_rate(rate, len(batch.states), loop) for rate in found.rates]
     missing = dict.fromkeys(filter(None, (by_diffrax.missing(), by_mujoco.missing())))
     lacking = [f"**{', '.join(missing)} is missing.**", ""] if missing else []
-    return "\n".join([f"### {name}", "", fill(sentence, WIDTH), "", *lacking, *head, *rows, ""])
+    told = [line for rival in AIMS if (line := _beside(rival, found.rates))]
+    verdict = [*told, ""] if told else []
+    return "\n".join([f"### {name}", "", fill(sentence, WIDTH), "", *lacking, *head, *rows, "", *verdict])
+
+
+def _beside(rival: str, rates: Sequence[Rate]) -> str:
+    """Return how many times the rate of a rival's best is reached, with one thread and two, and what is aimed at.
+
+    JAX always has all processors; of the others, as many threads are compared.
+    """
+    parts = []
+    for end in ("1 thread", "2 threads"):
+        own = [
+            r.per_second
+            for r in rates
+            if r.manner.label.startswith("symbody") and r.manner.label.endswith(end)
+        ]
+        theirs = [r for r in rates if r.manner.label.startswith(rival)]
+        equal = [r for r in theirs if r.manner.label.endswith(end)] or theirs
+        if own and equal:
+            parts.append(f"{max(own) / max(r.per_second for r in equal):.1f} with {end}")
+    return f"Times the rate of {rival}'s best: {', '.join(parts)}; aim: {AIMS[rival]:g}." if parts else ""
 
 
 def _rate(rate: Rate, runs: int, loop: Rate | None) -> str:

@@ -29,11 +29,13 @@ from symbody import (
     functions_of_time,
     ground,
     lagrange_equations,
+    measures,
     models,
     newton_euler,
     rotate,
     simulate_many,
     sqrt,
+    study,
     symbols,
     t,
 )
@@ -197,3 +199,19 @@ def test_an_interrupted_batch_keeps_what_is_done(host: Host) -> None:
     whole = run_cases(task, cases)
     np.testing.assert_array_equal(results.states[done], whole.states[done])
     assert np.isnan(results.states[results.missing]).all()
+
+
+def test_a_study_is_that_of_this_process(host: Host) -> None:
+    """Measures by events, integrals and values, in chunks of as many motions as a device gets."""
+    model = models.n_pendulum(2)
+    (q, *_), equations = model.system.coordinates, newton_euler(model.system)
+    given: dict[str, Any] = {"cases": {q: np.linspace(0.1, 0.5, 9)}, "t": (0, 2), "rtol": 1e-6}
+    given |= {
+        "measures": {"most": measures.maximum(q), "mean": measures.average(q), "end": measures.final(q)}
+    }
+    native, on_device = (
+        study(equations, model.parameters, device=device, **given) for device in (None, "cuda")
+    )
+    for name in native.measures:
+        np.testing.assert_allclose(native[name], on_device[name], rtol=0, atol=1e-12)
+    assert (native.found.size, on_device.found.size) == (256, 9)

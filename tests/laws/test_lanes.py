@@ -39,6 +39,7 @@ from symbody.models import ClassicSystem
 from symbody.simulation.batch.runs import Runs
 from symbody.simulation.integrate import native
 from tests.laws.test_energy_drift import tree
+from tests.repeated import repeated
 
 pytestmark = pytest.mark.skipif(lanes() < 4, reason="a vector of this processor holds two numbers")
 
@@ -176,3 +177,19 @@ def test_many_instants_and_work(method: str, monkeypatch: pytest.MonkeyPatch) ->
     )
     assert_same(alone, together)
     assert alone.states.shape[-1] == 4 < alone.task.model.width
+
+
+@pytest.mark.parametrize("points", [9, *repeated([2001])])
+def test_outputs_are_those_of_motions_alone(points: int) -> None:
+    """Some motions end at an event; outputs are interpreted at few instants, and compiled at many."""
+    system = tree(Random(4))
+    q, equations = system.coordinates, newton_euler(system)
+    starts = np.random.default_rng(4).uniform(-0.5, 0.5, (len(q), CASES))
+    given: dict[str, Any] = {"t": np.linspace(0, 2, points), "rtol": 1e-7, "progress": False}
+    given |= {"events": [Event(q[0] - 0.3, direction=1, terminal=True)]}
+    given |= {"outputs": {"rate": time_derivative(q[0], 2)}}
+    runs = simulate_many(equations, {}, dict(zip(q, starts, strict=True)), **given)
+    for case, start in enumerate(starts.T):
+        alone = simulate_many(equations, {}, dict(zip(q, start, strict=True)), **given)
+        np.testing.assert_array_equal(runs.outputs["rate"][case], alone.outputs["rate"][0])
+    assert np.isnan(runs.outputs["rate"][:, -1]).sum() in range(1, CASES)

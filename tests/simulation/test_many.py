@@ -192,8 +192,8 @@ def test_workers_of_dask_give_the_same(processes: bool) -> None:
         n_workers=2,
         threads_per_worker=1,
         processes=processes,
-        dashboard_address=None,
-        worker_dashboard_address=None,
+        dashboard_address=":0",
+        worker_dashboard_address=":0",
     )
     with cluster, distributed.Client(cluster) as client, client.get_executor() as executor:
         assert same(six(executor=executor), REFERENCE)
@@ -449,7 +449,7 @@ def test_other_files_are_left_alone(content: bytes, tmp_path: Path) -> None:
         six(path=file)
     assert file.read_bytes() == content
     np.savez(file, a=[1.0])
-    with pytest.raises(ResultsError, match="it doesn't say 'symbody results 2'"):
+    with pytest.raises(ResultsError, match="it doesn't say 'symbody results 3'"):
         six(path=file)
 
 

@@ -17,12 +17,23 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from symbody import ModelNotice, Study, measures, sample, simulate_many, statistics, study, time_derivative
+from symbody import (
+    LazySample,
+    ModelNotice,
+    Study,
+    measures,
+    sample,
+    simulate_many,
+    statistics,
+    study,
+    time_derivative,
+)
 from symbody.errors import ResultsError, SimulationError
 from symbody.simulation.batch import in_flight
 from symbody.simulation.batch.case_arrays import Status
 from symbody.simulation.studies import flight
 from symbody.simulation.studies.statistics.quantiles import EXACT
+from symbody.simulation.studies.study_file import StudyFile
 from tests.repeated import repeated
 from tests.simulation.oscillator import OSCILLATOR, c, displacement, k, m, oscillators, u, x
 
@@ -157,6 +168,29 @@ def test_a_motion_that_fails_fails_alone() -> None:
     assert found.completed.tolist() == [True, True, False, True]
 
 
+def test_measures_alone_need_two_instants() -> None:
+    """A pair of times is used as it is; with an output, it stands for 1001 instants."""
+    given: dict[str, Any] = {"cases": {k: np.ones(2), c: np.zeros(2)}, "measures": {"end": measures.final(x)}}
+    assert oscillators(t=(0, 6), **given).t.tolist() == [0, 6]
+    at = given["measures"] | {"then": measures.value_at(x, 2.0)}
+    assert oscillators(t=(0, 6), **(given | {"measures": at})).t.tolist() == [0, 2, 6]
+    assert len(oscillators(t=(0, 6), outputs={"x": x}, **given).t) == 1001
+
+
+@pytest.mark.parametrize("method", ["sobol", "latin_hypercube", "halton", "monte_carlo"])
+def test_a_sample_in_blocks_is_the_sample(method: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("symbody.simulation.studies.sample.lazy_sample.BLOCK", 24)
+    given: Any = {k: ("uniform", 1, 4), c: ("uniform", 0.1, 0.3)}
+    lazy, table = LazySample(given, 128, method=method, seed=1), sample(given, 128, method=method, seed=1)
+    one, other = (oscillators(cases, T, **KEPT) for cases in (lazy, table))
+    assert same(one, other)
+    assert len(lazy) == 128
+    for name in given:
+        np.testing.assert_array_equal(one.parameters[name], table[name])
+        np.testing.assert_array_equal(lazy.block(20, 30)[name], table[name][20:50])
+    assert one.cases.parameters_of(77) == other.cases.parameters_of(77)
+
+
 # --- workers ---------------------------------------------------------------------------------------------------------
 
 
@@ -204,7 +238,7 @@ def at_each_wait(monkeypatch: pytest.MonkeyPatch, executor: Reversed) -> None:
 
 
 def test_a_bounded_number_is_in_flight_in_any_order(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("symbody.simulation.studies.study.IN_FLIGHT", 1)
+    monkeypatch.setattr("symbody.simulation.studies.study_run.IN_FLIGHT", 1)
     executor = Reversed()
     at_each_wait(monkeypatch, executor)
     assert same(kept(executor=executor), REFERENCE)
@@ -235,8 +269,8 @@ def test_a_worker_of_dask_that_is_killed_loses_nothing(tmp_path: Path) -> None:
         n_workers=2,
         threads_per_worker=1,
         processes=True,
-        dashboard_address=None,
-        worker_dashboard_address=None,
+        dashboard_address=":0",
+        worker_dashboard_address=":0",
     )
     real, killed = flight.run_chunk, []
     with cluster, distributed.Client(cluster) as client, client.get_executor() as executor:
@@ -275,7 +309,7 @@ def test_a_pool_whose_worker_is_killed_keeps_what_is_done(tmp_path: Path) -> Non
 
         with pytest.MonkeyPatch.context() as patch:
             patch.setattr(in_flight.InFlight, "_landed", landed)
-            patch.setattr("symbody.simulation.studies.study.IN_FLIGHT", 1)
+            patch.setattr("symbody.simulation.studies.study_run.IN_FLIGHT", 1)
             with pytest.warns(
                 ModelNotice, match=r"motions were not run \(tasks of the executor failed \(BrokenProcess"
             ):
@@ -399,11 +433,44 @@ def test_another_study_is_refused(change: dict[str, Any], differ: str, tmp_path:
     assert all(part in message for part in differ.split(", "))
 
 
+def test_a_file_keeps_what_was_found(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A study that goes on tells what the first part has found, and so does one that is opened again."""
+    given: dict[str, Any] = {"t": (0, 40), "cases": {k: np.full(24, 1e6), c: np.linspace(3e3, 4e3, 24)}}
+    given |= {"measures": {"end": measures.final(x)}, "chunk": 8, "threads": 1, "rtol": 1e-4, "atol": 1e-6}
+    path, real = tmp_path / "study.zarr", flight.run_chunk
+    stiff = "study: in 24 of 24 cases, first case 0: stability, not accuracy, limits the step size"
+    with monkeypatch.context() as patch:
+        stop_after(patch, 2)
+        with pytest.raises(Enough):
+            oscillators(path=path, **given)
+    monkeypatch.setattr(flight, "run_chunk", real)
+    with pytest.warns(ModelNotice, match=stiff):
+        found = oscillators(path=path, **given)
+    with pytest.warns(ModelNotice, match=stiff):
+        again = oscillators(path=path, **given)
+    assert found.notices == again.notices == zarr.open_group(path, mode="r").attrs["notices"]
+
+
 def test_a_folder_that_is_no_study_is_left_alone(tmp_path: Path) -> None:
     (tmp_path / "thesis.tex").write_text("all of it")
     with pytest.raises(ResultsError, match="can't be read as a study"):
         kept(path=tmp_path)
     assert (tmp_path / "thesis.tex").read_text() == "all of it"
+
+
+def test_a_damaged_file_is_named(tmp_path: Path) -> None:
+    """Nothing is written to a file that is complete, so that it can be read where nothing can be written."""
+    path = tmp_path / "study.zarr"
+    kept(path=path)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(StudyFile, "finish", None)
+        patch.setattr(StudyFile, "commit", None)
+        assert same(kept(path=path), REFERENCE)
+    (path / "cost" / "c" / "0").write_bytes(b"abc")
+    with pytest.raises(
+        ResultsError, match=r"study\.zarr can't be read as a study \(.*\); it was not changed"
+    ):
+        kept(path=path)
 
 
 @pytest.mark.slow

@@ -89,3 +89,19 @@ def test_options_that_are_not_known_are_told() -> None:
     assert interpreter.session.notices == [
         "CodeGeneration[Matlab]: the option colour is not known and is left out"
     ]
+
+
+def test_a_shared_part_stands_behind_the_values_of_its_names() -> None:
+    sheet = "CodeGeneration[Matlab]([r = sin(a), u = a/r^2+1/r, v = sin(1/r)], optimize);"
+    steps = [line.split(" = ") for line in "".join(printed(sheet)).split("\n") if line]
+    values: dict[str, float] = {"a": 0.7, "sin": math.sin}  # type: ignore[dict-item]
+    for name, text in steps:
+        values[name] = eval(text.rstrip(";").replace("^", "**"), {}, values)
+    r = math.sin(0.7)
+    assert math.isclose(values["u"], 0.7 / r**2 + 1 / r)
+    assert math.isclose(values["v"], math.sin(1 / r))
+
+
+def test_nothing_is_shared_across_a_new_value_of_a_name() -> None:
+    sheet = "CodeGeneration[Matlab]([u = sin(r+1), r = a, v = sin(r+1)], optimize);"
+    assert "".join(printed(sheet)) == "u = sin(r + 1);\nr = a;\nv = sin(r + 1);"

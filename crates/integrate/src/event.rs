@@ -26,6 +26,9 @@ pub struct Watch<'a> {
     t: f64,
     values: Vec<f64>,
     state: Vec<f64>,
+    /// The instants and states at the ends of the parts of a step, and the values there, one after another.
+    rows: Vec<f64>,
+    ends: Vec<f64>,
 }
 
 impl<'a> Watch<'a> {
@@ -35,7 +38,9 @@ impl<'a> Watch<'a> {
         if let Some((f, _)) = functions {
             f.call(t, state, &mut values);
         }
-        Self { functions, t, values, state: state.to_vec() }
+        let parts = if functions.is_some() { PARTS as usize } else { 0 };
+        let (rows, ends) = (vec![0.0; parts * (1 + state.len())], vec![0.0; parts * values.len()]);
+        Self { functions, t, values, state: state.to_vec(), rows, ends }
     }
 
     /// Whether there are events.
@@ -61,22 +66,20 @@ impl<'a> Watch<'a> {
             return Ok(Vec::new());
         }
         let mut found: Vec<Occurrence> = Vec::new();
-        let mut after = vec![0.0; self.values.len()];
-        for part in 1..=PARTS {
-            let t =
-                if part == PARTS { end } else { start + (end - start) * f64::from(part) / f64::from(PARTS) };
-            self.evaluate(function, (stepper, projection), t, &mut after)?;
+        self.evaluate_parts(function, (stepper, projection), end)?;
+        for part in 0..PARTS as usize {
+            let (t, first) = (self.rows[part * (1 + self.state.len())], part * self.values.len());
             for (event, kind) in kinds.iter().enumerate() {
-                if crosses(self.values[event], after[event], kind.direction) {
-                    let bracket = (t, self.values[event], after[event]);
+                let after = self.ends[first + event];
+                if crosses(self.values[event], after, kind.direction) {
+                    let bracket = (t, self.values[event], after);
                     let zero = self.locate(function, (stepper, projection), event, bracket)?;
                     found.push(Occurrence { event, t: zero, state: self.state.clone() });
                 }
             }
             // A zero at the end of a part belongs to that part: the next part starts with the sign after it.
-            for (value, next) in self.values.iter_mut().zip(&after) {
-                *value = *next;
-            }
+            let next = first..first + self.values.len();
+            self.values.copy_from_slice(&self.ends[next]);
             self.t = t;
         }
         // Of events at one instant, those that end the motion come last, so that the others are recorded.
@@ -90,6 +93,23 @@ impl<'a> Watch<'a> {
             found.retain(|occurrence| occurrence.t <= t);
         }
         Ok(found)
+    }
+
+    /// Write the values at the ends of the parts of the last step, all at once.
+    fn evaluate_parts(
+        &mut self,
+        function: &BoundCode,
+        (stepper, projection): (&mut dyn Stepper, &mut Projection<'_>),
+        end: f64,
+    ) -> Result<(), Failure> {
+        let (start, width) = (self.t, 1 + self.state.len());
+        for (part, row) in (1..=PARTS).zip(self.rows.chunks_mut(width)) {
+            row[0] =
+                if part == PARTS { end } else { start + (end - start) * f64::from(part) / f64::from(PARTS) };
+            projection.read(stepper, row[0], &mut row[1..])?;
+        }
+        function.call_rows(&self.rows, &mut self.ends);
+        Ok(())
     }
 
     /// Find a zero between the last checked instant and `t` by the Illinois method, secants that keep the bracket.

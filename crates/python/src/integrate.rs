@@ -41,9 +41,13 @@ type Run = (
 );
 /// The number of a motion, its run, and the deficiencies of its linear systems.
 type RunOfMany = (usize, Run, Vec<Noted>);
-/// The statistics of all motions as bytes of whole numbers, five for each, -1 for those that were not begun; and the
-/// runs with something to tell.
-type Runs = (Vec<u8>, Vec<RunOfMany>);
+/// The counts of all motions as bytes of whole numbers, six for each, -1 for those that were not begun: statistics and
+/// the number of instants that were reached; where they ended, as bytes of doubles; the events of motions of which there
+/// is nothing else to tell; and the runs with something to tell.
+type Runs = (Vec<u8>, Vec<u8>, Happened, Vec<RunOfMany>);
+/// Events of many motions in columns of bytes: the number of the motion and of the function as whole numbers, the instant
+/// and the state as doubles.
+type Happened = (Vec<u8>, Vec<u8>, Vec<u8>, Vec<u8>);
 
 /// The order, the number of stages, whether the error needs the rates at the end, the bound of stability, the instants of
 /// the stages, and the rows of weights: of the stages, of the errors, of the dense output.
@@ -154,8 +158,8 @@ impl Dynamics {
     ///
     /// `crew` is the number of threads, and that of the lanes of the code for several states, or 1.
     ///
-    /// `keep_going` is called with the number of motions that are done. Of a motion that just reached the last instant,
-    /// the statistics are returned alone; beside each other run stands what its linear systems lacked.
+    /// `keep_going` is called with the number of motions that are done. Motions that reached the last instant, or an event
+    /// that ended them, are returned in columns; beside each other run stands what its linear systems lacked.
     #[allow(clippy::too_many_arguments, reason = "the arguments of an integration")]
     fn integrate_many(
         &self,
@@ -200,30 +204,49 @@ impl Dynamics {
             return Err(error);
         }
         let states = written(&mut out)?.chunks((instants.len() * self.states).max(1));
-        let counts =
-            runs.iter().flat_map(|run| run.as_ref().map_or([-1; 5], |(run, _)| counts(run.statistics)));
+        let counts = runs.iter().flat_map(|run| run.as_ref().map_or([-1; 6], |(run, _)| counts(run)));
         let counts = counts.flat_map(i64::to_ne_bytes).collect();
-        let has_news = |(run, noted): &(native::Run, Vec<Noted>), states: &[f64]| {
-            !noted.is_empty() || has_news(run, &instants, &states[states.len() - self.states..])
-        };
-        let remarkable = runs.into_iter().zip(states).enumerate().filter_map(|(number, (run, states))| {
-            run.filter(|run| has_news(run, states)).map(|(run, noted)| (number, as_tuple(run), noted))
-        });
-        Ok((counts, remarkable.collect()))
+        let ends = runs.iter().map(|run| run.as_ref().map_or(f64::NAN, |(run, _)| run.end.0));
+        let ends = ends.flat_map(f64::to_ne_bytes).collect();
+        let mut happened = Happened::default();
+        let mut remarkable = Vec::new();
+        for ((number, run), states) in runs.into_iter().enumerate().zip(states) {
+            let Some((run, noted)) = run else { continue };
+            if noted.is_empty() && !has_news(&run, &instants, &states[states.len() - self.states..]) {
+                put_events(&mut happened, number, &run.occurrences);
+            } else {
+                remarkable.push((number, as_tuple(run), noted));
+            }
+        }
+        Ok((counts, ends, happened, remarkable))
     }
 }
 
-/// Whether a motion did anything else than reach the last instant, at a state.
+/// Whether there is more to tell of a motion than its events, and that it ended at the last instant or at one of them.
 fn has_news(run: &native::Run, instants: &[f64], last: &[f64]) -> bool {
     let is_whole = run.reached == instants.len() && instants.last() == Some(&run.end.0) && run.end.1 == last;
+    let is_ended = run.end.0 < instants[instants.len() - 1]
+        && run.occurrences.last().is_some_and(|event| (event.t, &event.state) == (run.end.0, &run.end.1));
     let is_plain = run.failure.is_none() && run.imbalance.is_none() && run.uncertain.is_none();
-    !(is_whole && is_plain && run.occurrences.is_empty() && run.trail.is_empty())
+    !((is_whole || is_ended) && is_plain && run.trail.is_empty())
 }
 
 #[allow(clippy::cast_possible_wrap, reason = "no motion has 2^63 steps")]
-fn counts(statistics: native::Statistics) -> [i64; 5] {
-    let native::Statistics { steps, rejected, evaluations, jacobians, stiff, .. } = statistics;
-    [steps as i64, rejected as i64, evaluations as i64, jacobians as i64, i64::from(stiff)]
+fn counts(run: &native::Run) -> [i64; 6] {
+    let native::Statistics { steps, rejected, evaluations, jacobians, stiff, .. } = run.statistics;
+    let reached = run.reached as i64;
+    [steps as i64, rejected as i64, evaluations as i64, jacobians as i64, i64::from(stiff), reached]
+}
+
+/// Append the events of a motion to the columns.
+#[allow(clippy::cast_possible_wrap, reason = "there are less than 2^63 motions")]
+fn put_events(columns: &mut Happened, number: usize, events: &[native::Occurrence]) {
+    for native::Occurrence { event, t, state } in events {
+        columns.0.extend((number as i64).to_ne_bytes());
+        columns.1.extend((*event as i64).to_ne_bytes());
+        columns.2.extend(t.to_ne_bytes());
+        columns.3.extend(state.iter().flat_map(|x| x.to_ne_bytes()));
+    }
 }
 
 /// Asks Python from time to time whether to continue.

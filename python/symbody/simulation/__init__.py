@@ -32,6 +32,7 @@ from symbody.simulation.studies import measures, statistics
 from symbody.simulation.studies.fit.experiment import Experiment, Measurement
 from symbody.simulation.studies.fit.fit import fit
 from symbody.simulation.studies.fit.fitted import Fit
+from symbody.simulation.studies.sample.lazy_sample import LazySample
 from symbody.simulation.studies.sample.sample import sample
 from symbody.simulation.studies.sobol_indices import SobolIndices, sobol_indices
 from symbody.simulation.studies.study import study
@@ -46,6 +47,7 @@ __all__ = [
     "Fit",
     "FrequencyResponse",
     "InverseDynamics",
+    "LazySample",
     "Measurement",
     "Mobility",
     "Mode",

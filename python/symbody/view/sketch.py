@@ -191,7 +191,9 @@ class _Projection:
             kept = places[ConvexHull(flat).vertices]
         except QhullError:  # seen edge on, or without extent
             kept = places[[int(np.argmin(flat[:, 0])), int(np.argmax(flat[:, 0]))]]
-        return tuple(self._flat(kept))
+        outline = self._flat(kept)
+        first = outline.index(min(outline))  # where the hull begins depends on rounding
+        return (*outline[first:], *outline[:first])
 
     def _is_seen(self, face: Array) -> bool:
         """Return whether a face, whose corners go round counter-clockwise from outside, is turned to the camera."""

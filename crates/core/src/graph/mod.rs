@@ -13,6 +13,7 @@ mod function;
 mod lanes;
 mod node;
 mod representatives;
+mod simplest_form;
 mod table;
 mod traverse;
 
@@ -28,6 +29,7 @@ pub(crate) use lanes::{
 pub use node::{Assumption, Factors, Id, Ids, NumberId, Terms, View};
 pub(crate) use node::{Flags, Kind};
 pub(crate) use representatives::Standing;
+pub(crate) use simplest_form::{Part, SimplestForm};
 pub use table::{Graph, LARGEST_ORDER};
 pub(crate) use table::{LONGEST, check_order, word};
 pub(crate) use traverse::children_first;

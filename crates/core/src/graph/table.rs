@@ -14,6 +14,7 @@ use super::function::Function;
 use super::lanes::{Lanes, draw_pi, draw_symbol, draw_time, draw_time_function, drawn};
 use super::node::{Assumption, Factors, Flags, Id, Ids, Kind, NumberId, Terms, View};
 use super::representatives::Representatives;
+use super::simplest_form::{Part, SimplestForm};
 
 /// One row of the table.
 #[derive(Clone, Copy, Debug)]
@@ -79,6 +80,8 @@ pub struct Graph {
     pub(crate) representatives: RefCell<Representatives>,
     /// Values of solutions of linear systems; a cache, derived from the graph alone.
     pub(crate) solutions: FxHashMap<Id, Vec<Element>>,
+    /// The simplest forms of parts; a cache, which saves time and no counted work.
+    pub(crate) simplest_forms: FxHashMap<Part, SimplestForm>,
     /// The classes of the derivation in progress, if there is one.
     pub(crate) classes: Option<Box<Classes>>,
 }

@@ -12,9 +12,9 @@ const EXPONENT: &str = "an exponent of an expanded term has fewer than 63 bits";
 pub(crate) struct Monomial(Vec<(u32, i64)>);
 
 impl Monomial {
-    #[cfg(test)]
-    pub(crate) fn of(factors: &[(u32, i64)]) -> Self {
-        Self(factors.to_vec())
+    /// The product of powers, whose atoms ascend.
+    pub(crate) const fn of(factors: Vec<(u32, i64)>) -> Self {
+        Self(factors)
     }
 
     pub(crate) fn power(atom: u32, exponent: i64) -> Self {
@@ -39,6 +39,15 @@ impl Monomial {
     }
 
     pub(crate) fn times(&self, other: &Self) -> Self {
+        self.joined(other, |e| e)
+    }
+
+    pub(crate) fn over(&self, divisor: &Self) -> Self {
+        self.joined(divisor, |e| e.checked_neg().expect(EXPONENT))
+    }
+
+    /// The product with another monomial, whose exponents are taken as `sign` says.
+    fn joined(&self, other: &Self, sign: impl Fn(i64) -> i64) -> Self {
         let mut out = Vec::with_capacity(self.0.len() + other.0.len());
         let (mut left, mut right) = (&self.0[..], &other.0[..]);
         while let ([(a, e), left_rest @ ..], [(b, f), right_rest @ ..]) = (left, right) {
@@ -48,11 +57,11 @@ impl Monomial {
                     left = left_rest;
                 }
                 Ordering::Greater => {
-                    out.push((*b, *f));
+                    out.push((*b, sign(*f)));
                     right = right_rest;
                 }
                 Ordering::Equal => {
-                    let sum = e.checked_add(*f).expect(EXPONENT);
+                    let sum = e.checked_add(sign(*f)).expect(EXPONENT);
                     if sum != 0 {
                         out.push((*a, sum));
                     }
@@ -61,7 +70,7 @@ impl Monomial {
             }
         }
         out.extend_from_slice(left);
-        out.extend_from_slice(right);
+        out.extend(right.iter().map(|&(b, f)| (b, sign(f))));
         Self(out)
     }
 
@@ -70,10 +79,6 @@ impl Monomial {
             return Self::default();
         }
         Self(self.0.iter().map(|&(a, e)| (a, e.checked_mul(n).expect(EXPONENT))).collect())
-    }
-
-    pub(crate) fn over(&self, divisor: &Self) -> Self {
-        self.times(&divisor.pow(-1))
     }
 
     /// The factors whose atom passes the test, and the others.
@@ -128,8 +133,9 @@ mod tests {
 
     #[test]
     fn products_keep_the_order_of_monomials() {
-        let monomials: Vec<Monomial> =
-            [&[(0, 1)][..], &[(0, -1), (1, 2)], &[(1, 1)], &[], &[(2, 3)]].map(Monomial::of).to_vec();
+        let monomials: Vec<Monomial> = [&[(0, 1)][..], &[(0, -1), (1, 2)], &[(1, 1)], &[], &[(2, 3)]]
+            .map(|f| Monomial::of(f.to_vec()))
+            .to_vec();
         for a in &monomials {
             for b in &monomials {
                 for c in &monomials {

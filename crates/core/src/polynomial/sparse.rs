@@ -76,6 +76,11 @@ impl Polynomial {
         Self::term(Monomial::power(atom, 1), Number::integer(1))
     }
 
+    /// The sum of terms with different monomials, and without zeros.
+    pub(crate) fn of_terms(terms: impl Iterator<Item = (Monomial, Number)>) -> Self {
+        Self(terms.collect())
+    }
+
     pub(crate) fn len(&self) -> usize {
         self.0.len()
     }
@@ -147,6 +152,9 @@ impl Polynomial {
 
     /// The product with a single term.
     pub(crate) fn shifted(&self, monomial: &Monomial, factor: &Number) -> Self {
+        if monomial.is_one() && factor.is_one() && !factor.is_decimal() {
+            return self.clone();
+        }
         Self(self.0.iter().map(|(m, c)| (m.times(monomial), c.mul(factor))).collect())
     }
 
@@ -336,7 +344,7 @@ mod tests {
     fn polynomial(terms: &[(i64, &[(u32, i64)])]) -> Polynomial {
         let mut sum = Polynomial::default();
         for (coefficient, factors) in terms {
-            sum.add_term(Monomial::of(factors), &Number::integer(*coefficient));
+            sum.add_term(Monomial::of(factors.to_vec()), &Number::integer(*coefficient));
         }
         sum
     }

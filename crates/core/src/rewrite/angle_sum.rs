@@ -85,10 +85,7 @@ impl Ring<'_> {
     fn partner(&mut self, a: u32, b: u32) -> Result<Option<Monomial>, Error> {
         let mut product = Monomial::default();
         for atom in [a, b] {
-            let Some((shape, angle)) = self.wave(atom) else { return Ok(None) };
-            let other = if shape == Function::Sin { Function::Cos } else { Function::Sin };
-            let partner = self.graph.apply(other, &[angle])?;
-            let (partner, opposite) = self.atom(partner);
+            let Some((partner, opposite)) = self.partner_of(atom)? else { return Ok(None) };
             if opposite || self.wave(partner).is_none() {
                 return Ok(None);
             }

@@ -63,7 +63,25 @@ impl Ring<'_> {
         Ok(result)
     }
 
+    /// A product of waves as a sum of waves. One that was met before costs the same work again, so that no result depends
+    /// on what is remembered.
     fn sum_of_waves(&mut self, product: &Monomial) -> Result<Polynomial, Error> {
+        if let Some((sum, work)) = self.sums_of_waves.get(product) {
+            self.budget.spend(*work)?;
+            return Ok(sum.clone());
+        }
+        for &(atom, _) in product.factors() {
+            if let Some((_, argument)) = self.wave(atom) {
+                self.angle(argument)?; // opened once for all products
+            }
+        }
+        let left = self.budget.left();
+        let sum = self.new_sum_of_waves(product)?;
+        self.sums_of_waves.insert(product.clone(), (sum.clone(), left - self.budget.left()));
+        Ok(sum)
+    }
+
+    fn new_sum_of_waves(&mut self, product: &Monomial) -> Result<Polynomial, Error> {
         let mut waves: Vec<Wave> = vec![(Number::integer(1), Function::Cos, Polynomial::default())];
         for &(atom, exponent) in product.factors() {
             let Some((shape, argument)) = self.wave(atom) else { continue };

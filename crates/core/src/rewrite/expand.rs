@@ -275,7 +275,7 @@ impl Ring<'_> {
         if opposite {
             return Ok(self.leaf(root));
         }
-        self.roots.entry(atom).or_insert((base, den));
+        self.add_root(atom, base, den);
         let one = Polynomial::constant(Number::integer(1));
         self.times(&Polynomial::term(Monomial::power(atom, num), Number::integer(1)), &one)
     }

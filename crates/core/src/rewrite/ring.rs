@@ -1,5 +1,7 @@
 //! The polynomial ring of an expression: the nodes that are its atoms, and the way back from polynomials to nodes.
 
+use std::collections::hash_map::Entry;
+
 use rustc_hash::FxHashMap;
 
 use crate::error::Error;
@@ -23,6 +25,14 @@ pub(super) struct Ring<'g> {
     pub(super) completes_squares: bool,
     /// Arguments of sines and cosines as sums of atoms.
     pub(super) angles: FxHashMap<Id, Polynomial>,
+    /// Sums with common factors taken out down to a depth, each with the work that this took.
+    pub(super) factored: FxHashMap<(Polynomial, usize), (Id, usize)>,
+    /// Products of waves as sums of waves, each with the work that this took.
+    pub(super) sums_of_waves: FxHashMap<Monomial, (Polynomial, usize)>,
+    /// For a sine the cosine of its angle, for a cosine the sine, and whether it is the opposite of the atom.
+    partners: FxHashMap<u32, (u32, bool)>,
+    /// The nodes of monomials.
+    products: FxHashMap<Monomial, Id>,
 }
 
 impl<'g> Ring<'g> {
@@ -36,6 +46,10 @@ impl<'g> Ring<'g> {
             opens_all: false,
             completes_squares: false,
             angles: FxHashMap::default(),
+            factored: FxHashMap::default(),
+            sums_of_waves: FxHashMap::default(),
+            partners: FxHashMap::default(),
+            products: FxHashMap::default(),
         }
     }
 
@@ -73,14 +87,25 @@ impl<'g> Ring<'g> {
         }
     }
 
+    /// The other wave of the angle of a sine or cosine, and whether its atom has the opposite value; None for other atoms.
+    pub(super) fn partner_of(&mut self, atom: u32) -> Result<Option<(u32, bool)>, Error> {
+        if let Some(&known) = self.partners.get(&atom) {
+            return Ok(Some(known));
+        }
+        let Some((shape, angle)) = self.wave(atom) else { return Ok(None) };
+        let other = if shape == Function::Sin { Function::Cos } else { Function::Sin };
+        let partner = self.graph.apply(other, &[angle])?;
+        let partner = self.atom(partner);
+        self.partners.insert(atom, partner);
+        Ok(Some(partner))
+    }
+
     /// The sine and the cosine of the angles that occur, as atoms.
     pub(super) fn angles_in(&mut self, polynomial: &Polynomial) -> Result<Vec<(u32, u32)>, Error> {
         let mut pairs = Vec::new();
         for atom in polynomial.atoms() {
-            let Some((shape, angle)) = self.wave(atom) else { continue };
-            let other = if shape == Function::Sin { Function::Cos } else { Function::Sin };
-            let partner = self.graph.apply(other, &[angle])?;
-            let (partner, opposite) = self.atom(partner);
+            let Some((shape, _)) = self.wave(atom) else { continue };
+            let Some((partner, opposite)) = self.partner_of(atom)? else { continue };
             let pair = if shape == Function::Sin { (atom, partner) } else { (partner, atom) };
             if !opposite && self.wave(partner).is_some() && !pairs.contains(&pair) {
                 pairs.push(pair);
@@ -115,11 +140,29 @@ impl<'g> Ring<'g> {
     pub(super) fn node_of(&mut self, polynomial: &Polynomial) -> Result<Id, Error> {
         let mut terms = Vec::with_capacity(polynomial.len());
         for (monomial, coefficient) in polynomial.iter() {
-            let factors = self.factors(monomial);
-            let product = self.graph.product(&factors)?;
+            let product = self.product(monomial)?;
             terms.push((self.graph.number_id(coefficient), product));
         }
         Ok(self.graph.sum(&terms))
+    }
+
+    fn product(&mut self, monomial: &Monomial) -> Result<Id, Error> {
+        if let Some(&known) = self.products.get(monomial) {
+            return Ok(known);
+        }
+        let factors = self.factors(monomial);
+        let product = self.graph.product(&factors)?;
+        self.products.insert(monomial.clone(), product);
+        Ok(product)
+    }
+
+    /// Read an atom as a root from now on: the node under it, and the degree.
+    pub(super) fn add_root(&mut self, atom: u32, base: Id, degree: i64) {
+        if let Entry::Vacant(entry) = self.roots.entry(atom) {
+            entry.insert((base, degree));
+            self.products.clear();
+            self.factored.clear();
+        }
     }
 
     /// Take a polynomial's numeric and monomial content out and close the rest into an atom.

@@ -13,9 +13,10 @@ use crate::polynomial::{Budget, Monomial, Polynomial};
 use crate::value::Number;
 
 use super::collect::{Kind, grouped};
+use super::content::content;
 use super::expand::Opening;
-use super::factor_terms::content;
 use super::ring::Ring;
+use super::search::Search;
 
 /// The most terms of a polynomial, and the most terms handled for one part of an expression.
 const TERMS: usize = 2_000;
@@ -71,19 +72,6 @@ const COEFFICIENTS: [&[Kind]; 2] = [&[Kind::Acceleration, Kind::Speed], &[Kind::
 /// then additions, then functions. (Ties are broken by the size of the tree, then by the terms outside brackets.)
 fn length(cost: Cost) -> (u64, u64, u64) {
     (cost.total().saturating_add(cost.additions.saturating_mul(2)), cost.additions, cost.functions)
-}
-
-/// The state of one simplification.
-struct Search {
-    work: Budget,
-    /// The results so far, by part and by the levels of coefficients that were open to it.
-    known: FxHashMap<(Id, usize), Id>,
-}
-
-impl Search {
-    fn new(work: usize) -> Self {
-        Self { work: Budget::new(usize::MAX, work), known: FxHashMap::default() }
-    }
 }
 
 impl Graph {
@@ -157,9 +145,11 @@ impl Graph {
 
     /// The best candidate for a part, or the part itself.
     fn simplest(&mut self, part: Id, depth: usize, search: &mut Search) -> Id {
-        if let Some(&known) = search.known.get(&(part, depth)) {
-            return known;
+        let key = (part, depth);
+        if let Some(form) = search.known(self, key) {
+            return form;
         }
+        let frame = search.begin();
         let mut best = part;
         let size = self.bounded_size(part, LARGEST_PART.min(search.work.left()));
         let affordable = search.work.spend(size).is_ok() && size <= LARGEST_PART;
@@ -169,7 +159,7 @@ impl Graph {
             best = self.shortest(part, &candidates);
             best = self.without_fractions(best);
         }
-        search.known.insert((part, depth), best);
+        search.end(self, frame, key, best);
         best
     }
 
@@ -303,7 +293,8 @@ impl Graph {
         if depth > 0 {
             for polynomial in polynomials.iter().take(2) {
                 for kinds in COEFFICIENTS {
-                    candidates.extend(ring.by_coefficients(polynomial, kinds, depth, search));
+                    let form = ring.by_coefficients(polynomial, kinds, depth, search);
+                    candidates.extend(form.ok().flatten());
                 }
                 candidates.extend(ring.as_fraction(polynomial, depth, search));
             }
@@ -432,11 +423,14 @@ impl Ring<'_> {
         kinds: &[Kind],
         depth: usize,
         search: &mut Search,
-    ) -> Result<Id, Error> {
+    ) -> Result<Option<Id>, Error> {
         let (monomial, factor, rest) = content(polynomial)?;
         let mut parts = Vec::new();
-        for (power, coefficient) in grouped(&rest, |atom| kinds.iter().any(|&kind| self.is_kind(atom, kind)))
-        {
+        let groups = grouped(&rest, |atom| kinds.iter().any(|&kind| self.is_kind(atom, kind)));
+        if groups.len() == 1 {
+            return Ok(None); // its only coefficient is the part itself
+        }
+        for (power, coefficient) in groups {
             let coefficient = self.node_of(&coefficient)?;
             let coefficient = self.graph.simplest(coefficient, depth - 1, search);
             let power = self.node_of(&Polynomial::term(power, Number::integer(1)))?;
@@ -446,7 +440,7 @@ impl Ring<'_> {
         let flat = self.polynomial(sum, Opening::Sums)?;
         let sum = self.factored(&flat)?;
         let outside = self.node_of(&Polynomial::term(monomial, factor))?;
-        self.product_of(&[outside, sum])
+        self.product_of(&[outside, sum]).map(Some)
     }
 
     /// One simplified numerator over one denominator.

@@ -52,7 +52,19 @@ impl Hash for Value {
 }
 
 impl Value {
-    fn from_i128(mut num: i128, mut den: i128) -> Self {
+    /// The quotient of two integers, in lowest terms. Those that fit a word are reduced as such, which is much faster.
+    fn from_i128(num: i128, den: i128) -> Self {
+        match (i64::try_from(num), i64::try_from(den)) {
+            (Ok(num), Ok(1)) => Self::Small(num, 1),
+            (Ok(num), Ok(den)) if num != i64::MIN && den != i64::MIN => {
+                let common = num.gcd(&den) * den.signum();
+                Self::Small(num / common, den / common)
+            }
+            _ => Self::reduced(num, den),
+        }
+    }
+
+    fn reduced(mut num: i128, mut den: i128) -> Self {
         if den < 0 {
             num = -num;
             den = -den;
@@ -259,7 +271,10 @@ impl Number {
     pub fn add(&self, other: &Self) -> Self {
         let decimal = self.decimal || other.decimal;
         let value = match (&self.value, &other.value) {
-            (Value::Small(a, 1), Value::Small(b, 1)) => Value::from_i128(i128::from(*a) + i128::from(*b), 1),
+            (Value::Small(a, 1), Value::Small(b, 1)) => match a.checked_add(*b) {
+                Some(sum) => Value::Small(sum, 1),
+                None => Value::from_i128(i128::from(*a) + i128::from(*b), 1),
+            },
             (Value::Small(a, b), Value::Small(c, d)) => {
                 let (a, b, c, d) = (i128::from(*a), i128::from(*b), i128::from(*c), i128::from(*d));
                 match (a * d).checked_add(c * b) {
@@ -308,6 +323,10 @@ impl Number {
     pub fn mul(&self, other: &Self) -> Self {
         let decimal = self.decimal || other.decimal;
         let value = match (&self.value, &other.value) {
+            (Value::Small(a, 1), Value::Small(c, 1)) => match a.checked_mul(*c) {
+                Some(product) => Value::Small(product, 1),
+                None => Value::from_i128(i128::from(*a) * i128::from(*c), 1),
+            },
             (Value::Small(a, b), Value::Small(c, d)) => {
                 Value::from_i128(i128::from(*a) * i128::from(*c), i128::from(*b) * i128::from(*d))
             }

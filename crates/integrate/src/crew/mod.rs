@@ -8,6 +8,8 @@
 #![allow(unsafe_code, reason = "the coroutines borrow what outlives them")]
 
 mod columns;
+mod control;
+mod norms;
 mod stages;
 mod stretch;
 mod vectors;

@@ -3,99 +3,15 @@
 
 use crate::failure::Failure;
 use crate::lane::{Arrival, Beginning};
-use crate::runge_kutta::{
-    LEAST_ERROR, Tableau, error_of_step, factor_after, factor_after_rejection, is_last, is_too_short,
-    note_stiffness, steepness, tolerance_of_integral, weight,
-};
+use crate::runge_kutta::{Tableau, error_of_step, note_stiffness, steepness};
 use crate::stepper::{Statistics, Stretch};
 use crate::tolerances::Tolerances;
 
 use super::columns::{Columns, Waiting, read, write};
+use super::control::Control;
+use super::norms::{Distances, Squares};
 use super::stages::StepColumns;
 use super::vectors::{Loop, in_vectors};
-
-/// The control of the steps of a motion, other than vectors.
-#[derive(Clone, Debug)]
-struct Control {
-    t: f64,
-    end: f64,
-    exponent: f64,
-    stretch: Stretch,
-    /// The next step to try.
-    step: f64,
-    is_last: bool,
-    /// Whether the step before the next one was rejected, so that the next one starts there as well.
-    was_rejected: bool,
-    is_finite: bool,
-    last: (f64, f64),
-    last_error: f64,
-    stiff_steps: u32,
-    statistics: Statistics,
-    failure: Option<Failure>,
-}
-
-impl Control {
-    fn new(beginning: &Beginning<'_>) -> Self {
-        let &Beginning { t, end, step, exponent, .. } = beginning;
-        Self {
-            t,
-            end,
-            exponent,
-            stretch: Stretch { until: t, steps: 0 },
-            step,
-            is_last: false,
-            was_rejected: false,
-            is_finite: true,
-            last: (t, 0.0),
-            last_error: LEAST_ERROR.ln(),
-            stiff_steps: 0,
-            statistics: Statistics::default(),
-            failure: None,
-        }
-    }
-
-    /// The next step to try; `None` if it is too short.
-    fn length(&mut self, longest: f64) -> Option<f64> {
-        let h = self.step.min(longest);
-        if is_too_short(self.t, h) {
-            let t = self.t;
-            self.failure = Some(if self.is_finite {
-                Failure::StepCollapse { t, step: h }
-            } else {
-                Failure::NotFinite { t }
-            });
-            return None;
-        }
-        self.is_last = is_last(self.t, h, self.end);
-        Some(if self.is_last { self.end - self.t } else { h })
-    }
-
-    fn accept(&mut self, h: f64, error: f64) {
-        let factor;
-        (factor, self.last_error) = factor_after(error, self.last_error, self.exponent, self.was_rejected);
-        let next = h * factor;
-        // The end of the motion does not limit the step that accuracy allows.
-        self.step = if self.is_last { next.max(self.step) } else { next };
-        self.last = (self.t, h);
-        self.t = if self.is_last { self.end } else { self.t + h };
-        self.statistics.errors += error;
-        self.statistics.steps += 1;
-        self.stretch.steps -= 1;
-        (self.was_rejected, self.is_finite) = (false, true);
-    }
-
-    fn reject(&mut self, h: f64, error: f64) {
-        self.is_finite = error.is_finite();
-        self.step = h * factor_after_rejection(error, self.exponent);
-        self.statistics.rejected += 1;
-        self.was_rejected = true;
-    }
-
-    /// Whether the motion looks at the last step.
-    fn is_over(&self) -> bool {
-        self.failure.is_some() || self.stretch.steps == 0 || self.t >= self.stretch.until.min(self.end)
-    }
-}
 
 /// The steps of all lanes.
 pub(super) struct Stretches<const W: usize> {
@@ -257,7 +173,8 @@ impl<const W: usize> Stretches<W> {
     /// The errors of the steps in units of the tolerance; NaN where some stage has no finite rate.
     fn errors(&self, step: &StepColumns<W>) -> [f64; W] {
         let mut squares = [[0.0; W]; 2];
-        in_vectors::<W>(Squares { stretches: self, step, sums: &mut squares });
+        let &Self { tableau, tolerances, ref sizes, .. } = self;
+        in_vectors::<W>(Squares { tableau, tolerances, sizes, step, sums: &mut squares });
         #[allow(clippy::cast_precision_loss, reason = "no state has 2^53 numbers")]
         let entries = self.tolerances.controlled as f64;
         let has_low = step.errors.len() > 1;
@@ -309,128 +226,6 @@ impl<const W: usize> Stretches<W> {
     fn move_on(&mut self, accepted: [bool; W], step: &mut StepColumns<W>) {
         let last = (self.tableau.stages - 1) * step.entries;
         in_vectors::<W>(Moves { stretches: self, step, accepted, last });
-    }
-}
-
-/// The squares of the distances of rates and of states.
-struct Distances<'a, const W: usize> {
-    rates: (&'a [[f64; W]], &'a [[f64; W]]),
-    states: (&'a [[f64; W]], &'a [[f64; W]]),
-    sums: (&'a mut [f64; W], &'a mut [f64; W]),
-    zeros: &'a mut [f64; W],
-}
-
-impl<const W: usize> Loop for Distances<'_, W> {
-    #[allow(clippy::inline_always, reason = "what isn't inlined there isn't compiled for those vectors")]
-    #[inline(always)]
-    fn run(self) {
-        let mut zeros = [0.0; W];
-        for rates in self.rates.0 {
-            for lane in 0..W {
-                zeros[lane] += 0.0 * rates[lane];
-            }
-        }
-        *self.zeros = zeros;
-        for ((a, b), sums) in [(self.rates, self.sums.0), (self.states, self.sums.1)] {
-            let mut sum = [0.0; W];
-            for (a, b) in a.iter().zip(b) {
-                for lane in 0..W {
-                    sum[lane] += (a[lane] - b[lane]) * (a[lane] - b[lane]);
-                }
-            }
-            *sums = sum;
-        }
-    }
-}
-
-/// The sums of the squares of the errors in units of the tolerance.
-struct Squares<'a, const W: usize> {
-    stretches: &'a Stretches<W>,
-    step: &'a StepColumns<W>,
-    sums: &'a mut [[f64; W]; 2],
-}
-
-impl<const W: usize> Loop for Squares<'_, W> {
-    #[allow(clippy::inline_always, reason = "what isn't inlined there isn't compiled for those vectors")]
-    #[inline(always)]
-    fn run(self) {
-        let (stretches, step) = (self.stretches, self.step);
-        let (tolerances, controlled) = (stretches.tolerances, stretches.tolerances.controlled);
-        let (mut squares, mut integrals) = ([[0.0; W]; 2], [[0.0; W]; 2]);
-        for i in 0..controlled {
-            let (before, after) = (step.before[i], step.after[i]);
-            let mut weights = [0.0; W];
-            for lane in 0..W {
-                weights[lane] = weight(&tolerances, before[lane], after[lane]);
-            }
-            add_squares(&mut squares, &step.errors, i, &weights);
-        }
-        for i in controlled..step.entries {
-            let (allowed, after, sizes) = (self.steepest(i), step.after[i], stretches.sizes[i]);
-            let mut weights = [0.0; W];
-            for lane in 0..W {
-                weights[lane] = tolerance_of_integral(&tolerances, sizes[lane], after[lane], allowed[lane]);
-            }
-            divide_and_add_squares(&mut integrals, &step.errors, i, &weights);
-        }
-        for (out, (squares, integrals)) in self.sums.iter_mut().zip(squares.iter().zip(&integrals)) {
-            for lane in 0..W {
-                out[lane] = squares[lane] + integrals[lane];
-            }
-        }
-    }
-}
-
-impl<const W: usize> Squares<'_, W> {
-    /// The largest term of an integral in the steps.
-    #[allow(clippy::inline_always, reason = "what isn't inlined there isn't compiled for those vectors")]
-    #[inline(always)]
-    fn steepest(&self, i: usize) -> [f64; W] {
-        let (step, mut steepest) = (self.step, [0.0_f64; W]);
-        for stage in 0..self.stretches.tableau.stages {
-            let rates = step.rates[stage * step.entries + i];
-            for lane in 0..W {
-                steepest[lane] = steepest[lane].max(rates[lane].abs());
-            }
-        }
-        for (steepest, h) in steepest.iter_mut().zip(&step.h) {
-            *steepest *= h.abs();
-        }
-        steepest
-    }
-}
-
-#[allow(clippy::inline_always, reason = "what isn't inlined there isn't compiled for those vectors")]
-#[inline(always)]
-fn add_squares<const W: usize>(
-    squares: &mut [[f64; W]; 2],
-    errors: &[Vec<[f64; W]>],
-    i: usize,
-    weights: &[f64; W],
-) {
-    for (squares, errors) in squares.iter_mut().zip(errors) {
-        let error = errors[i];
-        for lane in 0..W {
-            let scaled = error[lane] * weights[lane];
-            squares[lane] += scaled * scaled;
-        }
-    }
-}
-
-#[allow(clippy::inline_always, reason = "what isn't inlined there isn't compiled for those vectors")]
-#[inline(always)]
-fn divide_and_add_squares<const W: usize>(
-    squares: &mut [[f64; W]; 2],
-    errors: &[Vec<[f64; W]>],
-    i: usize,
-    allowed: &[f64; W],
-) {
-    for (squares, errors) in squares.iter_mut().zip(errors) {
-        let error = errors[i];
-        for lane in 0..W {
-            let scaled = error[lane] / allowed[lane];
-            squares[lane] += scaled * scaled;
-        }
     }
 }
 

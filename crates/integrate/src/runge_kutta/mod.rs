@@ -6,6 +6,9 @@
 mod control;
 mod dense;
 mod dop853;
+mod error;
+mod first_step;
+mod in_lane;
 mod near_singular;
 mod stages;
 mod tableau;
@@ -13,7 +16,7 @@ mod tsit5;
 
 use crate::dynamics::Dynamics;
 use crate::failure::Failure;
-use crate::lane::{Beginning, Lane, StepResults};
+use crate::lane::Beginning;
 use crate::machine_code::BoundCode;
 use crate::projection::{Projection, Tangent};
 use crate::stepper::{Statistics, Stepper, Stretch};
@@ -26,9 +29,6 @@ pub use dop853::DOP853;
 pub use stages::Stages;
 pub use tableau::{Row, Tableau};
 pub use tsit5::TSIT5;
-
-/// If at most this fraction of an error is along the constraints, stages are projected onto them.
-const BESIDE: f64 = 0.01;
 
 /// The place of the rates at the state, which are those of the first stage.
 #[derive(Clone, Copy)]
@@ -146,33 +146,6 @@ impl<'a> RungeKutta<'a> {
         new
     }
 
-    /// Guess the first step from the rates and their change.
-    fn first_step(&mut self, end: f64) -> f64 {
-        let longest = self.tolerances.max_step.min(end - self.t);
-        self.evaluate_first();
-        let (size, rate) = (self.weighted(&self.state), self.weighted(self.stages.row(0)));
-        let trial = if size < 1e-5 || rate < 1e-5 { 1e-6 } else { 0.01 * size / rate }.min(longest);
-        self.stage(1, (self.t, trial), (1.0, &[(0, 1.0)]));
-        let change = difference(self.stages.row(1), self.stages.row(0));
-        let steepest = rate.max(self.weighted(&change) / trial);
-        let step = if steepest <= 1e-15 {
-            (trial * 1e-3).max(1e-6)
-        } else {
-            (0.01 / steepest).powf(self.exponent())
-        };
-        let step = step.min(100.0 * trial).min(longest);
-        if step.is_finite() { step } else { trial }
-    }
-
-    /// The root mean square of a vector in units of the tolerance.
-    fn weighted(&self, vector: &[f64]) -> f64 {
-        let Tolerances { relative, absolute, .. } = self.tolerances;
-        let controlled = self.tolerances.controlled;
-        let states = vector.iter().zip(&self.state).take(controlled);
-        let sum: f64 = states.map(|(v, y)| (v / (absolute + relative * y.abs())).powi(2)).sum();
-        (sum / count(controlled)).sqrt()
-    }
-
     /// The power of an error that is proportional to the step.
     fn exponent(&self) -> f64 {
         1.0 / f64::from(self.tableau.order)
@@ -229,53 +202,6 @@ impl<'a> RungeKutta<'a> {
         Ok(())
     }
 
-    /// The lane in which the next step is taken, if it is.
-    fn lane(&self) -> Option<Lane> {
-        self.rates.lane().filter(|_| !self.is_careful).cloned()
-    }
-
-    /// The lane in which several steps are taken at a time: without constraints, nothing happens between them.
-    fn lane_of_stretches(&self) -> Option<Lane> {
-        self.rates.lane().filter(|_| !self.projection.is_needed()).cloned()
-    }
-
-    /// The same step, together with those of other motions. The rates at its start are evaluated with it.
-    fn try_step_in_lane(&mut self, lane: &Lane, h: f64) -> Result<(), Failure> {
-        lane.take_step((self.t, h), &self.state, self.stages.row_mut(0));
-        if matches!(self.first, First::Unknown) {
-            self.statistics.evaluations += 1;
-            self.first = First::InPlace;
-            self.begin()?;
-        }
-        let &Tableau { stages, evaluates_end, .. } = self.tableau;
-        self.statistics.evaluations += stages - usize::from(!evaluates_end);
-        lane.read_step(StepResults {
-            after: &mut self.after,
-            last_stage: &mut self.last_stage,
-            errors: &mut self.errors,
-        });
-        for stage in stages - 1..stages + usize::from(evaluates_end) {
-            lane.read_rates(stage, self.stages.row_mut(stage));
-        }
-        self.are_rates_here = false;
-        if self.state.len() > self.tolerances.controlled {
-            self.fetch_rates();
-        }
-        Ok(())
-    }
-
-    /// Read the rates at all stages of the last step from its lane, if it was taken in one.
-    fn fetch_rates(&mut self) {
-        if let Some(lane) = self.rates.lane().filter(|_| !self.are_rates_here) {
-            let has_first = self.lane_of_stretches().is_none();
-            for stage in usize::from(has_first)..self.tableau.stages + usize::from(self.tableau.evaluates_end)
-            {
-                lane.read_rates(stage, self.stages.row_mut(stage));
-            }
-            self.are_rates_here = true;
-        }
-    }
-
     /// Check the rates at the start of a step, while those of the step before it are known.
     fn begin(&mut self) -> Result<(), Failure> {
         if !is_finite(self.stages.row(0)) {
@@ -287,70 +213,12 @@ impl<'a> RungeKutta<'a> {
         Ok(())
     }
 
-    /// The error of the step in units of the tolerance; NaN if some stage has no finite rate.
-    fn error(&self, h: f64) -> f64 {
-        self.weighted_error(h, &self.errors)
-    }
-
-    /// The error without the part that the projection onto the constraints takes away after the step.
-    ///
-    /// Near a singular position, where a constraint nearly follows from others, rounding errors along it are large in
-    /// the accelerations, so that no step would be accepted.
-    fn error_along(&self, h: f64, tangent: &Tangent<'_>) -> f64 {
-        let along = self
-            .errors
-            .iter()
-            .map(|error| tangent.part(self.t + h, &self.after, error.clone()))
-            .collect::<Vec<_>>();
-        self.weighted_error(h, &along)
-    }
-
-    /// The error by which a step is accepted or rejected.
-    ///
-    /// If nearly all of it leads off the constraints, the step is repeated with stages on them, and the remaining
-    /// part off the constraints is left to the projection, whose corrections are bounded. That happens only after the
-    /// step has been rejected once: away from singular positions, all errors measure its accuracy.
-    fn error_that_counts(&mut self, h: f64, was_rejected: bool) -> f64 {
-        let error = self.error(h);
-        let Some(tangent) = self.tangent.as_ref().filter(|_| error > 1.0) else { return error };
-        let along = self.error_along(h, tangent);
-        if along < BESIDE * error {
-            self.is_careful = true;
-            self.regular = self.regular.max(h);
-        }
-        if was_rejected { error.min(along) } else { error }
-    }
-
     /// Choose the next step after one that was accepted; reasons other than its error do not shorten it.
     fn choose_next(&mut self, h: f64, next: f64, is_last: bool) {
         // The end of the motion does not limit the step that accuracy allows.
         let next = next.max(self.regular);
         self.step = if is_last { next.max(self.step) } else { next };
         self.last_regular = std::mem::take(&mut self.regular).max(h);
-    }
-
-    /// The estimates of an error together, in units of the tolerance.
-    fn weighted_error(&self, h: f64, estimates: &[Vec<f64>]) -> f64 {
-        let square = |error: &Vec<f64>| self.weighted_square(error, h);
-        let squares = (estimates.first().map_or(0.0, square), estimates.get(1).map(square));
-        error_of_step(h, squares, count(self.tolerances.controlled))
-    }
-
-    /// The sum of the squares of an error in units of the tolerance.
-    fn weighted_square(&self, error: &[f64], h: f64) -> f64 {
-        let controlled = self.tolerances.controlled;
-        let ends = self.state.iter().zip(&self.after);
-        let weights = ends.map(|(before, after)| weight(&self.tolerances, *before, *after));
-        let states: f64 =
-            error.iter().zip(weights).take(controlled).map(|(e, weight)| (e * weight).powi(2)).sum();
-        let integrals = error.iter().enumerate().skip(controlled);
-        states + integrals.map(|(i, e)| (e / self.tolerance_of_integral(i, h)).powi(2)).sum::<f64>()
-    }
-
-    fn tolerance_of_integral(&self, i: usize, h: f64) -> f64 {
-        let steepest =
-            (0..self.tableau.stages).map(|stage| self.stages.row(stage)[i].abs()).fold(0.0, f64::max);
-        tolerance_of_integral(&self.tolerances, self.sizes[i], self.after[i], h.abs() * steepest)
     }
 
     fn accept(&mut self, h: f64, t: f64) {
@@ -438,21 +306,9 @@ impl Stepper for RungeKutta<'_> {
     }
 
     fn advance(&mut self, end: f64, stretch: Stretch) -> Result<(), Failure> {
-        let Some(lane) = self.lane_of_stretches() else { return self.step(end) };
-        if let Some(failure) = self.failure.take() {
-            return Err(failure);
-        }
-        let steps = self.statistics.steps;
-        let arrival = lane.advance(stretch, self.statistics, (&mut self.before, &mut self.after));
-        self.state.copy_from_slice(&self.after);
-        (self.t, self.last, self.statistics) = (arrival.t, arrival.last, arrival.statistics);
-        (self.is_dense, self.are_rates_here) = (false, false);
-        match arrival.failure {
-            Some(failure) if self.statistics.steps == steps => Err(failure),
-            later => {
-                self.failure = later;
-                Ok(())
-            }
+        match self.lane_of_stretches() {
+            Some(lane) => self.advance_in_lane(&lane, stretch),
+            None => self.step(end),
         }
     }
 
@@ -511,10 +367,6 @@ fn count(n: usize) -> f64 {
 
 fn is_finite(rates: &[f64]) -> bool {
     rates.iter().all(|rate| rate.is_finite())
-}
-
-fn difference(a: &[f64], b: &[f64]) -> Vec<f64> {
-    a.iter().zip(b).map(|(x, y)| x - y).collect()
 }
 
 fn squared_distance(a: &[f64], b: &[f64]) -> f64 {

@@ -8,7 +8,8 @@ use crate::projection::Tangent;
 use crate::stepper::Stepper;
 use crate::tolerances::Tolerances;
 
-use super::{BESIDE, First, RungeKutta, difference};
+use super::error::{BESIDE, difference};
+use super::{First, RungeKutta};
 
 /// If the estimate of the step times the largest eigenvalue exceeds this, the rates at the end of the step are noise,
 /// provided that their change leads off the constraints.

@@ -97,9 +97,19 @@ class CompiledFunction:
 
     def at_few_points(self, *values: ArrayLike) -> Any:
         """Evaluate the expressions at any number of points as at one: to the same digits."""
-        if self.compile is not None or self._is_compiled_for(1):
-            return self(*values)
-        return self._uncompiled(*values)
+        return self.as_at(1)(*values)
+
+    def as_at(self, points: int) -> CompiledFunction:
+        """Return the function that runs at any number of points what this one runs at so many, to the same digits."""
+        if self.compile is not None or self.is_compiled_for(points):
+            return self if self.compile is not None else self._compiled
+        return self._uncompiled
+
+    @cached_property
+    def _compiled(self) -> CompiledFunction:
+        made = replace(self, compile=True)
+        vars(made).update(tape=self.tape, machine_code=self.machine_code)
+        return made
 
     @cached_property
     def _uncompiled(self) -> CompiledFunction:
@@ -118,7 +128,7 @@ class CompiledFunction:
 
     def _unreported(self, columns: list[NDArray[np.float64]], points: int) -> NDArray[np.float64]:
         out = np.empty((self.tape.outputs, points))
-        if not self._is_compiled_for(points):
+        if not self.is_compiled_for(points):
             self.tape.evaluate_columns(columns, points, out.reshape(-1))
         elif points < lanes():
             states = np.stack(np.broadcast_arrays(*columns, np.empty(points)), axis=-1)
@@ -129,7 +139,8 @@ class CompiledFunction:
             self.machine_code.evaluate_columns(columns, points, out, self.threads)
         return out
 
-    def _is_compiled_for(self, points: int) -> bool:
+    def is_compiled_for(self, points: int) -> bool:
+        """Return whether a call with so many points runs in machine code."""
         if self.compile is None:
             is_worth = is_worth_compiling(sum(self.tape.operations), points)
             return points > 0 and (is_worth or bool(self.tape.factorizations)) and is_available()

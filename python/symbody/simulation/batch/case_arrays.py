@@ -11,6 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.simulation.integrate.notices import Finding
+from symbody.simulation.integrate.occurrences import Occurrences
+
+from .case_events import CaseEvents
 
 Array = NDArray[np.float64]
 
@@ -38,7 +41,8 @@ class Results:
         outputs: the values of the outputs, shape (k, outputs, N).
         states: the states, shape (k, N, n); shape (k, 0, n) if they are not kept.
         slopes: the derivatives of the states by p parameters and initial values, shape (k, N, n, p).
-        occurrences: the events of each case: which one, the instant, the state there, and its derivatives, (n, p).
+        occurrences: the events of each case: which one, the instant, the state there, and its derivatives, (n, p); and
+            all of them as a table.
     """
 
     status: NDArray[np.int8]
@@ -50,7 +54,7 @@ class Results:
     outputs: Array
     states: Array
     slopes: Array
-    occurrences: NDArray[np.object_]
+    occurrences: CaseEvents
 
     @classmethod
     def empty(
@@ -76,7 +80,7 @@ class Results:
             np.full((cases, outputs, instants), np.nan),
             np.full((cases, kept, state), np.nan),
             np.full((cases, kept if slopes[1] else 0, *slopes), np.nan),
-            _empty_tuples(cases),
+            CaseEvents(cases, slopes[0], slopes[1]),
         )
 
     @property
@@ -88,13 +92,12 @@ class Results:
         """Store the results of some cases."""
         for name in _COLUMNS:
             getattr(self, name)[cases] = getattr(part, name)
+        self.occurrences.add(part.occurrences.table.renumbered(cases))
 
     def arrays(self) -> dict[str, NDArray[Any]]:
         """Return all results as arrays of numbers and texts, for a file."""
-        case, events = _flat(self.occurrences)
+        events = self.occurrences.table
         found_in, findings = _flat(self.findings)
-        size, shape = self.states.shape[2], self.slopes.shape[2:]
-        states = [np.append(at, [np.nan] * (size - len(at))) for _, _, at, _ in events]  # without the work
         return {
             "status": self.status,
             "reached": self.reached,
@@ -108,23 +111,23 @@ class Results:
             "finding_kind": np.array([finding.kind for finding in findings], dtype=np.str_),
             "finding_subject": np.array([finding.subject for finding in findings], dtype=np.str_),
             "finding_size": np.array([finding.size for finding in findings], dtype=np.float64),
-            "event_case": case,
-            "event_number": np.array([event for event, *_ in events], dtype=np.int64),
-            "event_t": np.array([t for _, t, *_ in events], dtype=np.float64),
-            "event_state": np.array(states, dtype=np.float64).reshape(-1, size),
-            "event_slopes": np.array([at for *_, at in events], dtype=np.float64).reshape(
-                len(events), *shape
-            ),
+            "event_case": events.case,
+            "event_number": events.event,
+            "event_t": events.t,
+            "event_state": events.state,
+            "event_slopes": events.slopes,
         }
 
     @classmethod
     def of_arrays(cls, arrays: Mapping[str, NDArray[Any]]) -> Results:
         """Return the results that `arrays` describes."""
         cases = len(arrays["status"])
-        occurrences, findings = _empty_tuples(cases), _empty_tuples(cases)
-        names = ("case", "number", "t", "state", "slopes")
-        for case, event, t, state, slopes in _rows(arrays, "event", *names):
-            occurrences[case] += ((int(event), float(t), state[np.isfinite(state)], slopes),)
+        findings = _empty_tuples(cases)
+        case, event, t, state, slopes = (
+            arrays[f"event_{name}"] for name in ("case", "number", "t", "state", "slopes")
+        )
+        occurrences = CaseEvents(cases, state.shape[1], slopes.shape[2])
+        occurrences.add(Occurrences(case, event, t, state, slopes))
         for case, kind, subject, size in _rows(arrays, "finding", "case", "kind", "subject", "size"):
             findings[case] += (Finding(str(kind), str(subject), float(size)),)
         texts = arrays["messages"].astype(object)
@@ -161,6 +164,5 @@ _COLUMNS = (
     "outputs",
     "states",
     "slopes",
-    "occurrences",
     "status",
 )

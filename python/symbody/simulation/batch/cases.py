@@ -14,6 +14,8 @@ from symbody.simulation.given.column import Column, column_of
 from symbody.symbolic import Expr
 from symbody.symbolic.given.arguments import described
 
+from .drawn_columns import Drawn, DrawnColumns, some_of
+
 Values: TypeAlias = Mapping[Expr, ArrayLike] | Sequence[Mapping[Expr, float]]
 """Values by name: numbers and rows of numbers, or a list with one dictionary of numbers for each motion."""
 
@@ -31,34 +33,36 @@ class Cases:
         count: the number of motions, k.
     """
 
-    parameters: dict[Expr, Column]
-    initial: dict[Expr, Column]
+    parameters: Mapping[Expr, Column]
+    initial: Mapping[Expr, Column]
     count: int
 
     def subset(self, indices: NDArray[np.intp]) -> Cases:
-        """Return some of the cases."""
-        parameters = {name: values[indices] for name, values in self.parameters.items()}
-        initial = {name: values[indices] for name, values in self.initial.items()}
-        return Cases(parameters, initial, len(indices))
+        """Return some of the cases, in order and without a gap if their values are drawn."""
+        return Cases(some_of(self.parameters, indices), some_of(self.initial, indices), len(indices))
 
     def parameters_of(self, case: int) -> dict[Expr, float]:
         """Return the parameters of one motion."""
-        return {name: float(values[case]) for name, values in self.parameters.items()}
+        return {name: float(values[0]) for name, values in some_of(self.parameters, np.array([case])).items()}
 
     def initial_of(self, case: int) -> dict[Expr, float]:
         """Return the given initial values of one motion."""
-        return {name: float(values[case]) for name, values in self.initial.items()}
+        return {name: float(values[0]) for name, values in some_of(self.initial, np.array([case])).items()}
 
 
 def cases_of(
-    parameters: Values | None, initial: Values | None, cases: Values | None = None, place: str = PLACE
+    parameters: Values | None,
+    initial: Values | None,
+    cases: Values | Drawn | None = None,
+    place: str = PLACE,
 ) -> Cases:
     """Return the cases. A number holds for all of them, an array has a value for each.
 
     Args:
         parameters: values of symbols.
         initial: values of coordinates, their rates and speeds.
-        cases: both together, such as a `grid`: symbols are parameters, functions of time are initial values.
+        cases: both together, such as a `grid`: symbols are parameters, functions of time are initial values; drawn in
+            blocks when they are needed, or a table.
         place: the function that the user called.
 
     Raises:
@@ -66,17 +70,22 @@ def cases_of(
         ArgumentError: an argument is neither a dictionary nor a list of dictionaries, a key is not a variable, or a
             value is neither a number nor a row of numbers.
     """
+    drawn = cases if isinstance(cases, Drawn) else None
     given = {
         "parameters": _rows(parameters, f"{place}, parameters"),
         "initial": _rows(initial, f"{place}, initial"),
     }
-    for name, values in _rows(cases, f"{place}, cases").items():
+    names: dict[str, list[Expr]] = {"parameters": [], "initial": []}
+    rows = dict.fromkeys(drawn.names) if drawn is not None else _rows(cases, f"{place}, cases")
+    for name, values in rows.items():
         kind = "parameters" if _variable(name, f"{place}, cases").kind == "symbol" else "initial"
         if name in given[kind]:
             raise ParameterError(
                 f"{place}: {name} is given in {kind} and in cases; leave it out of one of them"
             )
-        given[kind][name] = values
+        names[kind].append(name)
+        if drawn is None:
+            given[kind][name] = values
     columns = {
         kind: {
             _variable(name, f"{place}, {kind}"): _column(name, values, f"{place}, {kind}")
@@ -84,11 +93,17 @@ def cases_of(
         }
         for kind, mapping in given.items()
     }
-    count = _count([pair for mapping in columns.values() for pair in mapping.items()], place)
+    lengths = [(str(name), column) for mapping in columns.values() for name, column in mapping.items()]
+    if drawn is not None:
+        lengths.append(("the sample", np.broadcast_to(0.0, len(drawn))))
+    count = _count(lengths, place)
     whole = {
         kind: {name: _spread(c, count) for name, c in mapping.items()} for kind, mapping in columns.items()
     }
-    return Cases(whole["parameters"], whole["initial"], count)
+    if drawn is None:
+        return Cases(whole["parameters"], whole["initial"], count)
+    own = {kind: DrawnColumns(whole[kind], tuple(names[kind]), drawn) for kind in whole}
+    return Cases(own["parameters"], own["initial"], count)
 
 
 def _rows(given: object, place: str) -> dict[Any, Any]:
@@ -131,7 +146,7 @@ def _column(name: Expr, values: ArrayLike, place: str) -> Column:
     return column
 
 
-def _count(columns: Sequence[tuple[Expr, Column]], place: str) -> int:
+def _count(columns: Sequence[tuple[str, Column]], place: str) -> int:
     """Return the number of cases: the length of all arrays."""
     lengths = [(name, len(column)) for name, column in columns if column.ndim == 1]
     if len({length for _, length in lengths}) > 1:

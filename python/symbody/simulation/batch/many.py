@@ -31,7 +31,7 @@ from .problem_digest import problem_digest
 from .results_file import ResultsFile
 from .run_cases import empty_results
 from .runs import Runs
-from .workers import Part, checked_workforce, core_count, run_by_executor, run_in_threads
+from .workers import Part, check_one_workforce, checked_workforce, core_count, run_by_executor, run_in_threads
 
 SAVE_EVERY = 10.0
 """The time between two saves, in s: an accident costs no more work than that."""
@@ -137,10 +137,7 @@ def simulate_many(
         where=PLACE,
     )
     check_cases(task, all_cases)
-    if device is not None and executor is not None:
-        raise SimulationError(
-            f"{PREFIX}device={device!r} and an executor; give one of them: the device is fed by this process"
-        )
+    check_one_workforce(executor, device, PLACE)
     task = on_device(task, device, PLACE)
     warn_of_odd_values(task, all_cases.parameters, PLACE)
     file = None if path is None else ResultsFile(Path(path), problem_digest(task, all_cases))
@@ -149,13 +146,19 @@ def simulate_many(
     with Interruption() as interruption:
         reason = run.run_missing(*workforce, interruption, progress=progress)
     runs = Runs(task, all_cases, results)
-    _warn(runs, _failure_notice(runs), _gap_notice(runs, reason, path), run.fault)
+    _warn(runs, reason, run.fault, has_path=path is not None)
     return runs
 
 
-def _warn(runs: Runs, *notices: str) -> None:
-    """Warn of what is not empty, and of what the cases have found."""
-    texts = [PREFIX + notice.removeprefix(PREFIX) for notice in notices if notice]
+def _warn(runs: Runs, reason: str, fault: str, *, has_path: bool) -> None:
+    """Warn of failures, of gaps, of a file that was not written, and of what the cases have found."""
+    ended = runs.ends.notices(
+        reason.removeprefix(PREFIX),
+        values="their values are NaN from where they ended",
+        gaps="and their values are NaN",
+        has_path=has_path,
+    )
+    texts = [PREFIX + notice.removeprefix(PREFIX) for notice in (*ended, fault) if notice]
     for text in (*texts, *notices_of_batch(runs.findings, PLACE)):
         notify(text)
 
@@ -233,32 +236,3 @@ class _Batch:
             self.fault = str(error)
         self._saved = monotonic()
         self._pause = max(SAVE_EVERY, SAVE_PAUSE * (self._saved - begin))
-
-
-def _failure_notice(runs: Runs) -> str:
-    """Return how many cases failed, and the first of them."""
-    if not runs.failures:
-        return ""
-    first = runs.failures[0]
-    values = ", ".join(
-        f"{name} = {value:.6g}" for name, value in {**first.parameters, **first.initial}.items()
-    )
-    return (
-        f"{len(runs.failures)} of {len(runs)} motions failed; the first is case {first.index} "
-        f"({values}): {first.message.rstrip('.')}. All are in .failures; their values are NaN from where they ended"
-    )
-
-
-def _gap_notice(runs: Runs, reason: str, path: object) -> str:
-    """Return how many cases were not run, and what to do about it."""
-    if not runs.not_run:
-        return ""
-    advice = (
-        "give a path to keep results for another call"
-        if path is None
-        else "the same call goes on with the rest"
-    )
-    return (
-        f"{len(runs.not_run)} of {len(runs)} motions were not run ({reason.removeprefix(PREFIX)}); they are in "
-        f".not_run, and their values are NaN; {advice}"
-    )

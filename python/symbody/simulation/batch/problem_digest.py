@@ -46,9 +46,9 @@ def _named(expressions: Mapping[str, Expr]) -> Iterator[str | bytes]:
 
 
 def _columns(columns: Mapping[Expr, NDArray[np.float64]]) -> Iterator[str | bytes]:
-    for name, values in sorted(columns.items(), key=lambda pair: str(pair[0])):
+    for name in sorted(columns, key=str):
         yield str(name)
-        yield values.astype("<f8").tobytes()
+        yield columns[name].astype("<f8").tobytes()
 
 
 def _options(task: Task) -> Iterator[str]:

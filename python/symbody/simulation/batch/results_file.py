@@ -17,7 +17,7 @@ from symbody.files.replacement import replacement
 from symbody.simulation.batch.case_arrays import Results
 from symbody.simulation.given.wording import joined_by_and
 
-FORMAT = "symbody results 2"
+FORMAT = "symbody results 3"
 """The first entry of a results file; the number increases when the meaning of the arrays changes."""
 
 

@@ -3,25 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from symbody.errors import SymbodyError
 from symbody.simulation.batch.case_arrays import Results, Status
-from symbody.simulation.integrate.diagnosis import diagnosis
 from symbody.simulation.integrate.initial_state import initial_slopes, initial_state, initial_states
-from symbody.simulation.integrate.integrated import Integrated, Motions, run_motions
-from symbody.simulation.integrate.notices import deficiency_findings, findings_of
-from symbody.simulation.integrate.outcome import FailureKind, with_deficiencies
+from symbody.simulation.integrate.integrated import run_motions
+from symbody.simulation.integrate.notices import deficiency_findings
 from symbody.simulation.integrate.task import KeepGoing, Task
-from symbody.simulation.integrate.unremarkable import unremarkable_motions
 from symbody.simulation.integrate.with_sensitivities import beside_sensitivities
 from symbody.simulation.integrate.without_redundant import without_redundant
 from symbody.symbolic.numeric.deficiency import noting
 
 from .cases import Cases
+from .record_motions import record_motions
 
 __all__ = ["empty_results", "run_cases"]
 
@@ -65,17 +62,7 @@ def run_cases(task: Task, cases: Cases, threads: int = 1, keep_going: KeepGoing 
                     for k in chosen
                 ]
             )
-        motions = run_motions(each, parameters, starts, threads, goes_on)
-        unremarkable = unremarkable_motions(motions)
-        places = np.array(chosen)
-        _record_unremarkable(results, places, motions, unremarkable)
-        for place, motion in motions.among(np.flatnonzero(~unremarkable).tolist()):
-            if motion is not None:
-                _record(results, chosen[place], motion)
-        if task.outputs:
-            for place, motion in motions.among(np.flatnonzero(unremarkable).tolist()):
-                if motion is not None:
-                    _put_outputs_and_findings(results, chosen[place], motion)
+        record_motions(results, np.array(chosen), run_motions(each, parameters, starts, threads, goes_on))
         finished += len(chosen)
     return results
 
@@ -120,79 +107,3 @@ def _initial_states(task: Task, cases: Cases) -> Array:
     if task.by and (model.constraints or model.system.has_quasi_velocities):
         return np.full((cases.count, model.width), np.nan)
     return initial_states(task, cases.parameters, cases.initial, cases.count)
-
-
-def _record_unremarkable(
-    results: Results, cases: NDArray[np.intp], motions: Motions, which: NDArray[np.bool_]
-) -> None:
-    """Store the results of motions that reached the last instant, and have no findings.
-
-    Args:
-        results: where to store them.
-        cases: the numbers of the cases of all motions.
-        motions: the motions.
-        which: which of them, shape (k,).
-    """
-    if not which.any():
-        return
-    chosen = cases[which]
-    results.status[chosen] = Status.COMPLETED
-    results.reached[chosen] = len(motions.task.instants)
-    results.t_reached[chosen] = motions.end
-    results.counts[chosen] = motions.counts[which]
-    if motions.task.keeps_states:
-        results.states[chosen] = motions.states[which]
-
-
-def _record(results: Results, case: int, motion: Integrated) -> None:
-    """Store the result of the integration of one case."""
-    task, outcome = motion.task, motion.outcome
-    failure, size, reached = outcome.failure, len(task.model.state), len(outcome.states)
-    if failure is not None and failure.kind is FailureKind.INTERRUPTED:
-        return
-    is_early = outcome.end[0] < task.instants[-1]
-    results.status[case] = (
-        Status.FAILED if failure else Status.ENDED_BY_EVENT if is_early else Status.COMPLETED
-    )
-    results.messages[case] = diagnosis(motion) if failure else ""
-    results.reached[case] = reached
-    results.t_reached[case] = failure.t if failure else outcome.end[0]
-    statistics = outcome.statistics
-    results.counts[case] = (
-        statistics.steps,
-        statistics.rejected,
-        statistics.evaluations,
-        statistics.jacobians,
-        statistics.is_stiff,
-    )
-    found = outcome.sensitivities
-    none = np.empty((len(outcome.occurrences), size, 0))
-    results.occurrences[case] = tuple(
-        (event, when, np.array(state[:size]), slopes)
-        for (event, when, state), slopes in zip(
-            outcome.occurrences, none if found is None else found.occurrences, strict=True
-        )
-    )
-    if found is not None and task.keeps_states:
-        results.slopes[case, :reached] = found.states
-    if task.keeps_states:
-        results.states[case, :reached, : outcome.states.shape[1]] = outcome.states
-    _put_outputs_and_findings(results, case, motion)
-
-
-def _put_outputs_and_findings(results: Results, case: int, motion: Integrated) -> None:
-    met = _put_outputs(results, case, motion) if motion.task.outputs else motion
-    with noting():  # what the motion met is already in its findings
-        findings = findings_of(met)
-    results.findings[case] = tuple(dict.fromkeys((*results.findings[case], *findings)))
-
-
-def _put_outputs(results: Results, case: int, motion: Integrated) -> Integrated:
-    """Store the outputs of one case; return the motion with the deficient linear systems that they met."""
-    task, states = motion.task, motion.outcome.states
-    reached, size = len(states), len(task.model.state)
-    with noting() as found:
-        results.outputs[case, :, :reached] = task.values(
-            list(task.outputs.values()), states[:, :size], task.instants[:reached], motion.parameters
-        )
-    return replace(motion, outcome=with_deficiencies(motion.outcome, found))

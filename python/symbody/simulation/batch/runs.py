@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NoReturn
@@ -27,6 +27,7 @@ from symbody.symbolic import Expr, ExprLike
 from symbody.symbolic.given.arguments import counted, described, with_known_names
 from symbody.symbolic.numeric.deficiency import noting
 
+from .case_ends import CaseEnds, FailedCase
 from .case_table import case_table
 from .cases import Cases
 
@@ -37,25 +38,6 @@ _READING = Reading(
     "runs.motion(0) is the motion of the first case, runs.states has the states of all of them: "
     "cases x instants x state",
 )
-
-
-@dataclass(frozen=True)
-class FailedCase:
-    """A motion that ended early, and not by an event.
-
-    Attributes:
-        index: the number of the case.
-        parameters: its parameters.
-        initial: its given initial values.
-        message: why it ended.
-        t_reached: the last known instant, in s; NaN if it was not started.
-    """
-
-    index: int
-    parameters: dict[Expr, float]
-    initial: dict[Expr, float]
-    message: str
-    t_reached: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,12 +82,12 @@ class Runs:
         return self.task.model.system
 
     @property
-    def parameters(self) -> dict[Expr, Array]:
+    def parameters(self) -> Mapping[Expr, Array]:
         """The parameters, shape (k,) each."""
         return self.cases.parameters
 
     @property
-    def initial(self) -> dict[Expr, Array]:
+    def initial(self) -> Mapping[Expr, Array]:
         """The given initial values, shape (k,) each."""
         return self.cases.initial
 
@@ -288,23 +270,20 @@ class Runs:
         return found
 
     @cached_property
+    def ends(self) -> CaseEnds:
+        """How the cases ended."""
+        found = self.results
+        return CaseEnds(self.cases, found.status, found.t_reached, lambda case: str(found.messages[case]))
+
+    @cached_property
     def completed(self) -> NDArray[np.bool_]:
         """Whether each case reached the last instant or a terminal event, shape (k,)."""
-        return np.isin(self.results.status, (Status.COMPLETED, Status.ENDED_BY_EVENT))
+        return self.ends.completed
 
     @cached_property
     def failures(self) -> list[FailedCase]:
         """The cases that failed."""
-        return [
-            FailedCase(
-                i,
-                self.cases.parameters_of(i),
-                self.cases.initial_of(i),
-                str(self.results.messages[i]),
-                float(self.results.t_reached[i]),
-            )
-            for i in np.flatnonzero(self.results.status == Status.FAILED).tolist()
-        ]
+        return [self.ends.failure(case) for case in self.ends.failed.tolist()]
 
     @cached_property
     def findings(self) -> list[tuple[Finding, ...]]:
@@ -314,7 +293,7 @@ class Runs:
     @property
     def not_run(self) -> list[int]:
         """The cases that were not run because the batch was interrupted."""
-        return [int(case) for case in self.results.missing]
+        return [int(case) for case in self.ends.not_run]
 
     def __repr__(self) -> str:
         parts = [counted(len(self), "case"), counted(len(self.t), "instant")]

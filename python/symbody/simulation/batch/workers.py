@@ -12,7 +12,7 @@ from time import monotonic
 import numpy as np
 from numpy.typing import NDArray
 
-from symbody.errors import ArgumentError
+from symbody.errors import ArgumentError, SimulationError
 from symbody.simulation.batch.case_arrays import Results
 from symbody.simulation.device.devices import prepared
 from symbody.simulation.device.run_kernel import bytes_of_case
@@ -77,6 +77,18 @@ def checked_workforce(
     return executor, threads
 
 
+def check_one_workforce(executor: object, device: object, place: str) -> None:
+    """Check that motions are given to an executor or to a device, not to both.
+
+    Raises:
+        SimulationError: both are given.
+    """
+    if device is not None and executor is not None:
+        raise SimulationError(
+            f"{place}: device={device!r} and an executor; give one of them: the device is fed by this process"
+        )
+
+
 def run_in_threads(
     task: Task,
     cases: Cases,
@@ -95,7 +107,7 @@ def run_in_threads(
         keep_going: called some times a second with the number of finished cases; False ends all of them.
         span: the longest time for a part, in s; a part has at least as many cases as there are threads.
     """
-    most = max(threads, _cases_in_memory(task))
+    most = max(threads, cases_in_memory(task))
     size, done = most if span == inf or task.device is not None else min(most, 4 * threads), 0
     while done < len(indices) and keep_going(done):
         chosen, begin = indices[done : done + size], monotonic()
@@ -129,7 +141,7 @@ def run_by_executor(
     Raises:
         SimulationError: tasks were lost for good: the executor is broken, or a worker can't run the model.
     """
-    size = min(_cases_in_memory(task), -(-len(indices) // TASKS))
+    size = min(cases_in_memory(task), -(-len(indices) // TASKS))
     parts = [indices[start : start + size] for start in range(0, len(indices), size)]
     parcel, flag, done = Parcel(task), StopFlag(), 0
 
@@ -166,7 +178,7 @@ def _run(parcel: Parcel[Task], cases: Cases, flag: StopFlag) -> Results:
     return results
 
 
-def _cases_in_memory(task: Task) -> int:
+def cases_in_memory(task: Task) -> int:
     """Return how many cases fit into the memory for states, and for events on a device."""
     numbers = (len(task.instants) + task.trail) * task.model.width
     if task.device is None:

@@ -76,8 +76,8 @@ class Kinematics:
     def _with_states(self, place: Array) -> Array:
         return place if self.states is None else np.concatenate([place, self.states])
 
-    def position_of_many(self, t: float, q: Array, p: Array) -> Any:
-        """Return `position` at k positions (n, k) with parameters (p, k), to the same digits."""
+    def position_of_many(self, t: ArrayLike, q: Array, p: Array) -> Any:
+        """Return `position` at k positions (n, k) with parameters (p, k), to the same digits; at one instant, or k."""
         return self.position.at_few_points(t, q, p)
 
     def velocity_of_many(self, t: float, q: Array, p: Array) -> Any:

@@ -26,7 +26,7 @@ def cuda() -> Cuda:
     """Return the graphics processor that CuPy has chosen.
 
     Raises:
-        SimulationError: CuPy is not installed, or finds no processor.
+        SimulationError: CuPy is not installed, or finds no processor; the place is added by `on_device`.
     """
     try:
         cupy = import_module("cupy")
@@ -37,7 +37,7 @@ def cuda() -> Cuda:
             else f"can't be loaded here ({brief(error)})"
         )
         raise SimulationError(
-            f"simulate_many: device='cuda' needs the package CuPy, which {state}: pip install \"symbody[cuda]\"; or "
+            f"device='cuda' needs the package CuPy, which {state}: pip install \"symbody[cuda]\"; or "
             f"{_WAY_OUT}"
         ) from error
     try:
@@ -51,7 +51,7 @@ def cuda() -> Cuda:
 
 def _no_processor(reason: str) -> SimulationError:
     return SimulationError(
-        f"simulate_many: device='cuda' needs a graphics processor of NVIDIA and its driver, which CuPy doesn't find "
+        f"device='cuda' needs a graphics processor of NVIDIA and its driver, which CuPy doesn't find "
         f"({reason}); check it by nvidia-smi, or {_WAY_OUT}"
     )
 

@@ -44,6 +44,8 @@ def on_device(task: Task, name: object, where: str) -> Task:
     found = replace(task, device=name, method=method_on_device(task.method, prepared))
     try:
         prepared(found)
+    except SimulationError as error:
+        raise SimulationError(f"{where}: {error}") from error
     except ProgramError as error:
         raise SimulationError(
             f"{where}: device={name!r} can't run the model: {error}; {_LEAVE_OUT}"

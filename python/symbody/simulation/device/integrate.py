@@ -9,7 +9,8 @@ from functools import cache, partial
 import numpy as np
 from numpy.typing import NDArray
 
-from symbody.simulation.integrate.outcome import Outcome, Statistics
+from symbody.simulation.integrate.occurrences import Occurrences
+from symbody.simulation.integrate.outcome import Outcome
 from symbody.simulation.integrate.outcomes import Outcomes
 from symbody.simulation.integrate.task import Columns, Integrate, KeepGoing, Method, Task
 
@@ -71,8 +72,7 @@ def _integrate(
     over = found.is_over
     counts[over, :3] = found.counts[over, Column.STEPS : Column.EVALUATIONS + 1]
     counts[over, 3:] = np.column_stack([np.zeros(over.sum()), found.counts[over, Column.STIFF]])
-    eventful = over & ((found.counts[:, Column.HAPPENED] > 0) | (found.status == Ending.ENDED_BY_EVENT))
-    remarkable = {k: _outcome_of(found, k, task) for k in np.flatnonzero(eventful).tolist()}
+    remarkable: dict[int, Outcome] = {}
     left = np.flatnonzero(found.is_left)
     if len(left):
         own = {name: values[left] for name, values in parameters.items()}
@@ -81,17 +81,25 @@ def _integrate(
         for k, outcome in zip(left.tolist(), outcomes, strict=True):
             if outcome is not None:
                 remarkable[k] = replace(outcome, left=REASONS[Ending(int(found.status[k]))])
-    return Outcomes(found.states, float(task.instants[-1]), counts, remarkable)
+    reached = found.counts[:, Column.REACHED]
+    events = _occurrences(found, over)
+    ends = np.full(len(states), float(task.instants[-1]))
+    early = np.flatnonzero(found.status == Ending.ENDED_BY_EVENT)
+    ends[early] = events.t[events.last(early)]
+    found.states[early] = np.where(  # what follows is not part of the motions
+        np.arange(len(task.instants))[:, np.newaxis] < reached[early, np.newaxis, np.newaxis],
+        found.states[early],
+        np.nan,
+    )
+    return Outcomes(found.states, counts, reached, ends, events, remarkable)
 
 
-def _outcome_of(found: Endings, k: int, task: Task) -> Outcome:
-    """Return the outcome of one motion that is over."""
-    counts = found.counts[k]
-    states = found.states[k, : counts[Column.REACHED]]
-    rows = found.events[k, : counts[Column.HAPPENED]]
-    occurrences = [(int(row[0]), float(row[1]), row[2:].tolist()) for row in rows]
-    is_early = counts[Column.STATUS] == Ending.ENDED_BY_EVENT
-    end = occurrences[-1][1:] if is_early else (float(task.instants[-1]), states[-1].tolist())
-    steps, rejected, evaluations = map(int, counts[Column.STEPS : Column.EVALUATIONS + 1])
-    statistics = Statistics(steps, rejected, evaluations, 0, bool(counts[Column.STIFF]))
-    return Outcome(states, occurrences, end, None, statistics)
+def _occurrences(found: Endings, over: NDArray[np.bool_]) -> Occurrences:
+    """Return the events of motions that are over."""
+    most, size = found.events.shape[1], found.events.shape[2] - 2
+    happened = np.arange(most) < np.where(over, found.counts[:, Column.HAPPENED], 0)[:, np.newaxis]
+    case, place = np.nonzero(happened)
+    rows = found.events[case, place]
+    return Occurrences(
+        case, rows[:, 0].astype(np.int64), rows[:, 1], rows[:, 2:], np.empty((len(case), size, 0))
+    )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
@@ -17,6 +18,11 @@ from symbody.symbolic import Expr, free_symbols
 __all__ = ["counted_cases", "warn_of_impossible_bodies"]
 
 Array = NDArray[np.float64]
+
+Flags = NDArray[np.bool_]
+
+BLOCK = 2**16
+"""The cases whose inertia tensors are in memory at a time."""
 
 LOOKS = 8
 """The number of cases with a negative mass or moment that are checked for bodies that are joined."""
@@ -50,7 +56,7 @@ def _remembered(system: System, given: tuple[tuple[Expr, float], ...]) -> list[s
 def _found(system: System, given: Mapping[Expr, ArrayLike]) -> list[str]:
     """Return the notices of all bodies."""
     found: list[str] = []
-    by_value: dict[tuple[Expr, ...], tuple[Array, Array]] = {}
+    by_value: dict[tuple[Expr, ...], _Judged] = {}
     for group in joined_bodies(system.bodies):
         is_negative = np.zeros(1, dtype=bool)
         is_symbolic = False
@@ -61,11 +67,10 @@ def _found(system: System, given: Mapping[Expr, ArrayLike]) -> list[str]:
                 continue
             is_symbolic |= bool(names)
             if entries not in by_value:
-                by_value[entries] = _numbers(entries, given)
+                by_value[entries] = _judged(entries, given)
                 if names:
-                    found += _impossible_inertia(body, *by_value[entries])
-            mass, J = by_value[entries]
-            is_negative = is_negative | (mass < 0) | (np.einsum("kii->ki", J) < 0).any(axis=1)
+                    found += _impossible_inertia(body, by_value[entries])
+            is_negative = is_negative | by_value[entries].is_negative
         if is_symbolic:
             found += _impossible_difference(group, given, np.flatnonzero(is_negative))
     return found
@@ -78,20 +83,49 @@ def _function(entries: tuple[Expr, ...]) -> tuple[tuple[Expr, ...], CompiledFunc
     return names, lambdify(list(names), list(entries), compile=False)
 
 
-def _numbers(entries: tuple[Expr, ...], given: Mapping[Expr, ArrayLike]) -> tuple[Array, Array]:
-    """Return the mass and the inertia tensor, for each case or for all: arrays of shapes (k,) and (k, 3, 3)."""
+@dataclass(frozen=True, eq=False)
+class _Judged:
+    """The mass and the inertia tensor of a body, in one case or in k of them.
+
+    Attributes:
+        is_impossible: whether no distribution of mass has them, shape (k,).
+        is_negative: whether the mass or a moment of inertia is negative, shape (k,).
+        first: the first inertia tensor that is impossible, if one is.
+    """
+
+    is_impossible: Flags
+    is_negative: Flags
+    first: Array | None
+
+
+def _judged(entries: tuple[Expr, ...], given: Mapping[Expr, ArrayLike]) -> _Judged:
+    """Judge the mass and the inertia tensor of all cases, some at a time."""
     names, function = _function(entries)
-    values = np.asarray(function(*(given[name] for name in names)), float).reshape(10, -1)
-    return values[0], values[1:].T.reshape(-1, 3, 3)
+    columns = [np.atleast_1d(np.asarray(given[name], float)) for name in names]
+    count, first = max((len(column) for column in columns), default=1), None
+    are_different = [len(column) > 1 and column.strides != (0,) for column in columns]
+    flags = []
+    for start in range(0, count if any(are_different) else 1, BLOCK):
+        part = slice(start, start + BLOCK)
+        pairs = zip(columns, are_different, strict=True)
+        own = function(*(column[part if is_different else slice(1)] for column, is_different in pairs))
+        values = np.asarray(own, float).reshape(10, -1)
+        mass, J = values[0], values[1:].T.reshape(-1, 3, 3)
+        impossible = are_impossible(mass, J)
+        flags.append((impossible, (mass < 0) | (np.einsum("kii->ki", J) < 0).any(axis=1)))
+        if first is None and impossible.any():
+            first = J[impossible][0]
+    whole = [np.concatenate(each) for each in zip(*flags, strict=True)]
+    is_impossible, is_negative = (np.broadcast_to(each, count) if len(each) == 1 else each for each in whole)
+    return _Judged(is_impossible, is_negative, first)
 
 
-def _impossible_inertia(body: Body, mass: Array, J: Array) -> list[str]:
-    places = np.flatnonzero(are_impossible(mass, J))
-    if not len(places):
+def _impossible_inertia(body: Body, judged: _Judged) -> list[str]:
+    places, first = np.flatnonzero(judged.is_impossible), judged.first
+    if first is None:
         return []
-    first = J[places[0]]
     text = inertia_fault(body, first, has_products=bool((first - np.diag(np.diag(first))).any()))
-    return [f"{counted_cases(places, len(J))}{text}"]
+    return [f"{counted_cases(places, len(judged.is_impossible))}{text}"]
 
 
 def _impossible_difference(

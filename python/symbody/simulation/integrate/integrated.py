@@ -12,6 +12,7 @@ from symbody.simulation.model.model import DAMPING
 from symbody.symbolic import Expr
 
 from .contradictory_constraints import with_contradictions
+from .occurrences import Occurrences
 from .outcome import Outcome
 from .outcomes import Outcomes
 from .task import Columns, KeepGoing, Task
@@ -70,7 +71,7 @@ class Motions:
 
     @property
     def plain(self) -> NDArray[np.bool_]:
-        """Which motions reached the last instant, and are their outcome, of which nothing is to be told, shape (k,)."""
+        """Which motions are their outcome, with nothing to tell of it but costs and events, shape (k,)."""
         if self._whole is None or self.task.variation is not None:
             return np.zeros(len(self.starts), dtype=bool)
         return self._whole.plain
@@ -86,14 +87,29 @@ class Motions:
         return self._found.states
 
     @property
-    def end(self) -> float:
-        """The last instant, in s."""
-        return float(self.task.instants[-1])
+    def is_whole(self) -> NDArray[np.bool_]:
+        """Which motions reached the last instant, shape (k,); other plain ones ended at a terminal event."""
+        return self._found.is_whole
+
+    @property
+    def reached(self) -> NDArray[np.int64]:
+        """The number of instants that each motion reached, shape (k,)."""
+        return self._found.reached
+
+    @property
+    def end_t(self) -> Array:
+        """The instant at which each motion ended, in s, shape (k,)."""
+        return self._found.end_t
 
     @property
     def ends(self) -> Array:
-        """The states of plain motions at the last instant, shape (k, width)."""
-        return self._found.states[:, -1]
+        """The states where plain motions ended, shape (k, width)."""
+        return self._found.ends
+
+    @property
+    def occurrences(self) -> Occurrences:
+        """The events of plain motions."""
+        return self._found.occurrences
 
     @property
     def _whole(self) -> Outcomes | None:

@@ -18,6 +18,7 @@ from symbody.simulation.model.model import Model
 from symbody.simulation.model.variation import Variation
 from symbody.symbolic.numeric.deficiency import Deficiency, deficiencies_of, noting
 
+from .occurrences import Occurrences
 from .outcome import Failure, FailureKind, Outcome, Statistics, with_deficiencies
 from .outcomes import Outcomes
 from .problem import Problem
@@ -215,7 +216,7 @@ def run_many(
     constants, lacking = _prepared(problem, parameters)
     is_worth_it = len(states) >= WORTH_LANES and problem.jacobian is None and lanes() >= LEAST_LANES
     width = lanes() if is_worth_it else 1
-    counts, found = (problem.native if width == 1 else problem.in_lanes).integrate_many(
+    counts, ends, happened, found = (problem.native if width == 1 else problem.in_lanes).integrate_many(
         options.method,
         np.ascontiguousarray(states, float),
         constants,
@@ -230,14 +231,27 @@ def run_many(
         place: _outcome(given, results[place], deficiencies_of(noted) | lacking.get(place, set()))
         for place, given, noted in found
     }
+    numbers = np.frombuffer(counts, dtype=np.int64).reshape(-1, 6)
     outcomes = Outcomes(
-        results, float(instants[-1]), np.frombuffer(counts, dtype=np.int64).reshape(-1, 5), remarkable
+        results,
+        numbers[:, :5],
+        numbers[:, 5],
+        np.frombuffer(ends),
+        _occurrences(happened, problem.width),
+        remarkable,
     )
     for place in lacking.keys() - remarkable.keys():
         plain = outcomes[place]
         if plain is not None:
             remarkable[place] = with_deficiencies(plain, lacking[place])
     return outcomes
+
+
+def _occurrences(columns: tuple[bytes, bytes, bytes, bytes], size: int) -> Occurrences:
+    """Return the events of many motions, whose columns are bytes."""
+    case, event = (np.frombuffer(column, dtype=np.int64) for column in columns[:2])
+    t, state = (np.frombuffer(column) for column in columns[2:])
+    return Occurrences(case, event, t, state.reshape(-1, size), np.empty((len(t), size, 0)))
 
 
 def _prepared(

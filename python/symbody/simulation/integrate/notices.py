@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass, replace
 from math import nan
+from typing import Any
 
 import numpy as np
 
@@ -353,6 +354,12 @@ class _Counted:
     worst: int
     finding: Finding
 
+    def take(self, other: _Counted) -> None:
+        """Count other cases with the same finding."""
+        self.number, self.first = self.number + other.number, min(self.first, other.first)
+        if (_severity(other.finding), -other.worst) > (_severity(self.finding), -self.worst):
+            self.worst, self.finding = other.worst, other.finding
+
 
 class Tally:
     """The findings of many cases, counted as they come; its size depends on the kinds and subjects alone."""
@@ -367,10 +374,37 @@ class Tally:
             group = self._groups.get(key)
             if group is None:
                 self._groups[key] = _Counted(1, case, case, finding)
-                continue
-            group.number, group.first = group.number + 1, min(group.first, case)
-            if (_severity(finding), -case) > (_severity(group.finding), -group.worst):
-                group.worst, group.finding = case, finding
+            else:
+                group.take(_Counted(1, case, case, finding))
+
+    def merge(self, other: Tally) -> None:
+        """Take the findings of other cases."""
+        for key, group in other._groups.items():
+            if key in self._groups:
+                self._groups[key].take(group)
+            else:
+                self._groups[key] = replace(group)
+
+    def __len__(self) -> int:
+        """Return the number of kinds and subjects."""
+        return len(self._groups)
+
+    def rows(self) -> list[list[Any]]:
+        """Return what is known as rows of numbers and texts, for a file."""
+        return [
+            [group.number, group.first, group.worst, *astuple(group.finding)]
+            for group in self._groups.values()
+        ]
+
+    @classmethod
+    def of_rows(cls, rows: Iterable[Sequence[Any]]) -> Tally:
+        """Return the tally that `rows` describes; kinds that are not known are left out."""
+        made = cls()
+        for number, first, worst, *finding in rows:
+            found = Finding(*finding)
+            if found.kind in ROWS:
+                made._groups[found.kind, found.subject] = _Counted(number, first, worst, found)
+        return made
 
     def notices(self, count: int, where: str) -> list[str]:
         """Return a message for each kind and subject, in the order of the kinds.

@@ -9,26 +9,33 @@ from typing import Any, overload
 import numpy as np
 from numpy.typing import NDArray
 
+from .occurrences import Occurrences
 from .outcome import Outcome, Statistics
 
 __all__ = ["Outcomes"]
 
+Array = NDArray[np.float64]
+
 
 @dataclass(frozen=True, eq=False)
 class Outcomes(Sequence[Outcome | None]):
-    """The outcomes of k motions. Most have reached the last instant, and there is nothing else to tell of them.
+    """The outcomes of k motions. Most have reached the last instant, or a terminal event, with nothing else to tell.
 
     Attributes:
         states: the states of all motions at the N instants, shape (k, N, width).
-        end: the last instant, in s.
         counts: steps, rejected steps, evaluations, Jacobians, and whether the motion is stiff, shape (k, 5); -1 for
             motions that were not started.
-        remarkable: the outcomes of motions that ended early, or of which there is something to tell.
+        reached: the number of instants that each motion reached, shape (k,).
+        end_t: the instant at which each motion ended, shape (k,).
+        occurrences: the events of the motions that are not remarkable.
+        remarkable: the outcomes of motions that ended early without an event, or of which there is something to tell.
     """
 
-    states: NDArray[np.float64]
-    end: float
+    states: Array
     counts: NDArray[np.int64]
+    reached: NDArray[np.int64]
+    end_t: Array
+    occurrences: Occurrences
     remarkable: Mapping[int, Outcome] = field(default_factory=dict)
 
     def __len__(self) -> int:
@@ -36,10 +43,24 @@ class Outcomes(Sequence[Outcome | None]):
 
     @property
     def plain(self) -> NDArray[np.bool_]:
-        """Which motions reached the last instant, with nothing to tell of them but the costs, shape (k,)."""
+        """Which motions have nothing to tell but their costs and events, shape (k,)."""
         plain: NDArray[np.bool_] = self.counts[:, 0] >= 0
         plain[list(self.remarkable)] = False
         return plain
+
+    @property
+    def is_whole(self) -> NDArray[np.bool_]:
+        """Which motions reached the last instant, shape (k,); a plain motion that did not ended at an event."""
+        whole: NDArray[np.bool_] = self.reached == self.states.shape[1]
+        return whole
+
+    @property
+    def ends(self) -> Array:
+        """The states where plain motions ended, shape (k, width)."""
+        ends = self.states[:, -1].copy()
+        early = np.flatnonzero(self.plain & ~self.is_whole)
+        ends[early] = self.occurrences.state[self.occurrences.last(early)]
+        return ends
 
     @overload
     def __getitem__(self, place: int) -> Outcome | None: ...
@@ -54,6 +75,9 @@ class Outcomes(Sequence[Outcome | None]):
         steps, rejected, evaluations, jacobians, is_stiff = self.counts[place].tolist()
         if steps < 0:
             return None
-        states = self.states[place]
+        states = self.states[place, : self.reached[place]]
         statistics = Statistics(steps, rejected, evaluations, jacobians, bool(is_stiff))
-        return Outcome(states, [], (self.end, states[-1].tolist()), None, statistics)
+        occurrences = [(event, t, state.tolist()) for event, t, state, _ in self.occurrences.of(place)]
+        is_whole = self.reached[place] == self.states.shape[1]
+        end = (float(self.end_t[place]), states[-1].tolist()) if is_whole else occurrences[-1][1:]
+        return Outcome(states, occurrences, end, None, statistics)

@@ -167,3 +167,24 @@ class Task:
             return np.empty((0, len(instants)))
         function = self.model.function(expressions, tuple(parameters))
         return np.asarray(function(instants, *states.T, *parameters.values()))
+
+    def values_of_many(
+        self, expressions: list[Expr], states: Array, reached: NDArray[np.int64], parameters: Columns
+    ) -> Array:
+        """Return `values` along k motions, to the same digits, shape (k, expressions, N); NaN after their ends.
+
+        Args:
+            expressions: the expressions.
+            states: coordinates, then speeds, shape (k, N, n).
+            reached: how many instants each motion reached, shape (k,).
+            parameters: the values of the parameters, one for each motion.
+        """
+        function = self.model.function(expressions, tuple(parameters))
+        values = np.full((len(states), len(expressions), len(self.instants)), np.nan)
+        for points in np.unique(reached[reached > 0]).tolist():
+            own = np.flatnonzero(reached == points)
+            t, case = np.tile(self.instants[:points], len(own)), np.repeat(own, points)
+            at = states[own, :points].reshape(len(t), -1).T
+            found = function.at_points_of(points, t, *at, *(column[case] for column in parameters.values()))
+            values[own, :, :points] = np.moveaxis(np.reshape(found, (-1, len(own), points)), 0, 1)
+        return values

@@ -27,7 +27,7 @@ Flags = NDArray[np.bool_] | bool
 
 
 def unremarkable_motions(motions: Motions) -> NDArray[np.bool_]:
-    """Return which motions reached the last instant, and have no findings, shape (k,)."""
+    """Return which motions reached the last instant or a terminal event, and have no findings, shape (k,)."""
     plain = motions.plain
     if not plain.any():
         return plain
@@ -80,7 +80,7 @@ def _violations(motions: Motions) -> Flags:
     q = motions.ends[:, : len(model.coordinates)].T
     with np.errstate(all="ignore"):
         phi, phi_q, sizes = kinematics.position_of_many(
-            motions.end, q, motions.values(kinematics.parameters).T
+            motions.end_t, q, motions.values(kinematics.parameters).T
         )
         off = np.abs(phi) / term_sizes_of_many(q, phi_q, sizes)
     return np.asarray(~(off <= LEFT).all(axis=0))

@@ -388,8 +388,15 @@ class MotionFunction:
 
     def __call__(self, *values: ArrayLike) -> Any:
         """Evaluate."""
+        return self._reported(self.function, values)
+
+    def at_points_of(self, points: int, *values: ArrayLike) -> Any:
+        """Evaluate at the points of several motions, to the digits of a call with the points of one."""
+        return self._reported(self.function.as_at(points), values)
+
+    def _reported(self, function: CompiledFunction, values: Sequence[ArrayLike]) -> Any:
         with noting() as found:
-            result = self.function(*values)
+            result = function(*values)
         report(found, self.equation_names, "motion", together=self.together)
         return result
 

@@ -63,13 +63,19 @@ class Accumulation:
             values = {name: np.full(count, np.nan) for name in plan.columns}
             status, t_reached = np.zeros(count, dtype=np.int8), np.full(count, np.nan)
             return cls(plan, count, size, None, status, t_reached, values, {}, [], 0)
-        status, t_reached, values = file.read()
-        messages = file.messages(np.flatnonzero(status == Status.FAILED))
-        upto, merged = file.merged()
-        made = cls(plan, count, size, file, status, t_reached, values, messages, merged, upto, _stored=upto)
-        for number in range(upto, made.chunks):
-            if made._is_done(number):
-                made._merge(number, file.partials(number))
+        with file.reading():
+            status, t_reached, values = file.read()
+            messages = file.messages(np.flatnonzero(status == Status.FAILED))
+            upto, merged = file.merged()
+            made = cls(
+                plan, count, size, file, status, t_reached, values, messages, merged, upto, _stored=upto
+            )
+            for number in range(made.chunks):
+                if made._is_done(number) and number >= upto:
+                    made._merge(number, file.partials(number))
+            for number, tally in file.tallies():
+                if made._is_done(number):
+                    made.tally.merge(tally)
         return made
 
     @property
@@ -104,8 +110,7 @@ class Accumulation:
         for k, name in enumerate(self.plan.columns):
             self.values[name][rows] = chunk.values[:, k]
         self.messages |= {first + case: message for case, message in chunk.messages.items()}
-        for case, findings in chunk.findings.items():
-            self.tally.add(first + case, findings)
+        self.tally.merge(chunk.tally)
         self._merge(number, list(chunk.partials))
 
     def _merge(self, number: int, partials: list[Partial]) -> None:
@@ -121,7 +126,7 @@ class Accumulation:
 
     def commit(self) -> None:
         """Store the merged statistics, if there is a file."""
-        if self.file is not None:
+        if self.file is not None and self.upto > self._stored:
             self.file.commit(self.upto, self.merged)
             self._stored = self.upto
 

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +11,7 @@ from numpy.typing import NDArray
 from symbody.simulation.batch.case_arrays import Results, Status
 from symbody.simulation.batch.cases import Cases
 from symbody.simulation.batch.run_cases import run_cases
-from symbody.simulation.integrate.notices import Finding, deficiency_findings
+from symbody.simulation.integrate.notices import Tally, deficiency_findings
 from symbody.simulation.integrate.task import KeepGoing, Task
 from symbody.simulation.model.model import DAMPING
 from symbody.symbolic import Expr
@@ -35,7 +34,7 @@ class Chunk:
         status: how each case ended, a `Status`, shape (k,).
         t_reached: the last known instant of each case, shape (k,).
         messages: why cases failed, by their number in the chunk.
-        findings: what a user should know of cases, by their number in the chunk.
+        tally: what a user should know of cases, by their number in the study, counted.
         values: the numbers of the measures, shape (k, columns); NaN for cases that failed.
         partials: the partial result of each statistic.
         histories: the outputs, shape (k, outputs, N), if they are kept.
@@ -44,7 +43,7 @@ class Chunk:
     status: NDArray[np.int8]
     t_reached: Array
     messages: Mapping[int, str]
-    findings: Mapping[int, tuple[Finding, ...]]
+    tally: Tally
     values: Array
     partials: tuple[Partial, ...]
     histories: Array | None
@@ -66,16 +65,17 @@ def run_chunk(plan: Plan, cases: Cases, first: int, threads: int, keep_going: Ke
     with noting() as found:
         values = _Motions(plan, cases, results)
         outputs, columns = values.outputs(), values.columns()
-    findings = {case: each for case, each in enumerate(results.findings) if each}
-    met = deficiency_findings(found, plan.task.model)
-    if met:
-        findings[0] = tuple(dict.fromkeys((*findings.get(0, ()), *met)))
+    tally = Tally()
+    for case, each in enumerate(results.findings):
+        own = each if case else tuple(dict.fromkeys((*each, *deficiency_findings(found, plan.task.model))))
+        if own:
+            tally.add(first + case, own)
     failed = np.flatnonzero(results.status == Status.FAILED).tolist()
     return Chunk(
         results.status,
         results.t_reached,
         {case: str(results.messages[case]) for case in failed},
-        findings,
+        tally,
         columns,
         tuple(statistic.of(outputs, first) for statistic in plan.statistics),
         outputs if plan.keeps_histories else None,
@@ -97,8 +97,7 @@ class _Motions:
         self._count, self._instants = cases.count, len(plan.task.instants)
         self._is_good = results.status != Status.FAILED
         self._parameters = _with_damping(plan.task, cases, results.states[:, 0, : self._size])
-        case, self._event, self._event_t, at = _occurrences(results, self._size)
-        self._event_case, self._event_states = case, at
+        self._events = results.occurrences.table
         self._end_t, self._end_states = self._ends()
 
     def outputs(self) -> Array:
@@ -146,29 +145,31 @@ class _Motions:
         t = np.full(self._count, self._task.instants[-1])
         states = self._results.states[:, -1, : self._size].copy()
         ended = self._results.status == Status.ENDED_BY_EVENT
-        last = np.searchsorted(self._event_case, np.arange(self._count), "right") - 1
-        t[ended], states[ended] = self._event_t[last[ended]], self._event_states[last[ended]]
+        last = self._events.last(np.flatnonzero(ended))
+        t[ended], states[ended] = self._events.t[last], self._events.state[last]
         return t, states
 
     def _crossings(self, expression: Expr, own: range) -> Crossings:
         """Return the occurrences of the events of one measure."""
-        chosen = np.flatnonzero((self._event >= own.start) & (self._event < own.stop))
-        case = self._event_case[chosen]
-        (values,) = self._values([expression], self._event_states[chosen], self._event_t[chosen], case)
-        return Crossings(case, self._event[chosen] - own.start, self._event_t[chosen], values)
+        events = self._events
+        chosen = np.flatnonzero((events.event >= own.start) & (events.event < own.stop))
+        case, t = events.case[chosen], events.t[chosen]
+        (values,) = self._values([expression], events.state[chosen], t, case)
+        return Crossings(case, events.event[chosen] - own.start, t, values)
 
     def _values(self, expressions: list[Expr], states: Array, t: Array, case: NDArray[np.intp]) -> Array:
         """Return expressions at states, shape (expressions, points); NaN at states that are not known."""
         values = np.full((len(expressions), len(t)), np.nan)
-        known = np.flatnonzero(np.isfinite(states).all(axis=1))
-        if expressions and known.size:
+        is_known = np.isfinite(states).all(axis=1)
+        known = slice(None) if is_known.all() else is_known
+        if expressions and is_known.any():
             function = self._task.model.function(expressions, tuple(self._parameters))
             given = [values[case[known]] for values in self._parameters.values()]
             values[:, known] = np.asarray(function(t[known], *states[known].T, *given))
         return values
 
 
-def _with_damping(task: Task, cases: Cases, starts: Array) -> dict[Expr, Array]:
+def _with_damping(task: Task, cases: Cases, starts: Array) -> Mapping[Expr, Array]:
     """Return the parameters, with those of Baumgarte's stabilisation if it is used; NaN for cases without a start."""
     if not task.model.is_stabilized:
         return cases.parameters
@@ -176,15 +177,3 @@ def _with_damping(task: Task, cases: Cases, starts: Array) -> dict[Expr, Array]:
     for case in np.flatnonzero(np.isfinite(starts).all(axis=1)).tolist():
         rows[case] = [*task.damping_of(cases.parameters_of(case), starts[case]).values()]
     return {**cases.parameters, **dict(zip(DAMPING, rows.T, strict=True))}
-
-
-def _occurrences(results: Results, size: int) -> tuple[NDArray[Any], NDArray[Any], Array, Array]:
-    """Return the case, the event, the instant and the state of all occurrences, by case and then by instant."""
-    rows: Sequence[tuple[int, int, float, Array]] = [
-        (case, event, t, state)
-        for case, entries in enumerate(results.occurrences)
-        for event, t, state, _ in entries
-    ]
-    states = np.array([row[3] for row in rows], dtype=np.float64).reshape(len(rows), size)
-    case, event = (np.array([row[place] for row in rows], dtype=np.intp) for place in (0, 1))
-    return case, event, np.array([row[2] for row in rows], dtype=np.float64), states

@@ -3,49 +3,34 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor
-from dataclasses import dataclass
 from math import inf
 from pathlib import Path
+from typing import Any
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from symbody.dynamics import Equations
-from symbody.errors import ArgumentError, SimulationError, notify
-from symbody.simulation.batch.case_arrays import Status
-from symbody.simulation.batch.case_check import check_cases
-from symbody.simulation.batch.cases import Cases, Values, cases_of
-from symbody.simulation.batch.problem_digest import problem_digest
-from symbody.simulation.batch.results_file import digest
-from symbody.simulation.batch.workers import MEMORY, checked_workforce, core_count
+from symbody.errors import notify
+from symbody.simulation.batch.cases import Values, cases_of
+from symbody.simulation.batch.workers import check_one_workforce, checked_workforce, core_count
 from symbody.simulation.given.event import Event
-from symbody.simulation.integrate.outputs_and_events import check_observed, given_events, given_outputs
-from symbody.simulation.integrate.task_of import task_of, warn_of_odd_values
-from symbody.simulation.terminal.interruption import Interruption
-from symbody.simulation.terminal.progress import progress_bar
 from symbody.symbolic import Expr, ExprLike
-from symbody.symbolic.given.arguments import described, with_known_names
+from symbody.symbolic.given.arguments import with_known_names
 
 from .accumulation import Accumulation
-from .flight import Finished, run_by_executor, run_in_threads
-from .integrals import with_integrals
+from .asked import asked_of, check_names
 from .measures.measure import Measure
-from .plan import PLACE, Plan, all_events, checked_measures, checked_statistics, study_instants
-from .statistics.extremes import extremes
-from .statistics.moments import moments
+from .plan import PLACE
+from .plan_of import plan_of
+from .sample.lazy_sample import LazySample
 from .statistics.statistic import Statistic
-from .study_file import StudyFile
+from .study_file import opened_file
 from .study_results import Study
+from .study_run import StudyRun, chunk_size
 
 __all__ = ["study"]
-
-FEWEST, MOST, CHUNKS = 256, 4096, 64
-"""The least cases of a chunk (enough for lock-step), the most (to lose), and in between the number of chunks."""
-
-IN_FLIGHT = 256 * 2**20
-"""The bytes of results that are at the workers of an executor, or on their way."""
 
 
 @with_known_names
@@ -55,7 +40,7 @@ def study(
     initial: Values | None = None,
     t: tuple[float, float] | ArrayLike = (0.0, 10.0),
     *,
-    cases: Values | None = None,
+    cases: Values | LazySample | None = None,
     measures: Mapping[str, Measure] | None = None,
     outputs: Mapping[str, ExprLike] | None = None,
     statistics: Sequence[Statistic] | None = None,
@@ -71,6 +56,7 @@ def study(
     max_step: float = inf,
     executor: Executor | None = None,
     threads: int | None = None,
+    device: str | None = None,
     chunk: int | None = None,
     path: str | os.PathLike[str] | None = None,
     progress: bool | None = None,
@@ -86,7 +72,7 @@ def study(
         parameters: the values of the parameters, as in `simulate_many`.
         initial: the values of coordinates, their rates, speeds or states at the first instant.
         t: the first and the last instant (1001 instants for outputs), or all instants, in s.
-        cases: values of parameters and initial values together: a `sample`, or a `grid`.
+        cases: values of parameters and initial values together: a `sample`, a `LazySample`, or a `grid`.
         measures: what sums up each motion, by name: functions of `symbody.measures`, which the integrator computes.
         outputs: expressions whose statistics over all cases are computed at all instants, by name.
         statistics: functions of `symbody.statistics`; by default moments and extremes.
@@ -103,6 +89,7 @@ def study(
         executor: an executor whose workers run the chunks, as in `simulate_many`; chunks that workers lose are run
             again, and a bounded number is in flight.
         threads: the number of threads without an executor; by default one for each core.
+        device: ``"cuda"`` for a graphics processor, as in `simulate_many`.
         chunk: the number of cases of a chunk; by default 256 to 4096, fewer if they need much memory.
         path: a folder ``.zarr``, to which each chunk is appended. If it exists, only missing chunks are run.
         progress: whether to show a progress bar; by default if messages go to a terminal.
@@ -129,210 +116,24 @@ def study(
     workforce = checked_workforce(
         PLACE, executor, core_count() if threads is None else threads, path, "study.zarr"
     )
-    named = checked_measures(measures)
-    given, own = given_outputs(outputs, PLACE), given_events(events, PLACE)
-    kinds = checked_statistics((moments(), extremes()) if statistics is None else statistics)
-    _check_kept(named, given, histories=histories, path=path)
+    check_one_workforce(executor, device, PLACE)
     all_cases = cases_of(parameters, initial, cases, PLACE)
-    with_states, states = with_integrals(
-        eqs, [each.integrand for each in named.values() if each.integrand is not None]
-    )
-    task = task_of(
-        with_states,
-        all_cases.parameters,
-        study_instants(t, named, has_outputs=bool(given)),
-        inputs=inputs,
-        method=method,
-        rtol=rtol,
-        atol=atol,
-        outputs=None,
-        events=all_events(own, named),
-        constraints=constraints,
-        guess=guess,
-        max_step=max_step,
-        where=PLACE,
-    )
-    integrals = [name for name, each in named.items() if each.integrand is not None]
-    plan = Plan(
-        task,
-        named,
-        dict(zip(integrals, states, strict=True)),
-        given,
-        kinds if given else (),
-        histories,
-        len(own),
-    )
-    _check_names(plan, all_cases, units)
-    check_observed(task.model, given, task.events, PLACE, _expressions(named))
-    check_cases(plan.with_names, all_cases, PLACE)
-    warn_of_odd_values(plan.with_names, all_cases.parameters, PLACE)
-    numbers = (len(task.instants) + task.trail) * (task.model.width + len(plan.expressions))
-    size = _chunk_size(numbers, all_cases.count, chunk)
-    file = None if path is None else _file(Path(path), plan, all_cases, size, units or {})
+    asked = asked_of(measures, outputs, statistics, events, histories=histories, path=path)
+    options: dict[str, Any] = {"inputs": inputs, "method": method, "rtol": rtol, "atol": atol}
+    options |= {"constraints": constraints, "guess": guess, "max_step": max_step}
+    plan = plan_of(eqs, all_cases, t, asked, device, options)
+    check_names(plan, all_cases, units)
+    size = chunk_size(plan, all_cases.count, chunk)
+    file = None if path is None else opened_file(Path(path), plan, all_cases, size, units or {})
     found = Accumulation.begun(plan, all_cases.count, size, file)
-    reason = _Run(plan, all_cases, found).run_missing(*workforce, progress=progress)
+    reason = StudyRun(plan, all_cases, found).run_missing(*workforce, progress=progress)
     result = Study(plan, all_cases, found, dict(units or {}))
-    _warn(result, reason, has_path=path is not None)
-    return result
-
-
-@dataclass(frozen=True, eq=False)
-class _Run:
-    """A study in progress."""
-
-    plan: Plan
-    cases: Cases
-    found: Accumulation
-
-    def run_missing(self, executor: Executor | None, threads: int, *, progress: bool | None) -> str:
-        """Run the missing chunks; return why some of them were not run."""
-        found, finished = self.found, self.found.done
-        with (
-            Interruption() as interruption,
-            progress_bar(PLACE, self.cases.count, is_shown=progress) as show,
-        ):
-
-            def keep_going(done: float) -> bool:
-                show(finished + done)
-                return not interruption.is_asked_for
-
-            numbers, size = found.missing, found.size
-            if executor is None:
-                parts = run_in_threads(self.plan, self.cases, size, numbers, threads, keep_going)
-            else:
-                parts = run_by_executor(
-                    self.plan,
-                    self.cases,
-                    size,
-                    numbers,
-                    executor,
-                    self._most_in_flight(),
-                    found.oldest,
-                    keep_going,
-                )
-            reason = self._take(parts)
-            show(found.done)
-        return "interrupted" if interruption.is_asked_for else reason
-
-    def _most_in_flight(self) -> int:
-        """Return how many chunks may be at the workers."""
-        plan = self.plan
-        over_time, size = len(plan.outputs) * len(plan.task.instants), self.found.size
-        numbers = size * (len(plan.columns) + over_time * plan.keeps_histories)
-        numbers += over_time * sum(statistic.numbers for statistic in plan.statistics)
-        return int(np.clip(IN_FLIGHT // (8 * max(1, numbers)), 4, 1024))
-
-    def _take(self, parts: Iterator[Finished]) -> str:
-        """Take all chunks; if the executor fails, keep those that are there."""
-        found = self.found
-        try:
-            for number, chunk in parts:
-                found.put(number, chunk)
-        except SimulationError as error:
-            if not found.done:
-                raise
-            return str(error)
-        finally:
-            found.commit()
-        if found.file is not None and not found.missing:
-            found.file.finish(found.over_time())
-        return ""
-
-
-def _chunk_size(row: int, count: int, given: object) -> int:
-    """Return the number of cases of a chunk: it depends on the study alone, as merging in chunks does.
-
-    Args:
-        row: the numbers of states and of values that one case needs.
-        count: the number of cases.
-        given: what the user asks for.
-    """
-    if given is None:
-        size = int(np.clip(-(-count // CHUNKS), FEWEST, MOST))
-        return max(1, min(size, MEMORY // (8 * row)))
-    if isinstance(given, bool) or not isinstance(given, int) or given < 1:
-        raise ArgumentError(f"{PLACE}: chunk={described(given)}; expected a whole number from 1")
-    return given
-
-
-def _file(path: Path, plan: Plan, cases: Cases, size: int, units: Mapping[str, str]) -> StudyFile:
-    """Return the file of a study, made or checked.
-
-    Args:
-        path: its path.
-        plan: what is computed.
-        cases: all cases.
-        size: the number of cases of a chunk.
-        units: the units, by name.
-    """
-    problem = problem_digest(plan.with_names, cases)
-    problem["the measures"] = digest(f"{name} {measure}" for name, measure in plan.measures.items())
-    problem["the statistics"] = digest([*map(repr, plan.statistics), repr(plan.keeps_histories)])
-    problem["the chunks"] = digest([str(size)])
-    file = StudyFile(path, plan, cases, size, problem, units)
-    file.open()
-    return file
-
-
-def _expressions(measures: Mapping[str, Measure]) -> dict[str, Expr]:
-    return {name: measure.expression for name, measure in measures.items()}
-
-
-def _check_kept(
-    measures: Mapping[str, Measure], outputs: Mapping[str, Expr], *, histories: bool, path: object
-) -> None:
-    """Check that something is computed, and that histories have a place."""
-    if not measures and not outputs:
-        raise ArgumentError(
-            f"{PLACE}: nothing to compute; give measures={{'peak': measures.maximum(x)}} or outputs={{'x': x}}"
-        )
-    if histories and not outputs:
-        raise ArgumentError(f"{PLACE}: histories=True, but there are no outputs; give outputs={{'x': x}}")
-    if histories and path is None:
-        raise ArgumentError(
-            f"{PLACE}: histories=True needs a path, such as path='study.zarr'; simulate_many keeps motions in memory"
-        )
-
-
-def _check_names(plan: Plan, cases: Cases, units: object) -> None:
-    """Check that measures, outputs and parameters have names of their own, which a file can have."""
-    if units is not None and not (
-        isinstance(units, Mapping) and all(isinstance(each, str) for pair in units.items() for each in pair)
-    ):
-        raise ArgumentError(
-            f"{PLACE}, units: {described(units)}; expected names and units, such as {{'peak': 'm/s'}}"
-        )
-    given = [*map(str, cases.parameters), *(f"initial_{name}" for name in cases.initial)]
-    taken = [*given, "case", "t", "status", "t_reached", "message", "progress"]
-    for name in (*plan.columns, *plan.outputs):
-        if name in taken or "/" in name or not name:
-            raise ArgumentError(
-                f"{PLACE}: the name {name!r} of a measure or an output is taken, or contains '/'; rename it"
-            )
-        taken.append(name)
-
-
-def _warn(result: Study, reason: str, *, has_path: bool) -> None:
-    """Warn of failures, of gaps, and of what the cases have found."""
-    failed, missing = np.flatnonzero(result.found.status == Status.FAILED), len(result.not_run)
-    if failed.size:
-        first = int(failed[0])
-        values = {**result.cases.parameters_of(first), **result.cases.initial_of(first)}
-        listed = ", ".join(f"{name} = {value:.6g}" for name, value in values.items())
-        why = result.found.messages.get(first, "").rstrip(".")
-        notify(
-            f"{PLACE}: {failed.size} of {len(result)} motions failed; the first is case {first} ({listed}): {why}. All "
-            "are in .failures; their measures are NaN, and statistics over time count them up to where they ended"
-        )
-    if missing:
-        advice = (
-            "the same call goes on with the rest"
-            if has_path
-            else "give a path to keep results for another call"
-        )
-        notify(
-            f"{PLACE}: {missing} of {len(result)} motions were not run ({reason.removeprefix(f'{PLACE}: ')}); they are "
-            f"in .not_run, their measures are NaN, and statistics over time leave them out; {advice}"
-        )
-    for text in result.found.tally.notices(len(result), PLACE):
+    ended = result.ends.notices(
+        reason.removeprefix(f"{PLACE}: "),
+        values="their measures are NaN, and statistics over time count them up to where they ended",
+        gaps="their measures are NaN, and statistics over time leave them out",
+        has_path=path is not None,
+    )
+    for text in (*(f"{PLACE}: {notice}" for notice in ended), *result.notices):
         notify(text)
+    return result

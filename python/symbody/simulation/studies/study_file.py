@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from io import BytesIO
 from pathlib import Path
@@ -14,21 +16,27 @@ from numpy.typing import NDArray
 from symbody.errors import ResultsError
 from symbody.simulation.batch.case_arrays import Status
 from symbody.simulation.batch.cases import Cases
+from symbody.simulation.batch.problem_digest import problem_digest
+from symbody.simulation.batch.results_file import digest
 from symbody.simulation.given.extra import loaded
 from symbody.simulation.given.wording import joined_by_and
+from symbody.simulation.integrate.notices import Tally
 from symbody.symbolic.given.arguments import brief
 
 from .chunk import Chunk
 from .plan import PLACE, Plan
 from .statistics.statistic import Partial
 
-__all__ = ["StudyFile"]
+__all__ = ["StudyFile", "opened_file"]
 
-FORMAT = "symbody study 1"
+FORMAT = "symbody study 2"
 """The number increases when the meaning of the arrays changes."""
 
 MESSAGE = 500
 """The most bytes of a message."""
+
+TALLY = "tally_"
+"""The names of the arrays of what chunks have found begin with this."""
 
 COMMIT = 16
 """The number of chunks after which their merged statistics are stored."""
@@ -126,19 +134,21 @@ class StudyFile:
 
     def _make_coordinates(self, group: Any) -> None:
         """Write the instants, and the values in which cases differ; values that all share are attributes."""
-        cases = self.cases
-        columns = {str(name): column for name, column in cases.parameters.items()}
-        columns |= {f"initial_{name}": column for name, column in cases.initial.items()}
-        varied = {name: column for name, column in columns.items() if np.any(column != column[0])}
-        group.attrs["given"] = {
-            name: float(column[0]) for name, column in columns.items() if name not in varied
-        }
-        group.attrs["coordinates"] = " ".join(["case", *varied])
+        cases, given, varied = self.cases, {}, []
         self._array(group, "case", (cases.count,), "i8", 0, ("case",), {})[:] = np.arange(cases.count)
         instants = self.plan.task.instants
         self._array(group, "t", instants.shape, "f8", np.nan, ("t",), {"units": "s"})[:] = instants
-        for name, column in varied.items():
-            self._array(group, name, column.shape, "f8", np.nan, ("case",), self._unit(name))[:] = column
+        for prefix, columns in (("", cases.parameters), ("initial_", cases.initial)):
+            for each in columns:
+                name, column = f"{prefix}{each}", columns[each]
+                if np.any(column != column[0]):
+                    varied.append(name)
+                    unit = self._unit(name)
+                    self._array(group, name, column.shape, "f8", np.nan, ("case",), unit)[:] = column
+                else:
+                    given[name] = float(column[0])
+        group.attrs["given"] = given
+        group.attrs["coordinates"] = " ".join(["case", *varied])
 
     def _unit(self, name: str) -> dict[str, str]:
         unit = self.units.get(name, "s" if name.endswith(" instant") else "")
@@ -177,6 +187,27 @@ class StudyFile:
             overwrite=True,
         )
 
+    @contextmanager
+    def reading(self) -> Iterator[None]:
+        """Turn what a damaged store raises into an error that names it."""
+        try:
+            yield
+        except ResultsError:
+            raise
+        except Exception as error:
+            raise self._unreadable(brief(error)) from error
+
+    @contextmanager
+    def _writing(self) -> Iterator[None]:
+        try:
+            yield
+        except OSError as error:
+            if isinstance(error, ResultsError):
+                raise
+            raise ResultsError(
+                f"{PLACE}: {self.path} can't be written ({error.strerror or error}); the chunks before are there"
+            ) from error
+
     @property
     def _group(self) -> Any:
         return loaded("zarr", PLACE).open_group(self.path, mode="r+")
@@ -204,7 +235,7 @@ class StudyFile:
             ResultsError: the store can't be written.
         """
         rows = slice(number * self.size, number * self.size + len(chunk.status))
-        try:
+        with self._writing():
             group = self._group
             for k, name in enumerate(self.plan.columns):
                 group[name][rows] = chunk.values[:, k]
@@ -219,12 +250,10 @@ class StudyFile:
                 group["message"][rows] = texts
             if chunk.partials:
                 _put(group, f"chunk_{number}", chunk.partials)
+            if len(chunk.tally):
+                _put_text(group, f"{TALLY}{number}", json.dumps(chunk.tally.rows()))
             group["t_reached"][rows] = chunk.t_reached
             group["status"][rows] = chunk.status
-        except OSError as error:
-            raise ResultsError(
-                f"{PLACE}: {self.path} can't be written ({error.strerror or error}); the chunks before are there"
-            ) from error
 
     def merged(self) -> tuple[int, list[Partial]]:
         """Return the number of chunks whose statistics are merged, and these."""
@@ -236,31 +265,69 @@ class StudyFile:
         """Return the partial statistics of a finished chunk."""
         return _got(self._group, f"chunk_{number}") if self.plan.statistics else []
 
+    def tallies(self) -> Iterator[tuple[int, Tally]]:
+        """Yield what chunks have found, with their numbers."""
+        progress = self._group["progress"]
+        numbers = [int(name[len(TALLY) :]) for name in progress.array_keys() if name.startswith(TALLY)]
+        for number in sorted(numbers):
+            data = np.asarray(progress[f"{TALLY}{number}"][:]).tobytes()
+            yield number, Tally.of_rows(json.loads(data))
+
     def commit(self, upto: int, merged: list[Partial]) -> None:
         """Store the merged statistics of the first chunks; then the parts that they replace are removed."""
-        group = self._group
-        before = int(group.attrs.get("merged", 0))
-        if upto == before or not self.plan.statistics:
-            return
-        _put(group, f"merged_{upto}", merged)
-        group.attrs["merged"] = upto
-        for name in [f"merged_{before}", *(f"chunk_{number}" for number in range(before, upto))]:
-            if name in group["progress"]:
-                del group["progress"][name]
+        with self._writing():
+            group = self._group
+            before = int(group.attrs.get("merged", 0))
+            if upto == before or not self.plan.statistics:
+                return
+            _put(group, f"merged_{upto}", merged)
+            group.attrs["merged"] = upto
+            for name in [f"merged_{before}", *(f"chunk_{number}" for number in range(before, upto))]:
+                if name in group["progress"]:
+                    del group["progress"][name]
 
-    def finish(self, over_time: Mapping[str, Mapping[str, Array]]) -> None:
-        """Write the statistics over time for other programs: one array for each output and column."""
-        group = self._group
-        for output, columns in over_time.items():
-            for column, values in columns.items():
-                has_unit = column not in {"count", "variance"} and " case" not in column
-                unit = (
-                    self._unit(output) if has_unit and "with" not in column and "probab" not in column else {}
-                )
-                attributes = unit | {"long_name": f"{column} of {output}"}
-                self._array(group, f"{output} {column}", values.shape, "f8", np.nan, ("t",), attributes)[
-                    :
-                ] = values
+    @property
+    def is_finished(self) -> bool:
+        """Whether all that belongs into the store is there."""
+        return bool(self._group.attrs.get("is_finished", False))
+
+    def finish(self, over_time: Mapping[str, Mapping[str, Array]], notices: Sequence[str]) -> None:
+        """Write the statistics over time for other programs, one array for each output and column, and the notices."""
+        with self._writing():
+            group = self._group
+            group.attrs["notices"] = [*notices]
+            for output, columns in over_time.items():
+                for column, values in columns.items():
+                    has_unit = column not in {"count", "variance"} and " case" not in column
+                    unit = (
+                        self._unit(output)
+                        if has_unit and "with" not in column and "probab" not in column
+                        else {}
+                    )
+                    attributes = unit | {"long_name": f"{column} of {output}"}
+                    self._array(group, f"{output} {column}", values.shape, "f8", np.nan, ("t",), attributes)[
+                        :
+                    ] = values
+            group.attrs["is_finished"] = True
+
+
+def opened_file(path: Path, plan: Plan, cases: Cases, size: int, units: Mapping[str, str]) -> StudyFile:
+    """Return the file of a study, made or checked.
+
+    Args:
+        path: its path.
+        plan: what is computed.
+        cases: all cases.
+        size: the number of cases of a chunk.
+        units: the units, by name.
+    """
+    problem = problem_digest(plan.with_names, cases)
+    problem["the measures"] = digest(f"{name} {measure}" for name, measure in plan.measures.items())
+    problem["the statistics"] = digest([*map(repr, plan.statistics), repr(plan.keeps_histories)])
+    problem["the chunks"] = digest([str(size)])
+    file = StudyFile(path, plan, cases, size, problem, units)
+    file.open()
+    return file
 
 
 def _put(group: Any, name: str, partials: Sequence[Partial]) -> None:
@@ -269,6 +336,11 @@ def _put(group: Any, name: str, partials: Sequence[Partial]) -> None:
     arrays = {f"{k}/{key}": each for k, partial in enumerate(partials) for key, each in partial.items()}
     np.savez(content, allow_pickle=False, **arrays)
     data = np.frombuffer(content.getvalue(), dtype=np.uint8)
+    group["progress"].create_array(name, data=data, chunks=data.shape, overwrite=True)
+
+
+def _put_text(group: Any, name: str, text: str) -> None:
+    data = np.frombuffer(text.encode(), dtype=np.uint8)
     group["progress"].create_array(name, data=data, chunks=data.shape, overwrite=True)
 
 

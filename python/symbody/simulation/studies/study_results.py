@@ -12,10 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.errors import ArgumentError
-from symbody.simulation.batch.case_arrays import Status
+from symbody.simulation.batch.case_ends import CaseEnds, FailedCase
 from symbody.simulation.batch.cases import Cases
 from symbody.simulation.batch.run_cases import run_cases
-from symbody.simulation.batch.runs import FailedCase, Runs
+from symbody.simulation.batch.runs import Runs
 from symbody.simulation.given.extra import loaded
 from symbody.simulation.given.options import instants_of
 from symbody.simulation.motion.drawing import drawing_function
@@ -26,7 +26,7 @@ from symbody.symbolic.given.arguments import counted, described, with_known_name
 from symbody.symbolic.given.similar_name import did_you_mean
 
 from .accumulation import Accumulation
-from .plan import Plan
+from .plan import PLACE, Plan
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -91,12 +91,12 @@ class Study:
         return self.plan.task.instants
 
     @property
-    def parameters(self) -> dict[Expr, Array]:
+    def parameters(self) -> Mapping[Expr, Array]:
         """The parameters, shape (k,) each."""
         return self.cases.parameters
 
     @property
-    def initial(self) -> dict[Expr, Array]:
+    def initial(self) -> Mapping[Expr, Array]:
         """The given initial values, shape (k,) each."""
         return self.cases.initial
 
@@ -180,28 +180,30 @@ class Study:
         return np.atleast_2d(np.cov(rows[:, np.isfinite(rows).all(axis=0)]))
 
     @property
+    def ends(self) -> CaseEnds:
+        """How the cases ended."""
+        found = self.found
+        return CaseEnds(self.cases, found.status, found.t_reached, lambda case: found.messages.get(case, ""))
+
+    @property
     def completed(self) -> NDArray[np.bool_]:
         """Whether each case reached the last instant or a terminal event, shape (k,)."""
-        return np.isin(self.found.status, (Status.COMPLETED, Status.ENDED_BY_EVENT))
+        return self.ends.completed
 
     @property
     def failures(self) -> list[FailedCase]:
         """The cases that failed, with their parameters."""
-        return [
-            FailedCase(
-                case,
-                self.cases.parameters_of(case),
-                self.cases.initial_of(case),
-                self.found.messages.get(case, ""),
-                float(self.found.t_reached[case]),
-            )
-            for case in np.flatnonzero(self.found.status == Status.FAILED).tolist()
-        ]
+        return [self.ends.failure(case) for case in self.ends.failed.tolist()]
 
     @property
     def not_run(self) -> NDArray[np.intp]:
         """The cases that were not run because the study was interrupted."""
-        return np.flatnonzero(self.found.status == Status.NOT_RUN)
+        return self.ends.not_run
+
+    @property
+    def notices(self) -> list[str]:
+        """What is to be known of the motions, such as that some are stiff: of all cases, also of earlier calls."""
+        return self.found.tally.notices(len(self), PLACE)
 
     @with_known_names
     def motion(self, case: int) -> Motion:
@@ -258,12 +260,12 @@ class Study:
             ArgumentError: there is no such output, measure or parameter.
             PictureError: the file can't be written.
         """
-        given = {**self.cases.parameters, **self.cases.initial}
-        if against is not None and against not in given:
+        own = self.cases.parameters if against in self.cases.parameters else self.cases.initial
+        if against is not None and against not in own:
             raise ArgumentError(f"study.plot: against={described(against)}; expected a variable of the cases")
         bands = None if against is not None else self._over_time.get(name)
         values = None if bands else self._values(name, "study.plot")
-        column = None if against is None else (str(against), given[against])
+        column = None if against is None else (str(against), own[against])
         figure: Figure = drawing_function("plot_study")(
             self.t, name, bands=bands, values=values, column=column, units=self.units, title=title, path=path
         )
@@ -271,7 +273,7 @@ class Study:
 
     def __repr__(self) -> str:
         parts = [counted(len(self), "case"), counted(len(self.found.values), "number")]
-        failed, missing = np.count_nonzero(self.found.status == Status.FAILED), len(self.not_run)
+        failed, missing = len(self.ends.failed), len(self.not_run)
         parts[1] += " each"
         parts += [f"{len(self.plan.outputs)} over time"] if self.plan.outputs else []
         parts += [f"{failed} failed"] if failed else []

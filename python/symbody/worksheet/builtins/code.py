@@ -12,7 +12,7 @@ from symbody.worksheet.evaluation.arithmetic import scalar
 from symbody.worksheet.evaluation.entrywise import parts_of
 from symbody.worksheet.evaluation.session import Command, Session, sequence
 from symbody.worksheet.mathematics.operation_count import operation_count
-from symbody.worksheet.mathematics.shared_parts import named_parts
+from symbody.worksheet.mathematics.shared_parts import computation_sequence, named_parts
 from symbody.worksheet.printing.matlab_text import matlab_name, matlab_text
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.value import (
@@ -75,12 +75,15 @@ def optimize(session: Session, *values: Value) -> Value:
         if isinstance(found, Expr) and found.kind == "symbol" and found.name == "tryhard":
             continue
         results.extend(_results(session, found))
-    definitions, shortened = named_parts([each for _, each in results], _names([each for _, each in results]))
-    equations: list[Value] = [Relation("=", name, definition) for name, definition in definitions]
-    count = len(definitions)
-    for (name, _), short in zip(results, shortened, strict=True):
+    equations: list[Value] = []
+    left = iter(results)
+    names = [None if name is None else unparsed(session, name) for name, _ in results]
+    steps = computation_sequence(names, [each for _, each in results])
+    count = sum(part is not None for part, _ in steps)
+    for part, expression in steps:
+        name = part if part is not None else next(left)[0]
         count += name is None
-        equations.append(Relation("=", symbol(f"t{count}") if name is None else name, short))
+        equations.append(Relation("=", symbol(f"t{count}") if name is None else name, expression))
     return sequence(equations)
 
 
@@ -154,11 +157,14 @@ def _lines(session: Session, value: Value, name: str, *, shares: bool) -> list[s
 def _assignment_lines(session: Session, equations: list[Relation], *, shares: bool) -> list[str]:
     lefts = [matlab_name(unparsed(session, each.left)) for each in equations]
     rights = [scalar(session, session.current(each.right)) for each in equations]
-    lines: list[str] = []
-    if shares:
-        definitions, rights = named_parts(rights, _names(rights) | frozenset(lefts))
-        lines = [f"{matlab_text(left)} = {matlab_text(right)};" for left, right in definitions]
-    return [*lines, *(f"{left} = {matlab_text(right)};" for left, right in zip(lefts, rights, strict=True))]
+    if not shares:
+        return [f"{left} = {matlab_text(right)};" for left, right in zip(lefts, rights, strict=True)]
+    results = iter(lefts)
+    steps = computation_sequence(lefts, rights, frozenset(lefts))
+    return [
+        f"{next(results) if part is None else matlab_text(part)} = {matlab_text(right)};"
+        for part, right in steps
+    ]
 
 
 def _matrix_lines(session: Session, array: Array, name: str, *, shares: bool) -> list[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterator, Sequence
 from functools import reduce
 from operator import add, mul
 
@@ -11,7 +12,7 @@ from symbody.symbolic.expression import functions
 from symbody.symbolic.expression.traverse import post_order
 from symbody.worksheet.values.naming import symbol
 
-__all__ = ["named_parts"]
+__all__ = ["computation_sequence", "named_parts"]
 
 _LEAVES = ("number", "constant", "symbol", "time_function", "solution")
 
@@ -37,6 +38,63 @@ def named_parts(
             made = name
         new[node.id] = made
     return definitions, [new[each.id] for each in expressions]
+
+
+def computation_sequence(
+    names: Sequence[str | None], expressions: list[Expr], taken: frozenset[str] = frozenset()
+) -> list[tuple[Expr | None, Expr]]:
+    """Return the steps that give each name its expression: parts with their names, results without, in their order.
+
+    A part that contains one of the names stands behind the result of this name. Where a name is read both before and
+    after it gets its value, equal parts are different values, so that none is shared.
+    """
+    if _is_reused(names, expressions):
+        return [(None, expression) for expression in expressions]
+    definitions, shortened = named_parts(expressions, taken | _names_in(expressions))
+    return list(_in_order(definitions, frozenset(name for name in names if name is not None), shortened))
+
+
+def _in_order(
+    definitions: list[tuple[Expr, Expr]], assigned: frozenset[str], results: list[Expr]
+) -> Iterator[tuple[Expr | None, Expr]]:
+    waiting: dict[str, tuple[Expr, Expr]] = {}
+    for name, definition in definitions:
+        if _names_in([definition]) & (assigned | waiting.keys()):
+            waiting[name.name] = (name, definition)
+        else:
+            yield name, definition
+    for result in results:
+        for part in _needed(result, waiting):
+            yield waiting.pop(part)
+        yield None, result
+
+
+def _needed(expression: Expr, waiting: dict[str, tuple[Expr, Expr]]) -> list[str]:
+    """Return the parts that an expression needs and that wait, in an order in which they can be computed."""
+    needed: set[str] = set()
+    read = set(_names_in([expression]))
+    for name, (_, definition) in reversed(waiting.items()):
+        if name in read:
+            needed.add(name)
+            read |= _names_in([definition])
+    return [name for name in waiting if name in needed]
+
+
+def _is_reused(names: Sequence[str | None], expressions: list[Expr]) -> bool:
+    """Whether a name is read both up to the result that gives it a value and behind it, or gets two values."""
+    read = [_names_in([expression]) for expression in expressions]
+    for place, name in enumerate(names):
+        if name is None:
+            continue
+        is_read_before = any(name in each for each in read[: place + 1])
+        if is_read_before and any(name in each for each in read[place + 1 :]):
+            return True
+    known = [name for name in names if name is not None]
+    return len(set(known)) < len(known)
+
+
+def _names_in(expressions: list[Expr]) -> frozenset[str]:
+    return frozenset(each.name for expression in expressions for each in expression.free_symbols)
 
 
 def _is_multiple(node: Expr) -> bool:

@@ -6,9 +6,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any, TypeVar
 
-from lark import Token, v_args
-from lark.tree import Meta
-from lark.visitors import Transformer_NonRecursive
+from lark import Token
 
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.sheet.syntax import Expression, Parameter, Place, Statement
@@ -26,29 +24,28 @@ class Mistake(Exception):
         self.place, self.found, self.expected = place, found, expected
 
 
-@v_args(meta=True)
-class Builder(Transformer_NonRecursive[Token, Statement]):
+class Builder:
     """The meaning of the rules. Each method takes the place of its text and what its parts have become."""
 
     # --- statements ---
 
-    def start(self, meta: Meta, parts: Items) -> Statement:
-        statement = parts[0] if len(parts) == 2 else syntax.Empty(place=_place(meta))
+    def start(self, place: Place, parts: Items) -> Statement:
+        statement = parts[0] if len(parts) == 2 else syntax.Empty(place=place)
         return replace(statement, shown=parts[-1])
 
-    def terminator(self, _: Meta, parts: Items) -> bool:
+    def terminator(self, _: Place, parts: Items) -> bool:
         return bool(parts[0].type == "SEMICOLON")
 
-    def evaluation(self, meta: Meta, parts: Items) -> Statement:
-        return syntax.Evaluation(parts[0], place=_place(meta))
+    def evaluation(self, place: Place, parts: Items) -> Statement:
+        return syntax.Evaluation(parts[0], place=place)
 
-    def assignment(self, meta: Meta, parts: Items) -> Statement:
+    def assignment(self, place: Place, parts: Items) -> Statement:
         targets = tuple(_target(target) for target in _items(_bare(parts[0])))
         if not targets:
             raise Mistake(parts[0].place, "()", "a name")
-        return syntax.Assignment(targets, parts[1], place=_place(meta))
+        return syntax.Assignment(targets, parts[1], place=place)
 
-    def body(self, _: Meta, parts: Items) -> tuple[Statement, ...]:
+    def body(self, _: Place, parts: Items) -> tuple[Statement, ...]:
         statements: list[Statement] = []
         for part in parts:
             if not isinstance(part, tuple):
@@ -61,193 +58,191 @@ class Builder(Transformer_NonRecursive[Token, Statement]):
                 statements.append(following)
         return tuple(statements)
 
-    def following(self, _: Meta, parts: Items) -> tuple[bool, Statement | None]:
+    def following(self, _: Place, parts: Items) -> tuple[bool, Statement | None]:
         return parts[0], parts[1] if len(parts) == 2 else None
 
-    def variable(self, meta: Meta, parts: Items) -> Parameter:
-        return Parameter(parts[0].name, parts[1], parts[2], place=_place(meta))
+    def variable(self, place: Place, parts: Items) -> Parameter:
+        return Parameter(parts[0].name, parts[1], parts[2], place=place)
 
-    def declaration(self, meta: Meta, parts: Items) -> Statement:
+    def declaration(self, place: Place, parts: Items) -> Statement:
         names = tuple(variable.name for variable in parts[1:])
-        return syntax.Declaration(str(parts[0]), names, tuple(parts[1:]), place=_place(meta))
+        return syntax.Declaration(str(parts[0]), names, tuple(parts[1:]), place=place)
 
-    def heading(self, meta: Meta, parts: Items) -> Statement:
+    def heading(self, place: Place, parts: Items) -> Statement:
         names = tuple(_word(item) for item in _items(parts[1]))
-        return syntax.Declaration(str(parts[0]), names, place=_place(meta))
+        return syntax.Declaration(str(parts[0]), names, place=place)
 
-    def conditional(self, meta: Meta, parts: Items) -> Statement:
+    def conditional(self, place: Place, parts: Items) -> Statement:
         condition, then, *more, otherwise = parts
-        return syntax.If(((condition, then), *more), otherwise or (), place=_place(meta))
+        return syntax.If(((condition, then), *more), otherwise or (), place=place)
 
-    def alternative(self, _: Meta, parts: Items) -> tuple[Expression, tuple[Statement, ...]]:
+    def alternative(self, _: Place, parts: Items) -> tuple[Expression, tuple[Statement, ...]]:
         return parts[0], parts[1]
 
-    def loop(self, meta: Meta, parts: Items) -> Statement:
+    def loop(self, place: Place, parts: Items) -> Statement:
         *clauses, body = parts
         given: dict[str, Any] = {}
         for clause in clauses:
             for key, value in clause.items():
                 if key in given:
-                    raise Mistake(_place(meta), f"two clauses {key!r} in one loop", "one")
+                    raise Mistake(place, f"two clauses {key!r} in one loop", "one")
                 given[key] = value
-        return syntax.For(body, **given, place=_place(meta))
+        return syntax.For(body, **given, place=place)
 
-    def for_each(self, _: Meta, parts: Items) -> dict[str, Any]:
+    def for_each(self, _: Place, parts: Items) -> dict[str, Any]:
         items = {} if parts[1] is None else {"items": parts[1]}
         return {"variable": parts[0].name, **items}
 
-    def for_clause(self, _: Meta, parts: Items) -> dict[str, Any]:
+    def for_clause(self, _: Place, parts: Items) -> dict[str, Any]:
         return {_CLAUSES[str(parts[0])]: parts[1]}
 
-    def returned(self, meta: Meta, parts: Items) -> Statement:
-        return syntax.Return(parts[0], place=_place(meta))
+    def returned(self, place: Place, parts: Items) -> Statement:
+        return syntax.Return(parts[0], place=place)
 
-    def raised(self, meta: Meta, parts: Items) -> Statement:
-        return syntax.Raise(_items(parts[0]), place=_place(meta))
+    def raised(self, place: Place, parts: Items) -> Statement:
+        return syntax.Raise(_items(parts[0]), place=place)
 
-    def attempt(self, meta: Meta, parts: Items) -> Statement:
+    def attempt(self, place: Place, parts: Items) -> Statement:
         body, *handlers, last = parts
-        return syntax.Try(body, tuple(handlers), last or (), place=_place(meta))
+        return syntax.Try(body, tuple(handlers), last or (), place=place)
 
-    def catch(self, _: Meta, parts: Items) -> tuple[tuple[str, ...], tuple[Statement, ...]]:
+    def catch(self, _: Place, parts: Items) -> tuple[tuple[str, ...], tuple[Statement, ...]]:
         texts = tuple(unquoted(part) for part in parts[:-1] if getattr(part, "type", "") == "STRING")
         return texts, parts[-1]
 
-    def next(self, meta: Meta, _: Items) -> Statement:
-        return syntax.Next(place=_place(meta))
+    def next(self, place: Place, _: Items) -> Statement:
+        return syntax.Next(place=place)
 
-    def leave(self, meta: Meta, _: Items) -> Statement:
-        return syntax.Break(place=_place(meta))
+    def leave(self, place: Place, _: Items) -> Statement:
+        return syntax.Break(place=place)
 
-    def quit(self, meta: Meta, _: Items) -> Statement:
-        return syntax.Quit(place=_place(meta))
+    def quit(self, place: Place, _: Items) -> Statement:
+        return syntax.Quit(place=place)
 
-    def read(self, meta: Meta, parts: Items) -> Statement:
-        return syntax.Read(parts[0], place=_place(meta))
+    def read(self, place: Place, parts: Items) -> Statement:
+        return syntax.Read(parts[0], place=place)
 
-    def save(self, meta: Meta, parts: Items) -> Statement:
-        return syntax.Save(_items(_bare(parts[0])), place=_place(meta))
+    def save(self, place: Place, parts: Items) -> Statement:
+        return syntax.Save(_items(_bare(parts[0])), place=place)
 
     # --- operators ---
 
-    def several(self, meta: Meta, parts: Items) -> Expression:
-        return syntax.SequenceDisplay(tuple(parts), place=_place(meta))
+    def several(self, place: Place, parts: Items) -> Expression:
+        return syntax.SequenceDisplay(tuple(parts), place=place)
 
-    def arrow(self, meta: Meta, parts: Items) -> Expression:
+    def arrow(self, place: Place, parts: Items) -> Expression:
         heading = tuple(_heading(item) for item in _items(_bare(parts[0])))
-        return syntax.Arrow(heading, parts[1], place=_place(meta))
+        return syntax.Arrow(heading, parts[1], place=place)
 
-    def infix(self, meta: Meta, parts: Items) -> Expression:
+    def infix(self, place: Place, parts: Items) -> Expression:
         left, operator, right = parts
         sign, tilde = operator.removesuffix("~"), operator.endswith("~")
-        return syntax.Infix("^" if sign == "**" else sign, left, right, tilde, place=_place(meta))
+        return syntax.Infix("^" if sign == "**" else sign, left, right, tilde, place=place)
 
-    def prefix(self, meta: Meta, parts: Items) -> Expression:
-        return syntax.Prefix(parts[0].removesuffix("~"), parts[1], place=_place(meta))
+    def prefix(self, place: Place, parts: Items) -> Expression:
+        return syntax.Prefix(parts[0].removesuffix("~"), parts[1], place=place)
 
-    def postfix(self, meta: Meta, parts: Items) -> Expression:
-        return syntax.Postfix(parts[1].removeprefix("^"), parts[0], place=_place(meta))
+    def postfix(self, place: Place, parts: Items) -> Expression:
+        return syntax.Postfix(parts[1].removeprefix("^"), parts[0], place=place)
 
-    def closed_range(self, meta: Meta, parts: Items) -> Expression:
-        return syntax.Infix("..", parts[0], parts[1], place=_place(meta))
+    def closed_range(self, place: Place, parts: Items) -> Expression:
+        return syntax.Infix("..", parts[0], parts[1], place=place)
 
-    def range_from(self, meta: Meta, parts: Items) -> Expression:
-        return syntax.Infix("..", parts[0], _nothing(meta), place=_place(meta))
+    def range_from(self, place: Place, parts: Items) -> Expression:
+        return syntax.Infix("..", parts[0], _nothing(place), place=place)
 
-    def range_to(self, meta: Meta, parts: Items) -> Expression:
-        return syntax.Infix("..", _nothing(meta), parts[0], place=_place(meta))
+    def range_to(self, place: Place, parts: Items) -> Expression:
+        return syntax.Infix("..", _nothing(place), parts[0], place=place)
 
-    def range_of_all(self, meta: Meta, _: Items) -> Expression:
-        return syntax.Infix("..", _nothing(meta), _nothing(meta), place=_place(meta))
+    def range_of_all(self, place: Place, _: Items) -> Expression:
+        return syntax.Infix("..", _nothing(place), _nothing(place), place=place)
 
-    def call(self, meta: Meta, parts: Items) -> Expression:
-        return syntax.Call(parts[0], _items(parts[1]), place=_place(meta))
+    def call(self, place: Place, parts: Items) -> Expression:
+        return syntax.Call(parts[0], _items(parts[1]), place=place)
 
-    def selection(self, meta: Meta, parts: Items) -> Expression:
-        return syntax.Selection(parts[0], _items(parts[1]), place=_place(meta))
+    def selection(self, place: Place, parts: Items) -> Expression:
+        return syntax.Selection(parts[0], _items(parts[1]), place=place)
 
-    def member(self, meta: Meta, parts: Items) -> Expression:
-        return syntax.Member(parts[0], parts[1].name, place=_place(meta))
+    def member(self, place: Place, parts: Items) -> Expression:
+        return syntax.Member(parts[0], parts[1].name, place=place)
 
-    def elementwise(self, meta: Meta, parts: Items) -> Expression:
-        return syntax.Elementwise(parts[0], place=_place(meta))
+    def elementwise(self, place: Place, parts: Items) -> Expression:
+        return syntax.Elementwise(parts[0], place=place)
 
-    def concatenation(self, meta: Meta, parts: Items) -> Expression:
+    def concatenation(self, place: Place, parts: Items) -> Expression:
         left, right = parts
         if isinstance(right, Token):
-            right = self.integer(meta, [right]) if right.type == "INTEGER" else self.text(meta, [right])
-        return syntax.Concatenation(left, right, place=_place(meta))
+            right = self.integer(place, [right]) if right.type == "INTEGER" else self.text(place, [right])
+        return syntax.Concatenation(left, right, place=place)
 
     # --- atoms ---
 
-    def integer(self, meta: Meta, parts: Items) -> Expression:
-        return syntax.Integer(int(parts[0]), place=_place(meta))
+    def integer(self, place: Place, parts: Items) -> Expression:
+        return syntax.Integer(int(parts[0]), place=place)
 
-    def decimal(self, meta: Meta, parts: Items) -> Expression:
-        return syntax.Decimal(str(parts[0]), place=_place(meta))
+    def decimal(self, place: Place, parts: Items) -> Expression:
+        return syntax.Decimal(str(parts[0]), place=place)
 
-    def text(self, meta: Meta, parts: Items) -> Expression:
-        return syntax.Text(unquoted(parts[0]), place=_place(meta))
+    def text(self, place: Place, parts: Items) -> Expression:
+        return syntax.Text(unquoted(parts[0]), place=place)
 
-    def ditto(self, meta: Meta, parts: Items) -> Expression:
-        return syntax.Ditto(len(parts[0]), place=_place(meta))
+    def ditto(self, place: Place, parts: Items) -> Expression:
+        return syntax.Ditto(len(parts[0]), place=place)
 
-    def name(self, meta: Meta, parts: Items) -> syntax.Name:
+    def name(self, place: Place, parts: Items) -> syntax.Name:
         token = parts[0]
-        return syntax.Name(unquoted(token) if token.type == "BACKQUOTED" else str(token), place=_place(meta))
+        return syntax.Name(unquoted(token) if token.type == "BACKQUOTED" else str(token), place=place)
 
-    def variable_name(self, _: Meta, parts: Items) -> Expression:
+    def variable_name(self, _: Place, parts: Items) -> Expression:
         name: Expression = parts[0]
         return name
 
-    def delayed(self, meta: Meta, parts: Items) -> Expression:
-        return syntax.Delayed(parts[0], place=_place(meta))
+    def delayed(self, place: Place, parts: Items) -> Expression:
+        return syntax.Delayed(parts[0], place=place)
 
-    def parenthesized(self, meta: Meta, parts: Items) -> Expression:
+    def parenthesized(self, place: Place, parts: Items) -> Expression:
         if parts[0] is None:
-            return _nothing(meta)
+            return _nothing(place)
         inner: Expression = parts[0]
         return inner
 
-    def list(self, meta: Meta, parts: Items) -> Expression:
-        return syntax.ListDisplay(_items(parts[0]), place=_place(meta))
+    def list(self, place: Place, parts: Items) -> Expression:
+        return syntax.ListDisplay(_items(parts[0]), place=place)
 
-    def set(self, meta: Meta, parts: Items) -> Expression:
-        return syntax.SetDisplay(_items(parts[0]), place=_place(meta))
+    def set(self, place: Place, parts: Items) -> Expression:
+        return syntax.SetDisplay(_items(parts[0]), place=place)
 
-    def column(self, meta: Meta, parts: Items) -> syntax.Columns:
-        return syntax.Columns(tuple(parts), place=_place(meta))
+    def column(self, place: Place, parts: Items) -> syntax.Columns:
+        return syntax.Columns(tuple(parts), place=place)
 
-    def vector(self, meta: Meta, parts: Items) -> Expression:
+    def vector(self, place: Place, parts: Items) -> Expression:
         """``<a, b>`` is a column, ``<a | b>`` a row, and ``<a, b | c, d>`` columns one beside the other."""
         if len(parts) == 1:
             column: syntax.Columns = parts[0]
-            return replace(column, place=_place(meta))
+            return replace(column, place=place)
         entries = tuple(part.items[0] if len(part.items) == 1 else part for part in parts)
-        return syntax.Rows(entries, place=_place(meta))
+        return syntax.Rows(entries, place=place)
 
-    def rows(self, meta: Meta, parts: Items) -> Expression:
+    def rows(self, place: Place, parts: Items) -> Expression:
         """``<a, b; c, d>``: rows one below the other."""
         rows = [part for part in parts if isinstance(part, syntax.Columns)]
-        return syntax.Columns(
-            tuple(syntax.Rows(row.items, place=row.place) for row in rows), place=_place(meta)
-        )
+        return syntax.Columns(tuple(syntax.Rows(row.items, place=row.place) for row in rows), place=place)
 
     # --- procedures ---
 
-    def parameter(self, meta: Meta, parts: Items) -> Parameter:
-        return Parameter(parts[0].name, parts[1], parts[2], place=_place(meta))
+    def parameter(self, place: Place, parts: Items) -> Parameter:
+        return Parameter(parts[0].name, parts[1], parts[2], place=place)
 
-    def keywords(self, _: Meta, parts: Items) -> tuple[Parameter, ...]:
+    def keywords(self, _: Place, parts: Items) -> tuple[Parameter, ...]:
         return tuple(replace(parameter, keyword=True) for parameter in parts[0])
 
-    def no_more(self, meta: Meta, _: Items) -> Parameter:
-        return Parameter("$", rest=True, place=_place(meta))
+    def no_more(self, place: Place, _: Items) -> Parameter:
+        return Parameter("$", rest=True, place=place)
 
-    def parameters(self, _: Meta, parts: Items) -> tuple[Parameter, ...]:
+    def parameters(self, _: Place, parts: Items) -> tuple[Parameter, ...]:
         return tuple(one for part in parts for one in (part if isinstance(part, tuple) else (part,)))
 
-    def procedure(self, meta: Meta, parts: Items) -> Expression:
+    def procedure(self, place: Place, parts: Items) -> Expression:
         heading, body = parts[0] or (), parts[-1]
         declared: dict[str, list[str]] = {
             "local": [],
@@ -270,7 +265,7 @@ class Builder(Transformer_NonRecursive[Token, Statement]):
             tuple(declared["global"]),
             tuple(declared["option"]),
             tuple(declared["uses"]),
-            place=_place(meta),
+            place=place,
         )
 
 
@@ -279,12 +274,6 @@ _KINDS = {"options": "option", "export": "local"}
 _ASSIGNABLE = (syntax.Name, syntax.Selection, syntax.Call, syntax.Concatenation, syntax.Member)
 
 _Item = TypeVar("_Item")
-
-
-def _place(meta: Meta) -> Place:
-    if getattr(meta, "empty", True):
-        return Place(1, 1, 1, 1)
-    return Place(meta.line, meta.column, meta.end_line, meta.end_column)
 
 
 def one_place(token: Token) -> Place:
@@ -304,8 +293,8 @@ def unquoted(token: str) -> str:
     return text
 
 
-def _nothing(meta: Meta) -> Expression:
-    return syntax.SequenceDisplay((), place=_place(meta))
+def _nothing(place: Place) -> Expression:
+    return syntax.SequenceDisplay((), place=place)
 
 
 def _items(part: Expression | None) -> tuple[Expression, ...]:

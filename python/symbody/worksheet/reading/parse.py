@@ -6,15 +6,15 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
+from typing import Any
 
-from lark import Lark, Token, UnexpectedToken
+from lark import Lark, Token
 from lark import __version__ as version
-from lark.exceptions import VisitError
 from lark.lark import PostLex
-from lark.parsers.lalr_interactive_parser import InteractiveParser
 
 from symbody.files.cache_folder import folder
 from symbody.worksheet.reading.builder import Builder, Mistake, one_place
+from symbody.worksheet.reading.tables import Reduction, Tables, tables_of
 from symbody.worksheet.sheet.source import Line
 from symbody.worksheet.sheet.syntax import Place, Statement
 
@@ -38,6 +38,9 @@ _DEEPEST = 1000
 _TOO_DEEP = f"more than {_DEEPEST} signs are open here; assign inner parts to names"
 
 TERMINATORS = frozenset({"SEMICOLON", "COLON"})
+
+_END = "$END"
+_NOWHERE = Place(1, 1, 1, 1)
 
 _OPEN = frozenset({"DO", "IF", "PROC", "TRY"})
 _CLOSE = frozenset({"OD", "FI", "END"})
@@ -89,6 +92,11 @@ def _parser() -> Lark:
     )
 
 
+@cache
+def _tables() -> Tables:
+    return tables_of(_parser(), Builder())
+
+
 def tokens_of(line: Line) -> list[Token]:
     """Return the tokens of a line, with their places in the file."""
     reading = _parser().parse_interactive(line.text)
@@ -103,27 +111,92 @@ def tokens_of(line: Line) -> list[Token]:
 
 def next_statement(tokens: Sequence[Token], begin: int = 0) -> Parsed | Failure:
     """Return the statement that begins at a token, with its terminator, or why there is none."""
-    parser = _parser().parse_interactive("")
-    index, depth = begin, 0
-    try:
-        for index in range(begin, len(tokens)):
-            parser.feed_token(tokens[index])
-            if len(parser.parser_state.state_stack) > _DEEPEST:
-                return Failure(index, place=one_place(tokens[index]), message=_TOO_DEEP)
-            depth += opened(tokens, index)
-            if depth <= 0 and tokens[index].type in TERMINATORS and _ends(parser, tokens[index]):
-                tree = parser.feed_token(Token.new_borrow_pos("$END", "", tokens[index]))
-                return Parsed(Builder().transform(tree), index + 1)
-    except UnexpectedToken:
-        return Failure(index)
-    except VisitError as error:
-        return _failure(index, error.orig_exc)
+    reading, depth = _Reading(_tables()), 0
+    for index in range(begin, len(tokens)):
+        token = tokens[index]
+        if not reading.goes_on(token.type):
+            return Failure(index)
+        reading.shift(token)
+        if len(reading.states) > _DEEPEST:
+            return Failure(index, place=one_place(token), message=_TOO_DEEP)
+        depth += opened(tokens, index)
+        if depth <= 0 and token.type in TERMINATORS and reading.can_end(token.type):
+            reading.goes_on(_END)
+            mistake = reading.mistake
+            if mistake is not None:
+                return Failure(index, place=mistake.place, message=str(mistake))
+            return Parsed(reading.values[-1], index + 1)
     return Failure(len(tokens))
 
 
-def _ends(parser: InteractiveParser, token: Token) -> bool:
-    """Whether a terminator ends the statement: ``<a, b; c, d>`` has one between its rows."""
-    return token.type != "SEMICOLON" or "$END" in parser.choices()  # type: ignore[no-untyped-call]
+class _Reading:
+    """The stacks of the parser: states, what the parts have become, and where they begin and end."""
+
+    __slots__ = ("mistake", "places", "states", "tables", "values")
+
+    def __init__(self, tables: Tables) -> None:
+        self.tables = tables
+        self.states = [tables.start]
+        self.values: list[Any] = []
+        self.places: list[Token | Place | None] = []  # None: of no text
+        self.mistake: Mistake | None = None
+
+    def goes_on(self, kind: str) -> bool:
+        """Reduce what ends before a token of this kind; return whether it can follow."""
+        tables, states = self.tables, self.states
+        steps = tables.steps
+        while True:
+            step = steps[states[-1]].get(kind)
+            if step.__class__ is int:
+                return True
+            if step is None:
+                return kind == _END and states[-1] == tables.end
+            if step.meaning is None:  # type: ignore[union-attr]
+                states[-1] = tables.settled(states[-2], states[-1], kind)
+            else:
+                self._reduce(step)  # type: ignore[arg-type]
+
+    def shift(self, token: Token) -> None:
+        """Take the token that follows."""
+        self.states.append(self.tables.steps[self.states[-1]][token.type])  # type: ignore[arg-type]
+        self.values.append(token)
+        self.places.append(token)
+
+    def can_end(self, kind: str) -> bool:
+        """Whether the terminator ends the statement: ``<a, b; c, d>`` has one between its rows."""
+        return kind != "SEMICOLON" or _END in self.tables.steps[self.states[-1]]
+
+    def _reduce(self, rule: Reduction) -> None:
+        states, values, places = self.states, self.values, self.places
+        size = rule.size
+        parts, place = [], None
+        if size:
+            parts, place = values[-size:], _joined(places[-size:])
+            del states[-size:], values[-size:], places[-size:]
+        values.append(self._meaning(rule, place or _NOWHERE, parts))
+        places.append(place)
+        states.append(self.tables.steps[states[-1]][rule.origin])  # type: ignore[arg-type]
+
+    def _meaning(self, rule: Reduction, place: Place, parts: list[Any]) -> object:
+        """Return what a rule means; behind the first mistake, only whether there is a statement matters."""
+        if self.mistake is None:
+            assert rule.meaning is not None
+            try:
+                return rule.meaning(place, rule.parts(parts))
+            except Mistake as mistake:
+                self.mistake = mistake
+        return None
+
+
+def _joined(places: list[Token | Place | None]) -> Place | None:
+    """Return the place of parts that follow one another."""
+    first, last = places[0], places[-1]
+    if first is None or last is None:
+        known = [place for place in places if place is not None]
+        if not known:
+            return None
+        first, last = known[0], known[-1]
+    return Place(first.line, first.column, last.end_line, last.end_column)  # type: ignore[arg-type]
 
 
 def accepted(tokens: Sequence[Token]) -> frozenset[str]:
@@ -149,12 +222,6 @@ def opened(tokens: Sequence[Token], index: int) -> int:
     if kind == "NAME" and tokens[index] == "module":  # which isn't read, but has an end
         kind = "PROC" if index + 1 < len(tokens) and tokens[index + 1].type == "LPAR" else kind
     return int(kind in _OPEN and not (index and tokens[index - 1].type == "END"))
-
-
-def _failure(index: int, error: Exception) -> Failure:
-    if isinstance(error, Mistake):
-        return Failure(index, place=error.place, message=str(error))
-    raise error
 
 
 def terminator_after(token: Token) -> Token:

@@ -38,7 +38,6 @@ def statements(cell: Cell, used: Collection[str] = ()) -> Iterator[Statement | R
     names in the code of the whole sheet (`names_in_code`); words that are not among them can be remarks.
     """
     lines = [tokens_of(line) for line in without_block_remarks(cell.input)]
-    used = used or used_names(lines)
     tokens = [token for line in lines for token in line]
     if tokens and tokens[-1].type not in TERMINATORS:
         tokens.append(terminator_after(tokens[-1]))
@@ -52,6 +51,7 @@ def statements(cell: Cell, used: Collection[str] = ()) -> Iterator[Statement | R
                 yield _remark(cell, [comma])
                 tokens[found.index - 1] = Token.new_borrow_pos("SEMICOLON", ";", comma)
                 continue
+            used = used or used_names(lines)
             span = remark_in(tokens, begin, found, used) if effort > 0 else None
             if span is None:
                 yield mistake(cell, tokens, begin, found)

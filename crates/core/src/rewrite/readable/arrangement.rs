@@ -9,8 +9,8 @@ use crate::value::Number;
 
 use super::flat_form::LONG_WAVES;
 use super::{LONG, TERMS, WORK_ON_SQUARES};
+use crate::rewrite::content::common_monomial;
 use crate::rewrite::expand::Opening;
-use crate::rewrite::factor_terms::common_monomial;
 use crate::rewrite::ring::Ring;
 
 /// The factors that are tried as the first one to be taken out; and the same for long polynomials.

@@ -86,8 +86,6 @@ def fit(
     >>> round(found[k], 6), round(found[x], 6)
     (4.0, 0.1)
     """
-    from scipy import optimize  # noqa: PLC0415 - slow to load
-
     listed = _experiments(experiments)
     unknowns = unknowns_of(unknown, listed)
     _check(loss, confidence, unknowns, parameters, initial)
@@ -95,21 +93,8 @@ def fit(
     options |= {"guess": guess, "max_step": max_step, "inputs": dict(inputs or {})}
     residuals = Residuals(eqs, listed, unknowns, dict(parameters or {}), dict(initial or {}), options)
     _check_names(residuals)
-    if residuals.places[-1] < len(unknowns):
-        raise ParameterError(
-            f"fit: {residuals.places[-1]} measured values for {len(unknowns)} unknowns; expected as many at least"
-        )
-    found = optimize.least_squares(
-        residuals.values,
-        np.array([each.start for each in unknowns]),
-        residuals.jacobian,
-        bounds=([each.low for each in unknowns], [each.high for each in unknowns]),
-        x_scale="jac",
-        loss=loss,
-        xtol=1e-12,
-        ftol=1e-12,
-        gtol=1e-12,
-    )
+    _check_count(residuals)
+    found = _search(residuals, loss)
     known = information(np.asarray(found.jac))
     _warn(unknowns, known, residuals, found)
     return Fit(
@@ -120,6 +105,24 @@ def fit(
         np.asarray(found.fun),
         confidence,
         int(found.nfev),
+    )
+
+
+def _search(residuals: Residuals, loss: Loss) -> Any:
+    """Return the result of SciPy's search for the least sum of squares."""
+    from scipy import optimize  # noqa: PLC0415 - slow to load
+
+    unknowns = residuals.unknowns
+    return optimize.least_squares(
+        residuals.values,
+        np.array([each.start for each in unknowns]),
+        residuals.jacobian,
+        bounds=([each.low for each in unknowns], [each.high for each in unknowns]),
+        x_scale="jac",
+        loss=loss,
+        xtol=1e-12,
+        ftol=1e-12,
+        gtol=1e-12,
     )
 
 
@@ -177,6 +180,15 @@ def _check(
         )
         if both is not None:
             raise ParameterError(f"fit: {both} is unknown and given in {kind}; leave it out of one of them")
+
+
+def _check_count(residuals: Residuals) -> None:
+    """Check that there are as many measured values as unknowns at least."""
+    values, unknowns = residuals.places[-1], len(residuals.unknowns)
+    if values < unknowns:
+        raise ParameterError(
+            f"fit: {values} measured values for {unknowns} unknowns; expected as many at least"
+        )
 
 
 def _check_names(residuals: Residuals) -> None:
