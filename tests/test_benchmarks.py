@@ -50,23 +50,13 @@ def ids(expressions: Iterable[Expr]) -> list[int]:
     return [expression.id for expression in expressions]
 
 
-def test_contenders_agree(problem: Problem) -> None:
+def test_contenders_agree_and_symbody_needs_the_fewest_operations(problem: Problem) -> None:
     results = in_this_process(problem, problem.quick_sizes)
     for size in problem.quick_sizes:
         subject = results[problem.contenders[0].label, size]
-        disagreeing = [
-            label for (label, n), result in results.items() if n == size and not agree(subject, result)
-        ]
-        assert disagreeing == []
-
-
-@pytest.mark.parametrize("name", ["chain3d", "euler_chain", "cart_pendulum"])
-def test_symbody_needs_the_fewest_operations_on_trees_of_bodies(name: str) -> None:
-    problem = PROBLEMS[name]
-    results = in_this_process(problem, problem.quick_sizes)
-    for size in problem.quick_sizes:
-        totals = {label: result.operations.total for (label, n), result in results.items() if n == size}
-        assert totals[problem.contenders[0].label] == min(totals.values())
+        of_size = {label: result for (label, n), result in results.items() if n == size}
+        assert [label for label, result in of_size.items() if not agree(subject, result)] == []
+        assert subject.operations.total == min(result.operations.total for result in of_size.values())
 
 
 def test_a_net_of_springs_has_the_same_nodes_by_all_derivations() -> None:

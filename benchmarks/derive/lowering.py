@@ -1,6 +1,6 @@
 """Lower n-ary expressions to a tape, each distinct node once.
 
-An engine says what one of its nodes is (a `Shape`); the rest is common to SymPy, SymEngine and symbody.
+An engine says what one of its nodes is (a `Shape`); the rest is common to SymPy and SymEngine.
 """
 
 from __future__ import annotations
@@ -60,22 +60,18 @@ Shape = Number | Leaf | Sum | Product | Call
 class Lowering:
     """A tape and the operands of the nodes on it."""
 
-    def __init__(
-        self, shape_of: Callable[[Any], Shape], key_of: Callable[[Any], Hashable] = lambda node: node
-    ):
+    def __init__(self, shape_of: Callable[[Any], Shape]):
         self.tape = Tape()
         self._shape_of = shape_of
-        self._key_of = key_of
         self._operands: dict[Hashable, Operand] = {}
 
     def define(self, leaf: Any, node: Any) -> None:
         """Let a leaf stand for a node, as the intermediate quantities of a common subexpression elimination do."""
-        self._operands[self._key_of(leaf)] = self.operand(node)
+        self._operands[leaf] = self.operand(node)
 
     def output(self, nodes: Iterable[Any]) -> Tape:
         """Make these nodes the outputs."""
         self.tape.outputs = [self.operand(node) for node in nodes]
-        self.tape.absorb_signs()
         return self.tape
 
     def operand(self, root: Any) -> Operand:
@@ -83,18 +79,15 @@ class Lowering:
         pending: list[tuple[Any, Shape | None]] = [(root, None)]
         while pending:
             node, shape = pending.pop()
-            key = self._key_of(node)
-            if key in self._operands:
+            if node in self._operands:
                 continue
             if shape is not None:
-                self._operands[key] = self._emit(
-                    shape, [self._operands[self._key_of(p)] for p in shape.parts]
-                )
+                self._operands[node] = self._emit(shape, [self._operands[p] for p in shape.parts])
                 continue
             shape = self._shape_of(node)
             pending.append((node, shape))
             pending.extend((part, None) for part in reversed(shape.parts))
-        return self._operands[self._key_of(root)]
+        return self._operands[root]
 
     def _emit(self, shape: Shape, operands: Sequence[Operand]) -> Operand:
         match shape:

@@ -22,9 +22,10 @@ Each trial is a separate process, so that nothing derived before helps it, and c
   subexpression elimination, by each rival's own means. symbody has no such step, because a common subexpression is
   never built twice. Times are processor times, as the clock would show on an idle machine; all contenders use one
   thread.
-* All operations are counted in the same way, on the instructions that remain after cse. A subtraction counts as an
-  addition, and so does a change of sign that no sum absorbs. An integer power costs its repeated squarings, once. A
-  matrix counts by its upper triangle.
+* Operations are those of the code that each contender gives after cse: the instructions that symbody's `generate`
+  prints, and those of CasADi's `Function`. SymPy and SymEngine have expressions, which are written as such code: a
+  subtraction counts as an addition, and so does a change of sign that no sum absorbs; an integer power costs its
+  repeated squarings, once. A matrix counts by its upper triangle.
 * *agrees*: the counted instructions, evaluated at a random point, give the same numbers as those of the first
   contender, to 1e-9 of the largest.
 * "By hand": the rival has no mechanics, or a slower one. The model is written for it in scalars, with velocities in

@@ -60,8 +60,6 @@ class Tape:
         self.instructions: list[Instruction] = []
         self.outputs: list[Operand] = []
         self._powers: dict[tuple[Operand, Fraction], Operand] = {}
-        self._multiples: dict[Term, Operand] = {}
-        self._uses = Counter[Operand]()
 
     def input(self, name: str) -> Operand:
         """Read the named input."""
@@ -77,27 +75,18 @@ class Tape:
         """Add coefficient times operand; coefficients of one are free, signs become subtractions."""
         positive: list[Operand] = []
         negative: list[Operand] = []
-        for coefficient, signed in terms:
-            operand, sign = self._without_sign(signed)
-            scaled = operand if abs(coefficient) == 1 else self._multiple(abs(coefficient), operand)
-            (positive if coefficient * sign > 0 else negative).append(scaled)
+        for coefficient, operand in terms:
+            scaled = operand if abs(coefficient) == 1 else self.emit("*", abs(coefficient), operand)
+            (positive if coefficient > 0 else negative).append(scaled)
         if positive:
             return self._fold("-", [self._fold("+", sorted(positive, key=_is_slot)), *negative])
-        return self._opposite(self._fold("+", negative))
-
-    def _multiple(self, coefficient: float, operand: Operand) -> Operand:
-        """Multiply by a number, once."""
-        if (coefficient, operand) not in self._multiples:
-            self._multiples[coefficient, operand] = self.emit("*", coefficient, operand)
-        return self._multiples[coefficient, operand]
+        return self.emit("-", 0.0, self._fold("+", negative))
 
     def product(self, coefficient: float, factors: Iterable[Factor]) -> Operand:
         """Multiply powers; those with negative exponents share one division."""
         above: list[Operand] = []
         below: list[Operand] = []
-        for signed, exponent in factors:
-            base, sign = self._without_sign(signed) if exponent.denominator == 1 else (signed, 1)
-            coefficient *= sign ** (exponent.numerator % 2)
+        for base, exponent in factors:
             power = self.power(base, abs(exponent))
             if isinstance(power, float):
                 coefficient *= power if exponent > 0 else 1 / power
@@ -108,44 +97,7 @@ class Tape:
         value = self._fold("*", above)
         if below:
             value = self.emit("/", value, self._fold("*", below))
-        return value if coefficient > 0 else self._opposite(value)
-
-    def _without_sign(self, operand: Operand) -> tuple[Operand, int]:
-        """Return what an operand is the opposite of, and -1; or itself, and 1."""
-        if isinstance(operand, int) and _is_opposite(self.instructions[operand]):
-            return self.instructions[operand].operands[1], -1
-        return operand, 1
-
-    def _opposite(self, operand: Operand) -> Operand:
-        return self.emit("-", 0.0, operand)
-
-    def absorb_signs(self) -> None:
-        """Turn round the sums that are used for their opposites alone: a subtraction among their terms does it."""
-        needed = self._needed()
-        self._uses = Counter(each for slot in needed for each in self.instructions[slot].operands)
-        self._uses.update(self.outputs)
-        for slot in filter(lambda slot: _is_opposite(self.instructions[slot]), needed):
-            value = self.instructions[slot].operands[1]
-            if isinstance(value, int) and self._turns(value):
-                self.instructions[slot] = self._turned(value)
-
-    def _turns(self, slot: Operand) -> bool:
-        if not isinstance(slot, int) or self._uses[slot] > 1:
-            return False
-        instruction = self.instructions[slot]
-        if instruction.operation == "+":
-            return any(map(self._turns, instruction.operands))
-        return instruction.operation == "-" and not _is_opposite(instruction)
-
-    def _turned(self, slot: int) -> Instruction:
-        """Return the opposite of a sum that turns; the terms that turn with it change in place."""
-        first, second = self.instructions[slot].operands
-        if self.instructions[slot].operation == "-":
-            return Instruction("-", (second, first))
-        turning, other = (first, second) if self._turns(first) else (second, first)
-        assert isinstance(turning, int)
-        self.instructions[turning] = self._turned(turning)
-        return Instruction("-", (turning, other))
+        return value if coefficient > 0 else self.emit("-", 0.0, value)
 
     def power(self, base: Operand, exponent: Fraction) -> Operand:
         """Raise to a positive power, once: by repeated squaring, and of the square root for halves."""
@@ -167,22 +119,14 @@ class Tape:
         return self.emit("*", half, half)
 
     def count(self) -> Operations:
-        """Count the operations on which the outputs depend: signs that a sum has absorbed are left out."""
-        instructions = (self.instructions[slot] for slot in self._needed())
-        counts = Counter(i.operation for i in instructions if i.operands)
+        """Count the operations."""
+        counts = Counter(i.operation for i in self.instructions if i.operands)
         return Operations(
             additions=counts.pop("+", 0) + counts.pop("-", 0),
             multiplications=counts.pop("*", 0),
             divisions=counts.pop("/", 0),
             functions=counts.total(),
         )
-
-    def _needed(self) -> list[int]:
-        needed = {output for output in self.outputs if isinstance(output, int)}
-        for slot in reversed(range(len(self.instructions))):
-            if slot in needed:
-                needed |= {each for each in self.instructions[slot].operands if isinstance(each, int)}
-        return sorted(needed)
 
     def evaluate(self, value_of: Callable[[str], float]) -> list[float]:
         """Run the instructions with the given inputs."""
@@ -205,12 +149,6 @@ class Tape:
 
 def _function(operation: str) -> Callable[..., float]:
     return ARITHMETIC.get(operation) or FUNCTIONS[operation]
-
-
-def _is_opposite(instruction: Instruction) -> bool:
-    """Tell whether an instruction changes a sign: a constant zero minus a value."""
-    first = instruction.operands[0] if instruction.operation == "-" else None
-    return isinstance(first, float) and first == 0
 
 
 def _is_slot(operand: Operand) -> bool:

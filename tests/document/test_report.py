@@ -36,6 +36,7 @@ from symbody import (
     report,
     rotate,
     simulate,
+    spring,
     symbols,
     time_derivative,
     time_derivatives,
@@ -553,3 +554,27 @@ def test_a_failure_leaves_the_previous_report(tmp_path: Path) -> None:
         report(CART, file, parameters=3)  # type: ignore[arg-type]
     assert file.read_bytes() == before
     assert [each.name for each in tmp_path.iterdir()] == ["model.md"]
+
+
+def test_a_long_sum_under_a_root_has_a_name() -> None:
+    """A root is not broken, so it would be cut at the edge of the page."""
+    at = Point(ground, r, l, 0)
+    end = Point(rotate("Y", phi) * rotate("X", beta) * translate(s, 0, 0), m3, m2, l)
+    body = Body(end.frame, m1)
+    strut = spring(end, at, tau, free_length=r, on=body)
+    document = blocks(newton_euler(System([body], [strut], q)))
+    formulas = [block for block in document.blocks if isinstance(block, Formula)]
+    assert any(r"\sqrt{d_{1}}" in formula.latex and r"d_{1} &= " in formula.latex for formula in formulas)
+
+
+def test_lualatex_needs_no_encoding(tmp_path: Path) -> None:
+    """Without its own encoding, kg m² is not kg mš."""
+    text = written(tmp_path, System([Body(translate(s, 0, 0), m1)], [], [s]), ".tex")
+    head = text.partition(r"\begin{document}")[0]
+    assert re.search(r"\\ifPDFTeX\n[^\\]*\\usepackage\[utf8\]\{inputenc\}\n.*fontenc\}\n\\fi", head)
+
+
+def test_a_mass_is_that_of_all_bodies_that_have_it() -> None:
+    wheels = [Body(translate(s, k, 0), m1, name=f"wheel {k}") for k in range(1, 4)]
+    rows = cells(blocks(newton_euler(System(wheels, [], [s]))))
+    assert ("m_{1}", "mass of wheel 1, wheel 2 and wheel 3", "kg") in rows

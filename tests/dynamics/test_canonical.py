@@ -301,4 +301,4 @@ def test_systems_in_momenta_say_so() -> None:
     assert "    momenta: p_v, p_n, p_th\n" in describe(equations.system)
     assert "momenta" in equations.system._repr_html_()  # type: ignore[attr-defined]
     assert repr(hamilton(sleigh())) == "CanonicalEquations(x, y, th, p_v, p_n, p_th)"
-    assert describe(equations.system).endswith("(l**2*p_n - l*p_th)/J + p_n/m = 0, multiplier lambda1")
+    assert describe(equations.system).endswith("(l**2/J + 1/m)*p_n - l*p_th/J = 0, multiplier lambda1")

@@ -72,3 +72,13 @@ def test_momentum_about_a_point() -> None:
     body = Body(translate(x, a, 0), m)
     about = project(angular_momentum(body, origin(ground)), ground)
     assert about.components == (0, 0, -m * a * time_derivative(x))
+
+
+def test_a_wheel_on_a_link_has_the_energy_of_its_axle() -> None:
+    """The axes of the link are chosen: no square of a sine and a cosine is left."""
+    theta, psi = functions_of_time("theta psi")
+    length, mass, inertia = symbols("length mass inertia")
+    frame = rotate("Z", theta) * translate(length, 0, 0) * rotate("Z", psi)
+    wheel = Body(frame, mass, Iz=inertia)
+    found = str(kinetic_energy(wheel))
+    assert found == "(mass*length**2*theta'**2 + inertia*(psi' + theta')**2)/2"

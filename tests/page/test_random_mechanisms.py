@@ -135,7 +135,7 @@ x, y = functions_of_time("x y")
         ((R - r) * ((m1 + m2) * (R - r) + l * cos(x)), "(m1 + m2)*(R - r)**2 + l*(R - r)*cos(x)"),
         (
             (m1 + m2) * (a + l) ** 2 + m2 * r**2 * (1 - cos(x) ** 2),
-            "(a + l)**2*(m1 + m2) + m2*r**2*sin(x)**2",
+            "(m1 + m2)*(a + l)**2 + m2*r**2*sin(x)**2",
         ),
         (
             (m1 + m2) * ((l * sin(x) + (R - r) * sin(x + y)) ** 2 + (l * cos(x) + (R - r) * cos(x + y)) ** 2),

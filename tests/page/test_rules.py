@@ -129,6 +129,34 @@ def test_no_factor_occurs_again_in_its_brackets() -> None:
     assert str(textbook_form(m * c * (c + l * cos(theta)) + a)) == "a + m*(c**2 + c*l*cos(theta))"
 
 
+@pytest.mark.parametrize("names", ["l r", "r l", "a x", "x a", "u w", "w u", "p q", "q p"])
+def test_a_distance_has_one_form_whatever_the_names(names: str) -> None:
+    """The sign of a sum in the graph depends on the values of its terms, and a reader doesn't see it."""
+    lever, place = symbols(names.split(maxsplit=1)[0]), functions_of_time(names.split()[1])
+    for sign in (1, -1):
+        square = (place - sign * lever * cos(theta)) ** 2 + lever**2 * sin(theta) ** 2
+        form = textbook_form(square)
+        assert form == square
+        assert len(str(form)) == len("l**2 - 2*l*r*cos(theta) + r**2")
+        assert "sin" not in str(form)
+    difference = m * lever * (place - lever)
+    assert str(textbook_form(expand(difference))) == str(difference)
+
+
+@pytest.mark.parametrize(
+    ("given", "form"),
+    [
+        ((a + b) * l**2, "(a + b)*l**2"),
+        ((a + b) * (c + l) ** 2 * k, "k*(a + b)*(c + l)**2"),
+        (l * (a + b), "l*(a + b)"),
+        (b + a * k**2 / l**2, "b + a*k**2/l**2"),
+    ],
+    ids=str,
+)
+def test_masses_stand_before_squares_of_lengths(given: Expr, form: str) -> None:
+    assert str(given) == form
+
+
 def test_a_place_is_squared_as_a_whole() -> None:
     """Diagonal entries of M are sums of squares of distances from the axis: none is a difference."""
     assert str(textbook_form(b + m * (a**2 + l**2 + c**2 * sin(x) ** 2 + 2 * a * c * sin(x)))) == (

@@ -97,6 +97,19 @@ EQUALITIES: tuple[Equality, ...] = (
         ("(abs(x) - 1)*(abs(x) + 1)", "x**2 - 1"),
     ),
     *known("exponentials are positive", ("sign(exp(x))", "1")),
+    *known(
+        "a sign in an argument is the same sign as outside of it",
+        ("sin(abs(x))", "sign(x)*sin(x)"),
+        ("sin(abs(x + 2*y))*sign(x + 2*y)", "sin(x + 2*y)"),
+        ("exp(abs(x))", "cosh(x) + sign(x)*sinh(x)"),
+        ("a**sign(x)", "Piecewise((a, x), otherwise=1/a)"),
+    ),
+    *known(
+        "the signs of both arguments are known",
+        ("atan2(2*b, 2*b)", "pi/4"),
+        ("atan2(exp(x), -exp(x))", "3*pi/4"),
+        ("atan2(0, x**2)", "0"),
+    ),
     *missed(
         "a sum of squares or of positive terms need not be a square in a finite field",
         ("abs(x**2 + 1)", "x**2 + 1"),
@@ -212,10 +225,11 @@ EQUALITIES: tuple[Equality, ...] = (
     ),
     *missed(
         "an argument that holds a sign is not opened",
-        ("sin(abs(x))", "sign(x)*sin(x)"),
         ("tanh(abs(x))", "abs(tanh(x))"),
-        ("exp(abs(x))", "cosh(x) + sign(x)*sinh(x)"),
-        ("a**sign(x)", "Piecewise((a, x), otherwise=1/a)"),
+    ),
+    *missed(
+        "the logarithm of a number is drawn, so its power is known for numbers as exponents, not for signs",
+        ("2**sign(x)", "Piecewise((2, x), otherwise=1/2)"),
     ),
     *missed(
         "the order of the real numbers is not known",

@@ -32,7 +32,7 @@ def test_textbook_forms() -> None:
     assert str(coupling) == "l1*l2*m2*cos(theta1 - theta2)"
     energy = (m1 + m2) * l1**2 * w1**2 / 2 + m2 * l2**2 * w2**2 / 2 + coupling * w1 * w2
     assert str(energy) == (
-        "l1**2*(m1 + m2)*theta1'**2/2 + m2*l2**2*theta2'**2/2 + l1*l2*m2*cos(theta1 - theta2)*theta1'*theta2'"
+        "(m1 + m2)*l1**2*theta1'**2/2 + m2*l2**2*theta2'**2/2 + l1*l2*m2*cos(theta1 - theta2)*theta1'*theta2'"
     )
     assert str(time_derivative(theta1, 2) * m + k * (l10 - l2)) == "m*theta1'' + k*(l10 - l2)"
 

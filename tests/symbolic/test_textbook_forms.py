@@ -131,7 +131,7 @@ def hoop() -> System:
 
 
 MASS_MATRICES = {
-    double_pendulum: (("l1**2*(m1 + m2)", "l1*l2*m2*cos(theta1 - theta2)"), (None, "l2**2*m2")),
+    double_pendulum: (("(m1 + m2)*l1**2", "l1*l2*m2*cos(theta1 - theta2)"), (None, "l2**2*m2")),
     two_link_arm: (
         ("m1*lc1**2 + m2*(l1**2 + lc2**2 + 2*l1*lc2*cos(q2)) + I1 + I2", "m2*(lc2**2 + l1*lc2*cos(q2)) + I2"),
         (None, "m2*lc2**2 + I2"),

@@ -85,7 +85,6 @@ def _lower(function: Any, names: Sequence[str]) -> Tape:
             case operation:
                 work[results[0]] = _emit(tape, operation, [work[a] for a in arguments])
     tape.outputs = outputs
-    tape.absorb_signs()
     return tape
 
 

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
-from fractions import Fraction
 from typing import Any
 
 from symbody import Expr
+from symbody.codegen.straight_line.code import Code, code_of
+from symbody.codegen.straight_line.instruction import Operation
+from symbody.symbolic import STAGES, Argument, free_symbols
 
-from ..lowering import Call, Leaf, Lowering, Number, Product, Shape, Sum
-from ..tape import Tape
+from ..tape import Operand, Tape
 from .base import Engine
+
+ARITHMETIC = {Operation.ADD: "+", Operation.SUB: "-", Operation.MUL: "*", Operation.DIV: "/"}
 
 
 class Symbody(Engine):
@@ -24,45 +26,19 @@ class Symbody(Engine):
         return roots
 
     def lower(self, compressed: Any) -> Tape:
-        return Lowering(shape_of, lambda node: node.id).output(compressed)
+        variables = sorted(free_symbols(compressed), key=str)
+        return _lower(code_of([Argument("x", "all inputs", tuple(variables), STAGES[0])], compressed))
 
 
-def shape_of(node: Expr) -> Shape:
-    """Say what a node of symbody is."""
-    match node.kind:
-        case "number" | "constant":
-            return Number(float(node))
-        case "symbol" | "time_function":
-            return Leaf(str(node))
-        case "sum":
-            terms = [_coefficient(term) for term in node.args]
-            return Sum(tuple(c for c, _ in terms), tuple(part for _, part in terms))
-        case "product" | "power":
-            return _product(node)
-        case "function":
-            return Call(str(node.name), node.args)
-    raise NotImplementedError(f"symbody expression of kind {node.kind}")
-
-
-def _coefficient(node: Expr) -> tuple[float, Expr]:
-    """Split the number off a multiple of another node."""
-    if node.kind == "product" and len(node.args) == 2 and node.args[0].kind == "number":
-        return float(node.args[0]), node.args[1]
-    return 1.0, node
-
-
-def _product(node: Expr) -> Product:
-    arguments = [node] if node.kind == "power" else node.args
-    factors = [_power(argument) for argument in arguments if argument.kind != "number"]
-    return Product(
-        coefficient=math.prod(float(argument) for argument in arguments if argument.kind == "number"),
-        exponents=tuple(exponent for _, exponent in factors),
-        parts=tuple(base for base, _ in factors),
-    )
-
-
-def _power(factor: Expr) -> tuple[Expr, Fraction]:
-    if factor.kind != "power":
-        return factor, Fraction(1)
-    base, exponent = factor.args
-    return base, Fraction(str(exponent))
+def _lower(code: Code) -> Tape:
+    """Copy the instructions of the code that `generate` prints."""
+    tape = Tape()
+    places: list[Operand] = [*code.constants, *(tape.input(each.name) for each in code.inputs)]
+    for operation, reads, _ in code.instructions:
+        operands = [places[place] for place in reads]
+        if operation is Operation.NEG:
+            places.append(tape.emit("-", 0.0, *operands))
+        else:
+            places.append(tape.emit(ARITHMETIC.get(operation, operation.value), *operands))
+    tape.outputs = [places[place] for place in code.results]
+    return tape

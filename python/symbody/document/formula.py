@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from symbody.document.document import Block, Formula, Math, Prose, Words, prose
 from symbody.dynamics.display.row import printed
 from symbody.multibody import Variables
-from symbody.symbolic import Expr, cost, latex, listing
+from symbody.symbolic import Expr, cost, free_symbols, latex, listing, substitute, symbol
 from symbody.symbolic.expression.latex_layout import LINE, aligned, broken, width
 from symbody.symbolic.given.arguments import counted
 
@@ -42,10 +42,45 @@ def equalities(
     >>> print(formula.latex)
     \begin{aligned} y &= x^{2} \end{aligned}
     """
-    definitions, texts = listing(values, "latex") if system is None else printed(values, "latex", system)
-    pairs = [*definitions, *zip(names, texts, strict=True)]
+    radicands, values = named_radicands(values)
+    shown = [*radicands.values(), *values]
+    definitions, texts = listing(shown, "latex") if system is None else printed(shown, "latex", system)
+    pairs = [*definitions, *zip([*map(latex, radicands), *names], texts, strict=True)]
     rows = [row for left, right in pairs for row in broken(f"{left} &= ", right)]
     if sum(map(len, rows)) > READABLE or max(map(width, rows), default=0) > WIDEST:
-        operations = counted(cost(list(values)).total, "operation")
+        operations = counted(cost([*radicands.values(), *values]).total, "operation")
         return [prose(*lead.words, f" expressions of {operations}, too long to be read here.")]
     return [lead, Formula(aligned(rows))]
+
+
+def named_radicands(values: Sequence[Expr]) -> tuple[dict[Expr, Expr], Sequence[Expr]]:
+    """Return names for the long sums under roots, since a root is not broken, and the values with these names.
+
+    >>> from symbody import sqrt, symbols
+    >>> a, b = symbols("alpha beta")
+    >>> named_radicands([sqrt(a + b)])
+    ({}, [sqrt(alpha + beta)])
+    """
+    wide = [base for base in _radicands(values) if width(latex(base)) > LINE // 2]
+    if not wide:
+        return {}, values
+    used = {leaf.name for leaf in free_symbols(values)}
+    letter = next(each for each in "sdpeo" if not any(name.rstrip("0123456789") == each for name in used))
+    names = [symbol(f"{letter}{number}") for number in range(1, len(wide) + 1)]
+    return dict(zip(names, wide, strict=True)), substitute(values, dict(zip(wide, names, strict=True)))
+
+
+def _radicands(values: Iterable[Expr]) -> list[Expr]:
+    """Return the sums under the outermost roots, in the order of the values."""
+    found, seen, stack = list[Expr](), set[int](), [*values][::-1]
+    while stack:
+        node = stack.pop()
+        if node.id in seen:
+            continue
+        seen.add(node.id)
+        is_root = node.kind == "power" and node.args[0].kind == "sum" and node.args[1].kind == "number"
+        if is_root and float(node.args[1]) % 1:
+            found.append(node.args[0])
+        else:
+            stack.extend(reversed(node.args))
+    return list(dict.fromkeys(found))

@@ -6,9 +6,10 @@ from collections.abc import Collection, Iterable
 
 from symbody.errors import ModelError
 from symbody.geometry import Frame, Vector
-from symbody.geometry.component.triple import Triple
-from symbody.geometry.frame.frame_velocity import origin_velocity, spin
+from symbody.geometry.component.triple import Triple, is_null
+from symbody.geometry.frame.frame_velocity import origin_velocity, spin, twist
 from symbody.geometry.given.argument import checked
+from symbody.geometry.motion.frame_motion import FrameMotion
 from symbody.symbolic import ENERGY, Expr, are_small, cost, derivation, dot3, number, time_derivatives
 
 from .body import Body
@@ -48,18 +49,25 @@ def kinetic_energy_at(body: Body, frame: Frame) -> Expr:
 
 
 def _shortest_velocity(frame: Frame) -> Triple:
-    """Return the velocity of the origin in the axes of the frame, or of the ground if it is shorter there.
+    """Return the velocity of the origin in the axes of the frame or, if it is shorter there, in others.
 
-    Small variables are known to the first order in places, which is not enough for energies in axes of the ground.
+    These are the axes before rotations about the origin, as that of a wheel on its axle, and those of the ground. Small
+    variables are known to the first order in places, which is not enough for energies in axes of the ground.
     """
-    own = origin_velocity(frame).components
-    root = frame
-    while root.parent is not None:
-        root = root.parent
-    if root.carrier is not None or frame.coordinate_rates or are_small(frame.pose.origin):
-        return own
-    x, y, z = time_derivatives(frame.pose.origin)
-    return min((own, (x, y, z)), key=lambda velocity: cost(list(velocity)).total)
+    velocities = [origin_velocity(frame).components]
+    link, is_known = frame, frame.is_rigid and not frame.coordinate_rates and not are_small(frame.pose.origin)
+    while is_known and link.motion is not None and link.parent is not None and _turns(link.motion):
+        link = link.parent
+        velocities.append(twist(link).linear)
+    if is_known and frame.ancestor.carrier is None:
+        x, y, z = time_derivatives(frame.pose.origin)
+        velocities.append((x, y, z))
+    return min(velocities, key=lambda velocity: cost(list(velocity)).total)
+
+
+def _turns(motion: FrameMotion) -> bool:
+    """Return whether a motion is a rotation about the origin."""
+    return motion.twist is None and is_null(motion.displacement)
 
 
 def _energy_at(body: Body, frame: Frame, velocity: Triple) -> Expr:

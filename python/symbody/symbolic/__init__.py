@@ -78,6 +78,7 @@ from symbody.symbolic.expression.vector_operations import (
     rotate_back3,
     scale3,
     sub3,
+    sum_of,
 )
 from symbody.symbolic.linear.bordered import SaddlePointSolution
 from symbody.symbolic.linear.dependence import Dependence
@@ -176,6 +177,7 @@ __all__ = [
     "sub3",
     "subs",
     "substitute",
+    "sum_of",
     "symbol",
     "symbols",
     "t",

@@ -21,7 +21,9 @@ impl Graph {
         check_count(args.len())?;
         let mut args: Vec<Id> = args.iter().map(|&id| self.adopt(id)).collect();
         if function != Function::Piecewise {
-            args = args.into_iter().map(|arg| self.settled(arg)).collect();
+            let by_numbers = function.is_decided_by_numbers();
+            let settle = |arg| if by_numbers { self.decided(arg) } else { self.settled(arg) };
+            args = args.into_iter().map(settle).collect();
         }
         if let Some(exact) = self.exact_value(function, &args)?
             && self.keeps_value_of_function(function, &args, exact)

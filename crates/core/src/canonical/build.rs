@@ -56,10 +56,24 @@ impl Graph {
                 && self.as_number(self.representative(id)).is_some();
             return if hides_number { self.representative(id) } else { id };
         }
-        match self.value(id).to_simple_rational() {
-            Some(number) if self.is_number_everywhere(Pending::Node(id), &number) => self.number(&number),
-            _ => id,
+        self.hidden_number(id).map_or(id, |number| self.number(&number))
+    }
+
+    /// The argument of a function or root that is decided by numbers: the number that a sum hides, or the node itself.
+    pub(super) fn decided(&mut self, id: Id) -> Id {
+        match self.settled(id) {
+            sum if self.kind(sum) == Kind::Sum => {
+                self.hidden_number(sum).map_or(sum, |number| self.number(&number))
+            }
+            settled => settled,
         }
+    }
+
+    /// The number that a node is in all lanes, if it has less than 46 bits above and below the line.
+    fn hidden_number(&self, id: Id) -> Option<Number> {
+        let value = self.value(id);
+        let number = value.to_simple_rational().or_else(|| value.to_likely_rational())?;
+        self.has_value_of_number(id, &number).then_some(number)
     }
 
     /// The number that a fingerprint shows, if it is a simple one.

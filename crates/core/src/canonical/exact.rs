@@ -65,6 +65,7 @@ impl Graph {
             (Function::Sin | Function::Cos | Function::Tan, _) => self.quarter_turns(function, first)?,
             (Function::Exp, _) => self.powers_of_logarithms(first)?,
             (Function::Min | Function::Max, _) => self.extremum(function, args)?,
+            (Function::Atan2, _) => self.eighth_of_turn(first, args[1])?,
             (Function::Power, _) => self.simple_power(first, args[1])?,
             (Function::Piecewise, _) => self.decided_piecewise(args)?,
             _ => None,
@@ -219,6 +220,25 @@ impl Graph {
             _ => return Ok(None),
         };
         Ok(Some(self.pi_times(&Number::rational(eighths, 8))))
+    }
+
+    /// atan2(y, x) where y = 0, x = 0, or |y| = |x|, and the signs are known.
+    fn eighth_of_turn(&mut self, y: Id, x: Id) -> Result<Option<Id>, Error> {
+        let is_diagonal = self.same_up_to_sign(y, x);
+        if !is_diagonal && y != Id::ZERO && x != Id::ZERO {
+            return Ok(None);
+        }
+        let (Some(sine), Some(cosine)) = (self.known_sign(y)?, self.known_sign(x)?) else { return Ok(None) };
+        self.atan2_at(&sine, &cosine)
+    }
+
+    /// The sign of a real node, if it is the same everywhere.
+    fn known_sign(&mut self, id: Id) -> Result<Option<Number>, Error> {
+        if !self.is_real(id) {
+            return Ok(None);
+        }
+        let sign = self.apply(Function::Sign, &[id])?;
+        Ok(self.as_number(sign).cloned())
     }
 
     /// sin, cos, tan of u + k pi/2, and of the multiples of pi that have a short exact value.
@@ -437,9 +457,10 @@ impl Graph {
         let mut kept: Vec<Id> = Vec::new();
         let mut otherwise = args[args.len() - 1];
         for pair in args[..args.len() - 1].chunks_exact(2) {
-            match self.as_number(pair[1]) {
+            let condition = self.decided(pair[1]);
+            match self.as_number(condition) {
                 Some(number) if number.is_zero() || number.is_negative() => {}
-                None if !self.is_positive(pair[1]) => kept.extend(pair),
+                None if !self.is_positive(condition) => kept.extend(pair),
                 _ => {
                     otherwise = pair[0];
                     break;

@@ -56,8 +56,7 @@ impl Graph {
                 if e == NumberId::ONE {
                     return (id, e);
                 }
-                let id = self.settled(id);
-                (if self.get_number(e).is_integer() { self.as_odd_root(id) } else { id }, e)
+                (if self.get_number(e).is_integer() { self.settled(id) } else { self.decided(id) }, e)
             })
             .collect();
         if factors.iter().any(|&(id, e)| id == Id::ZERO && self.get_number(e).is_negative()) {
@@ -138,41 +137,6 @@ impl Graph {
                 None => out.push(self, base, &power),
             }
         }
-    }
-
-    /// The factors of a power of a product of roots of odd degree, if they are powers with integer exponents.
-    fn powers_of_odd_roots(&self, root: Id, exponent: &Number) -> Option<Vec<Factor<Number>>> {
-        let View::Product(factors) = self.view(root) else { return None };
-        if !factors.iter().any(|(_, exponent)| self.is_odd_root(exponent)) {
-            return None;
-        }
-        let power = |(base, inner): Factor| {
-            let power = self.get_number(inner).mul(exponent);
-            power.is_integer().then_some((base, power))
-        };
-        factors.iter().map(power).collect()
-    }
-
-    /// Whether a root of odd degree is among the factors of a product, which lanes may draw.
-    fn holds_odd_root(&self, id: Id) -> bool {
-        let View::Product(factors) = self.view(id) else { return false };
-        factors
-            .iter()
-            .any(|(base, exponent)| self.flags(base).has(Flags::BRANCH) && self.is_odd_root(exponent))
-    }
-
-    fn is_odd_root(&self, exponent: NumberId) -> bool {
-        let degree = self.get_number(exponent).to_small().map_or(1, |(_, degree)| degree);
-        degree > 1 && degree % 2 == 1
-    }
-
-    /// The product of roots of odd degree that represents a sum, or the node itself: the powers of such roots are known.
-    fn as_odd_root(&self, id: Id) -> Id {
-        if self.kind(id) != Kind::Sum || !self.flags(id).has(Flags::BRANCH) {
-            return id;
-        }
-        let known = self.representative(id);
-        if self.holds_odd_root(known) { known } else { id }
     }
 
     /// The error that names the dividend.

@@ -14,7 +14,7 @@ use crate::graph::{Atom, Flags, Function, Graph, Id, Ids, Split, View};
 use crate::value::{Field, FieldId, Key, Number, Quadratic};
 
 use super::integer_point::IntegerPoint;
-use super::node::{is_large, power_of_complex, power_of_number};
+use super::node::{is_large, power_of_complex, power_of_number, power_of_prime};
 use super::rotation::{self, multiple, rotate};
 
 /// The most atoms of an argument.
@@ -50,7 +50,7 @@ impl Graph {
         split.iter().fold(start, |product, (atom, factor)| {
             let power = match atom {
                 Atom::Log(argument) => self.power_in(*argument, factor, field),
-                Atom::LogOfPrime(prime) => f.rational_power(&f.number(&Number::whole(prime.clone())), factor),
+                Atom::LogOfPrime(prime) => power_of_prime(prime, factor, f),
                 _ => self.power_in(Id::PI, factor, field),
             };
             f.mul(&product, &power)

@@ -25,6 +25,7 @@ mod logarithm_part;
 mod monomial;
 mod negative_base;
 mod node;
+mod odd_root;
 mod pending;
 mod representative;
 mod rotation;

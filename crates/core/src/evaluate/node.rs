@@ -162,9 +162,17 @@ impl Graph {
             _ => {
                 let mut parts = Vec::new();
                 self.push_parts(id, &mut parts);
-                out.extend(parts.into_iter().map(|part| (part, field)));
+                out.extend(parts.iter().map(|&part| (part, field)));
+                let signs = field.of_signs();
+                if signs != field && signs.hash_lane().is_some() && self.is_choice(id) {
+                    out.extend(parts.into_iter().map(|part| (part, signs)));
+                }
             }
         }
+    }
+
+    fn is_choice(&self, id: Id) -> bool {
+        matches!(self.kind(id), Kind::Function(function) if function.is_choice())
     }
 
     /// The value of a node from those of its children, which are known. `id` is the node of the view.
@@ -238,7 +246,10 @@ impl Graph {
             return self.value_in(base, field);
         }
         if exponent.is_integer() {
-            return f.power(&self.value_in(base, field), exponent);
+            return match self.powers_of_represented_roots(base, exponent) {
+                Some(powers) => self.product_in(powers.into_iter(), field),
+                None => f.power(&self.value_in(base, field), exponent),
+            };
         }
         let base = self.representative(base);
         match exponent.to_small() {
@@ -281,13 +292,21 @@ impl Graph {
         }
     }
 
+    /// The sign of a real node in a field: that in the first field of the lane, so that a sign in an argument is the same
+    /// sign as outside of it.
     pub(super) fn sign_in(&self, id: Id, field: FieldId) -> Quadratic {
-        self.sign_of(id, &self.value_in(id, field), field.field())
+        let (f, signs) = (field.field(), field.of_signs());
+        match self.value_in(id, signs) {
+            value if value.is_zero() => value,
+            _ if self.is_negative_in(id, signs) => f.neg(&f.one()),
+            _ => f.one(),
+        }
     }
 
+    /// Whether a node is negative in a field itself, as roots and logarithms see it.
     pub(super) fn is_negative_in(&self, id: Id, field: FieldId) -> bool {
         let f = field.field();
-        self.sign_in(id, field) == f.neg(&f.one())
+        self.sign_of(id, &self.value_in(id, field), f) == f.neg(&f.one())
     }
 
     /// The sign of a real node that has this value.
@@ -355,7 +374,10 @@ impl Graph {
             }
             Function::Abs => f.mul(&self.sign_in(first, field), &value(first)),
             Function::Sign => self.sign_in(first, field),
-            Function::Min | Function::Max => value(self.extremum_in(function, &args, value, f)),
+            Function::Min | Function::Max => {
+                let signs = field.of_signs();
+                value(self.extremum_in(function, &args, |id| self.value_in(id, signs), signs.field()))
+            }
             Function::Piecewise => {
                 let values: Vec<Quadratic> = args.iter().map(|&arg| value(arg)).collect();
                 let signs: Vec<Quadratic> = args.iter().map(|&arg| self.sign_in(arg, field)).collect();
@@ -449,12 +471,16 @@ pub(super) fn power_of_number(number: &Number, exponent: &Number, f: &Field) -> 
 /// The power of a content in a field.
 fn power_of_content(content: &Content, exponent: &Number, f: &Field) -> Quadratic {
     content.iter().fold(f.one(), |product, (prime, power)| {
-        let (prime, power) = (Number::whole(prime.clone()), power.mul(exponent));
-        let value = if power.is_integer() {
-            f.power(&f.number(&prime), &power)
-        } else {
-            f.power_of_prime(&prime, &power)
-        };
-        f.mul(&product, &value)
+        f.mul(&product, &power_of_prime(prime, &power.mul(exponent), f))
     })
+}
+
+/// The power of a prime number in a field.
+pub(super) fn power_of_prime(prime: &BigInt, exponent: &Number, f: &Field) -> Quadratic {
+    let prime = Number::whole(prime.clone());
+    if exponent.is_integer() {
+        f.power(&f.number(&prime), exponent)
+    } else {
+        f.power_of_prime(&prime, exponent)
+    }
 }

@@ -184,6 +184,14 @@ impl Graph {
         })
     }
 
+    /// Whether a node is a number in all lanes, also if it holds no signs and roots.
+    pub(crate) fn has_value_of_number(&self, id: Id, number: &Number) -> bool {
+        if self.flags(id).has(Flags::BRANCH) {
+            return self.is_number_everywhere(Pending::Node(id), number);
+        }
+        self.everywhere(Pending::Node(id), 1, |field, value| field.field().is_number(value, number))
+    }
+
     fn everywhere(
         &self,
         pending: Pending<'_>,

@@ -128,6 +128,11 @@ impl Function {
         matches!(self, Self::Abs | Self::Sign | Self::Min | Self::Max | Self::Piecewise)
     }
 
+    /// Whether numbers as arguments decide which value it has, or whether it has one.
+    pub(crate) fn is_decided_by_numbers(self) -> bool {
+        self.is_choice() || matches!(self, Self::Asin | Self::Acos | Self::Atan | Self::Atan2 | Self::Log)
+    }
+
     pub(crate) fn check_arity(self, found: usize) -> Result<(), Error> {
         let (fits, expected) = match self.entry().arity {
             Exactly(1) => (found == 1, "1 argument"),

@@ -64,17 +64,25 @@ impl Term {
         }
     }
 
+    /// Whether the term is a parameter times a square over a square, as a moment of inertia behind a gear.
+    fn is_transmitted(&self) -> bool {
+        let is_square = |factor: &Factor, sign: i64| factor.exponent.to_i64() == Some(sign * 2);
+        let has_square = |sign| self.factors.iter().any(|factor| is_square(factor, sign));
+        has_square(1) && has_square(-1)
+    }
+
     /// Whether the term is a parameter that differences of the model subtract.
     pub(super) fn is_subtracted(&self) -> bool {
         matches!(&self.factors[..], [Factor { base: Base::Symbol { is_subtracted: true, .. }, .. }])
     }
 
-    /// The factors as written: roots among the functions, `m*l**2` rather than `l**2*m`.
+    /// The factors as written: roots among the functions, `m*l**2` and `(m1 + m2)*l**2` rather than `l**2*m` and
+    /// `l**2*(m1 + m2)`.
     pub(super) fn written_factors(&self) -> Vec<&Factor> {
         let mut factors: Vec<&Factor> = self.factors.iter().collect();
         factors.sort_by(|a, b| {
             let place = written_place(a).cmp(&written_place(b));
-            place.then_with(|| match a.base.place() {
+            place.then_with(|| match written_place(a) {
                 Place::Parameter | Place::Coordinate | Place::Speed | Place::Acceleration => {
                     a.exponent.abs().compare(&b.exponent.abs())
                 }
@@ -86,7 +94,10 @@ impl Term {
 }
 
 fn written_place(factor: &Factor) -> Place {
-    let place = factor.base.place();
+    let place = match &factor.base {
+        Base::Group(sum) if sum.terms.iter().all(Term::is_symbol) => Place::Parameter,
+        base => base.place(),
+    };
     if place > Place::Number && !factor.exponent.is_integer() { Place::Function.max(place) } else { place }
 }
 
@@ -235,8 +246,10 @@ pub(super) fn are_of_different_kinds(a: &Term, b: &Term) -> bool {
 /// Terms in the reader's order; like terms are neighbours.
 pub(super) fn sorted_terms(terms: Vec<Term>) -> Vec<Term> {
     let mut ranked: Vec<(Rank, Term)> = terms.into_iter().map(|term| (Rank::of_term(&term), term)).collect();
+    let is_constant = ranked.iter().all(|(rank, _)| rank.coordinates == 0.0);
     let is_mass_by_square = |(rank, term): &&(Rank, Term)| {
-        rank.coordinates <= SQUARE && rank.degree >= MOMENT && term.factors.len() > 1
+        let is_moment = rank.coordinates <= SQUARE && rank.degree >= MOMENT;
+        term.factors.len() > 1 && (is_moment || is_constant && term.is_transmitted())
     };
     let has_rates = ranked.iter().any(|(rank, _)| rank.derivative > 0);
     let products = ranked

@@ -61,19 +61,6 @@ impl Element {
         PRIMES[1].is_fraction(self.0[1], num, den).then(|| Number::rational(num, den))
     }
 
-    /// A rational with this value, with a numerator of some bits. It is right if there is one, and any number if not.
-    pub(crate) fn to_rational(self, bits: u64) -> Option<Number> {
-        // Euclid's algorithm, as for one prime.
-        let (mut r0, mut r1) = self.residue_of_both()?;
-        let (mut t0, mut t1) = (BigInt::from(0), BigInt::from(1));
-        while r1.bits() > bits {
-            let quotient = &r0 / &r1;
-            (r0, r1) = (r1.clone(), r0 - &quotient * r1);
-            (t0, t1) = (t1.clone(), t0 - quotient * t1);
-        }
-        Number::from_big(r1, t1).ok()
-    }
-
     /// A rational with this value whose numerator and denominator are short together: that before the largest quotient of
     /// Euclid's algorithm [Monagan 2004]. It is right if there is one of about 100 bits, and any number if not.
     pub(crate) fn to_rational_of_short_form(self) -> Option<Number> {
@@ -104,9 +91,29 @@ impl Element {
 
     /// The rational with numerator and denominator below 2^45 that has this value, which has about 2^126 others to choose from.
     pub(crate) fn to_likely_rational(self) -> Option<Number> {
-        const BITS: u64 = 45;
-        let number = self.to_rational(BITS)?;
-        (number.numerator().bits() <= BITS && number.denominator().bits() <= BITS).then_some(number)
+        const LARGEST: u128 = 1 << 45;
+        let (mut r0, mut r1) = self.word_of_both();
+        let (mut t0, mut t1, mut negative) = (0u128, 1u128, false);
+        while r1 >= LARGEST {
+            let quotient = r0 / r1;
+            (r0, r1) = (r1, r0 - quotient * r1);
+            (t0, t1) = (t1, t0 + quotient * t1);
+            negative = !negative;
+            if t1 >= LARGEST {
+                return None;
+            }
+        }
+        let (num, den) = (i64::try_from(r1).ok()?, i64::try_from(t1).ok()?);
+        Some(Number::rational(if negative { -num } else { num }, den))
+    }
+
+    /// The product of both primes, which has less than 127 bits, and the number below it with both residues.
+    fn word_of_both(self) -> (u128, u128) {
+        let [p, q] = &PRIMES;
+        let a = p.residue(self.0[0]);
+        let difference = q.sub(self.0[1], q.natural(a % q.p));
+        let steps = q.residue(q.mul(difference, q.inverse(q.natural(p.p % q.p))));
+        (u128::from(p.p) * u128::from(q.p), u128::from(a) + u128::from(p.p) * u128::from(steps))
     }
 
     /// Return the value or its opposite, whichever represents both, and whether the sign was changed.

@@ -98,6 +98,11 @@ impl FieldId {
         Self { point, ..self }
     }
 
+    /// The first field of the lane, at the same point: signs are those of the values there.
+    pub(crate) fn of_signs(self) -> Self {
+        Self { index: self.index - self.index % FIELDS_OF_A_LANE_WORD, ..self.unturned() }
+    }
+
     /// The coordinate of the random point that is drawn for a key.
     pub(crate) fn draw(self, key: &Key) -> Quadratic {
         self.field().draw(&self.at_point(key))

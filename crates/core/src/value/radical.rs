@@ -13,7 +13,7 @@ const TRIALS: u64 = 2000;
 
 /// The prime factors of a positive number, with exponents that are negative for those of the denominator.
 ///
-/// Factors beyond 64 bits stay as they are, if they have no small prime factor and are not powers.
+/// Factors beyond 64 bits stay as they are, if they are not powers, and no prime factor is found in few steps.
 pub(crate) fn prime_factors(number: &Number) -> BTreeMap<BigInt, i64> {
     let mut factors = BTreeMap::new();
     for (part, sign) in [(number.numerator(), 1), (number.denominator(), -1)] {
@@ -62,7 +62,45 @@ fn split_large(number: BigInt, sign: i64, factors: &mut BTreeMap<BigInt, i64>) {
             return;
         }
     }
+    if let Some(divisor) = divisor_in_few_steps(&number) {
+        split(&number / &divisor, sign, factors);
+        return split(divisor, sign, factors);
+    }
     *factors.entry(number).or_default() += sign;
+}
+
+/// A proper divisor of a large number by Pollard's rho method, if it is found in few steps: one with a prime factor below
+/// 2^20, as a rule. The differences of many steps are tried together [Brent 1980].
+fn divisor_in_few_steps(number: &BigInt) -> Option<BigInt> {
+    const STEPS: usize = 2048;
+    const TOGETHER: usize = 128;
+    let next = |x: &BigInt| (x * x + 1u32) % number;
+    let (mut slow, mut fast) = (BigInt::from(2), BigInt::from(2));
+    for _ in 0..STEPS / TOGETHER {
+        let (start_slow, start_fast) = (slow.clone(), fast.clone());
+        let mut product = BigInt::one();
+        for _ in 0..TOGETHER {
+            slow = next(&slow);
+            fast = next(&next(&fast));
+            product = product * (&slow - &fast) % number;
+        }
+        if product.gcd(number).is_one() {
+            continue;
+        }
+        return first_divisor(number, start_slow, start_fast, TOGETHER);
+    }
+    None
+}
+
+/// The first divisor that a difference of steps of the rho method shares with the number; `None` if it is the number.
+fn first_divisor(number: &BigInt, mut slow: BigInt, mut fast: BigInt, steps: usize) -> Option<BigInt> {
+    let next = |x: &BigInt| (x * x + 1u32) % number;
+    let shared = (0..steps).map(|_| {
+        slow = next(&slow);
+        fast = next(&next(&fast));
+        (&slow - &fast).gcd(number)
+    });
+    shared.into_iter().find(|divisor| !divisor.is_one()).filter(|divisor| divisor != number)
 }
 
 /// The test of Miller and Rabin with the first twelve primes as bases, which decides below 2^64 [Sorenson & Webster 2017].

@@ -44,9 +44,12 @@ def tex(document: Document) -> str:
 
 
 def _encoding(strange: Sequence[str]) -> str:
-    """Return the commands for the encoding of the file; with them, pdflatex prints code points of strange letters."""
+    """Return the commands for the encoding of the file, which lualatex and xelatex know by themselves.
+
+    With them, pdflatex prints code points of strange letters.
+    """
     if not strange:
-        return ENCODING
+        return "\n".join([r"\usepackage{iftex}", r"\ifPDFTeX", ENCODING, r"\fi"])
     return "\n".join(
         [
             "% pdflatex has no fonts for some letters, and prints their code points instead. To see them, remove",

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from symbody.document.document import Block, Heading, Math, Table
 from symbody.document.subject import Subject
 from symbody.symbolic import Expr, latex, substitute
 from symbody.view.overview import overview
+
+_MOST_OWNERS = 4
+"""Bodies of one mass that are listed."""
 
 
 def nomenclature(subject: Subject) -> list[Block]:
@@ -87,9 +90,12 @@ def _roles(subject: Subject) -> dict[Expr, tuple[str, str]]:
     system = subject.mechanism
     if system is None:
         return roles
-    for number, body in enumerate(system.bodies, start=1):
-        name = body.name or f"body {number}"
-        roles.setdefault(body.mass, (f"mass of {name}", "kg"))
+    names = {body: body.name or f"body {number}" for number, body in enumerate(system.bodies, start=1)}
+    masses = dict.fromkeys(body.mass for body in system.bodies)
+    for mass in masses:
+        owners = [name for body, name in names.items() if body.mass == mass]
+        roles[mass] = (f"mass of {_in_words(owners)}", "kg")
+    for body, name in names.items():
         for axis, moment in zip("xyz", body.moments, strict=True):
             roles.setdefault(moment, (f"moment of inertia of {name} about {axis}", "kg m²"))
         for axes, product in zip(("yz", "xz", "xy"), body.products, strict=True):
@@ -110,6 +116,13 @@ def _roles(subject: Subject) -> dict[Expr, tuple[str, str]]:
         for leaf in () if motion.turn_axis is None else _multiples(motion.variables):
             roles.setdefault(leaf, ("angle", "rad"))
     return roles
+
+
+def _in_words(names: Sequence[str]) -> str:
+    """Return names with commas and an "and"; of many the first and the last."""
+    if len(names) > _MOST_OWNERS:
+        return f"{names[0]}, ..., {names[-1]}"
+    return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
 
 
 def _multiples(expressions: Iterable[Expr]) -> Iterator[Expr]:

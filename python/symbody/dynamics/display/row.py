@@ -66,9 +66,14 @@ def lines(text: str, line: int = LINE) -> list[str]:
 
     >>> lines("a*(b + c) + d - e", 9)
     ['a*(b + c)', '+ d - e']
+    >>> lines("a*b + c*d = 0", 9)
+    ['a*b', '+ c*d = 0']
     """
     pieces: list[str] = []
-    for term in _terms(text, line):
+    *terms, last = _terms(text, line)
+    if terms and last.startswith("= ") and len(terms[-1]) + 1 + len(last) <= line:
+        last = f"{terms.pop()} {last}"  # no right side stands alone
+    for term in (*terms, last):
         if pieces and len(pieces[-1]) + 1 + len(term) <= line:
             pieces[-1] = f"{pieces[-1]} {term}"
         else:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from symbody.dynamics.tree.partial_motion import PartialTwist
 from symbody.geometry.component.triple import Triple, is_null
 from symbody.geometry.motion.frame_motion import FrameMotion
-from symbody.symbolic import Expr, add3, cross3, dot3, scale3, sub3
+from symbody.symbolic import Expr, add3, cross3, dot3, scale3, sub3, sum_of
 
 
 class Wrench(NamedTuple):
@@ -40,6 +41,22 @@ class Wrench(NamedTuple):
         return dot3(twist.spin, self.moment) + dot3(twist.drift, self.force)
 
     @property
+    def is_central(self) -> bool:
+        """Whether there is only a force, whose line passes through the origin."""
+        return is_null(self.moment)
+
+    @property
     def is_null(self) -> bool:
         """Whether there is neither force nor moment."""
         return is_null(self.force) and is_null(self.moment)
+
+
+def resultant(wrenches: Sequence[Wrench]) -> Wrench:
+    """Return the sum of wrenches on one frame, added up at once, so that factors which several have stand once."""
+    forces, moments = zip(*wrenches, strict=True)
+    return Wrench(_sum(forces), _sum(moments))
+
+
+def _sum(triples: Sequence[Triple]) -> Triple:
+    x, y, z = map(sum_of, zip(*triples, strict=True))
+    return x, y, z

@@ -16,7 +16,7 @@ from collections.abc import Mapping
 
 from symbody.dynamics.inertia.base_inertia import base_inertias
 from symbody.dynamics.inertia.inertia_wrench import inertia_wrenches
-from symbody.dynamics.inertia.wrench import Wrench
+from symbody.dynamics.inertia.wrench import Wrench, resultant
 from symbody.dynamics.recursion.forces_along_speeds import forces_along_speeds
 from symbody.dynamics.tree.frame_tree import FrameTree
 from symbody.geometry import Point
@@ -56,10 +56,16 @@ def needed_wrenches(system: System, tree: FrameTree, rest: Mapping[Expr, int] | 
     wrenches = [Wrench(NULL, NULL)] * len(tree.frames)
     for place, wrench in inertia_wrenches(base_inertias(system, tree, particles=True), tree, field):
         wrenches[place] = wrenches[place].plus(wrench)
+    central: dict[int, list[Wrench]] = {}
     for action in tree.actions:
         anchor = action.anchor
-        place = tree.index(anchor.frame)
-        wrenches[place] = wrenches[place].minus(_load(system, action, anchor, rest or {}))
+        place, load = tree.index(anchor.frame), _load(system, action, anchor, rest or {})
+        if load.is_central:
+            central.setdefault(place, []).append(load)
+        else:
+            wrenches[place] = wrenches[place].minus(load)
+    for place, loads in central.items():
+        wrenches[place] = wrenches[place].minus(resultant(loads))
     return wrenches
 
 

@@ -114,7 +114,10 @@ def lines(formula: str, line: int = LINE, start: int = 0) -> list[str]:
     ['a (b + c)', '+ d - e']
     """
     pieces, last = list[str](), 0
-    for term in (piece for whole in _terms(formula, 0) for piece in _shortened(whole, line - start)):
+    terms = [piece for whole in _terms(formula, 0) for piece in _shortened(whole, line - start)]
+    if len(terms) > 1 and terms[-1].startswith("= ") and width(f"{terms[-2]} {terms[-1]}") <= line - start:
+        terms[-2:] = [f"{terms[-2]} {terms[-1]}"]  # no right side stands alone
+    for term in terms:
         last += width(term)
         if pieces and last <= line - start * (len(pieces) == 1):
             pieces[-1] = f"{pieces[-1]} {term}"

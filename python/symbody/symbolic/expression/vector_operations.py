@@ -12,6 +12,7 @@ from symbody.symbolic._core import (
     rotate_back3,
     scale3,
     sub3,
+    sum_of,
 )
 
 __all__ = [
@@ -24,4 +25,5 @@ __all__ = [
     "rotate_back3",
     "scale3",
     "sub3",
+    "sum_of",
 ]

@@ -21,6 +21,32 @@ const POWER: usize = 3;
 /// What a form is to a reader: the length of its text with all that is awkward, its operations, its text.
 pub(super) type Reading = (usize, u64, String);
 
+/// Where a sum stands. A factor is printed with either sign, since the product takes the other one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Context {
+    Whole,
+    Opposite,
+    Factor,
+}
+
+/// The sign of a term in print.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Sign {
+    Plus,
+    Minus,
+    Either,
+}
+
+impl Context {
+    const fn opposite(self) -> Self {
+        match self {
+            Self::Whole => Self::Opposite,
+            Self::Opposite => Self::Whole,
+            Self::Factor => Self::Factor,
+        }
+    }
+}
+
 impl Graph {
     pub(super) fn reading(&self, id: Id) -> Reading {
         let text = self.to_text(id);
@@ -70,29 +96,32 @@ impl Graph {
     pub(super) fn awkwardness(&self, root: Id) -> usize {
         let mut total = 0;
         let whole = self.without_number(root);
-        let mut stack = vec![(root, false)];
-        while let Some((id, is_inner)) = stack.pop() {
+        let mut stack = vec![(root, Context::Whole)];
+        while let Some((id, context)) = stack.pop() {
             match self.view(id) {
                 View::Sum(_) => {
                     let terms = self.flat_terms(id);
-                    total += self.awkwardness_of_sum(&terms);
+                    total += self.awkwardness_of_sum(&terms, context);
                     for (factor, term) in terms {
                         let is_fraction = !factor.is_integer() && !factor.is_decimal();
-                        total += FRACTION * usize::from(is_inner && is_fraction);
+                        total += FRACTION * usize::from(context == Context::Factor && is_fraction);
                         total += FRACTION * self.cancelled_terms(&factor, term);
-                        stack.push((term, is_inner));
+                        stack.push((term, context));
                     }
                 }
                 View::Product(factors) => {
                     total += NESTED * self.repeated_factors(id, id == whole);
-                    stack.extend(factors.iter().map(|(base, _)| (base, true)));
+                    stack.extend(factors.iter().map(|(base, _)| (base, Context::Factor)));
                 }
                 View::Function(Function::Sin | Function::Cos, args) => {
                     total += MULTIPLE * usize::from(self.is_multiple(args.get(0)));
                 }
+                View::Scale(NumberId::MINUS_ONE, child) if context != Context::Factor => {
+                    stack.push((child, context.opposite()));
+                }
                 View::Scale(factor, child) => {
                     total += FRACTION * self.cancelled_terms(self.get_number(factor), child);
-                    stack.push((child, is_inner));
+                    stack.push((child, context));
                 }
                 _ => {}
             }
@@ -226,7 +255,7 @@ impl Graph {
 
     /// Characters for each factor that all terms of a sum have, and for each negative term of a sum in which a parameter
     /// stands by itself, but for such factors: `l2**2 - l1**2`, `l1*m1*cos(q) - l2*m2*cos(q)`.
-    fn awkwardness_of_sum(&self, terms: &[(Number, Id)]) -> usize {
+    fn awkwardness_of_sum(&self, terms: &[(Number, Id)], context: Context) -> usize {
         let is_motion =
             |&(base, _): &(Id, bool)| !matches!(self.view(base), View::Symbol(..) | View::Number(_));
         let bases_of = |term| self.flat_factors(term).into_iter().filter(is_motion).map(|(base, _)| base);
@@ -237,20 +266,59 @@ impl Graph {
             .first()
             .map_or(0, |bases| bases.iter().filter(|&base| is_function(base) && is_shared(base)).count());
         let has_parameter = motions.iter().any(|bases| bases.iter().all(is_shared));
-        let negatives: Vec<Id> =
-            terms.iter().filter(|(factor, _)| factor.is_negative()).map(|&(_, term)| term).collect();
-        let difference: usize = negatives.iter().map(|&term| self.awkwardness_of_negative(term)).sum();
-        let shared = shared + usize::from(!negatives.is_empty() && self.have_common_parameter(terms));
+        let signs: Vec<Sign> = terms.iter().map(|(factor, term)| self.printed_sign(factor, *term)).collect();
+        // A coordinate has a zero of its own: `x - a` is a place.
+        let is_place = terms.iter().any(|&(_, term)| matches!(self.view(term), View::TimeFunction(..)));
+        let is_name = |term| matches!(self.view(term), View::TimeFunction(..) | View::Symbol(..));
+        let difference = |sign: Sign| -> usize {
+            let signed =
+                terms.iter().zip(&signs).filter(|&(_, &known)| known == sign).map(|(each, _)| each.1);
+            let awkward = signed.filter(|&term| !(is_place && is_name(term)));
+            awkward.map(|term| self.awkwardness_of_negative(term)).sum()
+        };
+        let difference = match context {
+            Context::Whole => difference(Sign::Minus),
+            Context::Opposite => difference(Sign::Plus),
+            Context::Factor => difference(Sign::Minus).min(difference(Sign::Plus)),
+        };
+        let is_difference = signs.iter().any(|&sign| sign != signs[0]);
+        let shared = shared + usize::from(is_difference && self.have_common_parameter(terms));
         NESTED * shared * usize::from(terms.len() > 1) + difference * usize::from(has_parameter)
     }
 
-    /// Whether the terms are products of parameters that share one: `R**2 - R*r`, which is `R*(R - r)`.
+    /// The sign with which a term is printed: a sum among its factors is written with the fewer minus signs, and takes
+    /// the sign of the term if it has as many of both.
+    fn printed_sign(&self, factor: &Number, term: Id) -> Sign {
+        let mut is_negative = factor.is_negative();
+        let mut is_even = false;
+        for (sum, is_plain) in self.flat_factors(term) {
+            if !is_plain || !self.is_sum(sum) {
+                continue;
+            }
+            let terms = self.flat_terms(sum);
+            let negatives = 2 * terms.iter().filter(|(factor, _)| factor.is_negative()).count();
+            is_negative ^= negatives > terms.len();
+            is_even |= negatives == terms.len();
+        }
+        match (is_negative, is_even) {
+            (_, true) => Sign::Either,
+            (true, false) => Sign::Minus,
+            (false, false) => Sign::Plus,
+        }
+    }
+
+    /// Whether the terms are products of parameters and coordinates that share one: `R**2 - R*r`, which is `R*(R - r)`.
     fn have_common_parameter(&self, terms: &[(Number, Id)]) -> bool {
-        let is_symbol = |base: Id| matches!(self.view(base), View::Symbol(..));
+        let is_symbol = |base: Id| matches!(self.view(base), View::Symbol(..) | View::TimeFunction(..));
         let bases_of =
             |term| self.flat_factors(term).into_iter().map(|(base, _)| base).collect::<BTreeSet<Id>>();
         let all: Vec<BTreeSet<Id>> = terms.iter().map(|&(_, term)| bases_of(term)).collect();
+        let has_divisor = |id: Id| match self.view(id) {
+            View::Product(factors) => factors.iter().any(|(_, e)| self.get_number(e).is_negative()),
+            _ => false,
+        };
         all.iter().flatten().all(|&base| is_symbol(base))
+            && !terms.iter().any(|&(_, term)| has_divisor(term))
             && all
                 .first()
                 .is_some_and(|first| first.iter().any(|b| all.iter().all(|other| other.contains(b))))
