@@ -16,6 +16,10 @@ __all__ = ["Builder", "Mistake", "one_place", "unquoted"]
 Items = list[Any]
 
 
+_DIGITS = 4300
+"""The digits of a number that Python reads without being told to."""
+
+
 class Mistake(Exception):
     """A statement with the form of the grammar, but without a meaning."""
 
@@ -191,6 +195,8 @@ class Builder:
     # --- atoms ---
 
     def integer(self, place: Place, parts: Items) -> Expression:
+        if len(parts[0]) > _DIGITS:
+            raise Mistake(place, f"a number of {len(parts[0])} digits", f"at most {_DIGITS}")
         return syntax.Integer(int(parts[0]), place=place)
 
     def decimal(self, place: Place, parts: Items) -> Expression:
