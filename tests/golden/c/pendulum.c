@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-void pendulum_prepare(const double p[4], double c[6])
+void pendulum_prepare(const double p[4], double c[7])
 {
     const double m      = p[0];
     const double l      = p[1];
@@ -11,8 +11,10 @@ void pendulum_prepare(const double p[4], double c[6])
     const double g      = p[3];
 
     /* parameters: 3 multiplications */
-    c[4] = l*(m*l);
-    c[5] = m*g;
+    const double v1 = m*l;
+    c[4] = v1;
+    c[5] = l*v1;
+    c[6] = m*g;
 
     /* entries that need no computation */
     c[0] = m;
@@ -21,28 +23,27 @@ void pendulum_prepare(const double p[4], double c[6])
     c[3] = g;
 }
 
-void pendulum_equations(const double c[6], const double t, const double q[1], const double u[1],
+void pendulum_equations(const double c[7], const double t, const double q[1], const double u[1],
     double M[1], double f[1])
 {
     const double theta  = q[0];  /* θ */
-    const double m      = c[0];
-    const double l      = c[1];
     const double lambda = c[2];
     const double g      = c[3];
-    const double k4     = c[4];  /* l*(m*l) */
+    const double k4     = c[4];  /* m*l */
+    const double k5     = c[5];  /* l*(m*l) */
 
     /* time and inputs: 1 multiplication, 1 function */
     const double v1 = lambda*sin(t);
 
-    /* positions: 1 addition, 4 multiplications, 2 functions */
-    f[0] = l*(m*(v1*cos(theta) - g*sin(theta)));
+    /* positions: 1 addition, 3 multiplications, 2 functions */
+    f[0] = k4*(v1*cos(theta) - g*sin(theta));
 
     /* entries that need no computation */
-    M[0] = k4;
+    M[0] = k5;
     (void)u;
 }
 
-void pendulum_mechanical_energy(const double c[6], const double t, const double q[1],
+void pendulum_mechanical_energy(const double c[7], const double t, const double q[1],
     const double u[1], double *energy)
 {
     const double theta     = q[0];  /* θ */
@@ -50,7 +51,7 @@ void pendulum_mechanical_energy(const double c[6], const double t, const double 
     const double m         = c[0];
     const double l         = c[1];
     const double lambda    = c[2];
-    const double k5        = c[5];  /* m*g */
+    const double k6        = c[6];  /* m*g */
 
     /* time and inputs: 1 multiplication, 1 function */
     const double v1 = lambda*cos(t);
@@ -60,7 +61,7 @@ void pendulum_mechanical_energy(const double c[6], const double t, const double 
     const double v2 = v1*sin(theta);
     const double v2_squared = v2*v2;
     const double v3 = v1*cos_theta;
-    const double v4 = l*cos_theta*k5;
+    const double v4 = l*cos_theta*k6;
 
     /* velocities: 3 additions, 4 multiplications */
     const double v5 = v3 + l*theta_dot;

@@ -19,8 +19,9 @@
  *     [1]  l
  *     [2]  lambda
  *     [3]  g
- *     [4]  l*(m*l)
- *     [5]  m*g
+ *     [4]  m*l
+ *     [5]  l*(m*l)
+ *     [6]  m*g
  *
  *   t: time
  *
@@ -38,20 +39,20 @@ extern "C" {
 #endif
 
 /* Compute what the other routines need of the parameters.
- *   c  vector of 6  constants of the model
+ *   c  vector of 7  constants of the model
  * Operations:
  *   parameters:  3 multiplications
  */
-void pendulum_prepare(const double p[4], double c[6]);
+void pendulum_prepare(const double p[4], double c[7]);
 
 /* Mass matrix and forcing: M θ'' = f.
  *   M  matrix of 1 x 1  mass matrix
  *   f  vector of 1      forces and inertia forces of speeds
  * Operations:
  *   time and inputs:  1 multiplication, 1 function
- *   positions:        1 addition, 4 multiplications, 2 functions
+ *   positions:        1 addition, 3 multiplications, 2 functions
  */
-void pendulum_equations(const double c[6], const double t, const double q[1], const double u[1],
+void pendulum_equations(const double c[7], const double t, const double q[1], const double u[1],
     double M[1], double f[1]);
 
 /* The energy of the bob.
@@ -61,7 +62,7 @@ void pendulum_equations(const double c[6], const double t, const double q[1], co
  *   positions:        5 multiplications, 2 functions
  *   velocities:       3 additions, 4 multiplications
  */
-void pendulum_mechanical_energy(const double c[6], const double t, const double q[1],
+void pendulum_mechanical_energy(const double c[7], const double t, const double q[1],
     const double u[1], double *energy);
 
 #ifdef __cplusplus

@@ -31,7 +31,7 @@ int main(void)
     const double t = 0.39;
     const double q[] = {1.008};
     const double u[] = {0.626};
-    double c[6];
+    double c[7];
 
     printf("pendulum: entries, largest relative error\n");
     pendulum_prepare(p, c);

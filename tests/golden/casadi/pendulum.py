@@ -20,8 +20,9 @@ Arguments:
     [1]  l
     [2]  lambda
     [3]  g
-    [4]  l*(m*l)
-    [5]  m*g
+    [4]  m*l
+    [5]  l*(m*l)
+    [6]  m*g
 
   t: time
 
@@ -53,26 +54,28 @@ def prepare(p):
     """Compute what the other routines need of the parameters.
 
     Returns:
-      c  vector of 6  constants of the model
+      c  vector of 7  constants of the model
     Operations:
       parameters:  3 multiplications
     """
-    c = [0.0] * 6
+    c = [0.0] * 7
     m       = p[0]
     l       = p[1]
     lambda_ = p[2]
     g       = p[3]
 
     # parameters: 3 multiplications
-    c[4] = l*(m*l)
-    c[5] = m*g
+    v1 = m*l
+    c[4] = v1
+    c[5] = l*v1
+    c[6] = m*g
 
     # entries that need no computation
     c[0] = m
     c[1] = l
     c[2] = lambda_
     c[3] = g
-    return array(c, (6,))
+    return array(c, (7,))
 
 
 def equations(c, t, q, u):
@@ -83,25 +86,24 @@ def equations(c, t, q, u):
       f  vector of 1      forces and inertia forces of speeds
     Operations:
       time and inputs:  1 multiplication, 1 function
-      positions:        1 addition, 4 multiplications, 2 functions
+      positions:        1 addition, 3 multiplications, 2 functions
     """
     M = [0.0] * 1
     f = [0.0] * 1
     theta   = q[0]  # θ
-    m       = c[0]
-    l       = c[1]
     lambda_ = c[2]
     g       = c[3]
-    k4      = c[4]  # l*(m*l)
+    k4      = c[4]  # m*l
+    k5      = c[5]  # l*(m*l)
 
     # time and inputs: 1 multiplication, 1 function
     v1 = lambda_*ca.sin(t)
 
-    # positions: 1 addition, 4 multiplications, 2 functions
-    f[0] = l*(m*(v1*ca.cos(theta) - g*ca.sin(theta)))
+    # positions: 1 addition, 3 multiplications, 2 functions
+    f[0] = k4*(v1*ca.cos(theta) - g*ca.sin(theta))
 
     # entries that need no computation
-    M[0] = k4
+    M[0] = k5
     return array(M, (1, 1)), array(f, (1,))
 
 
@@ -120,7 +122,7 @@ def mechanical_energy(c, t, q, u):
     m         = c[0]
     l         = c[1]
     lambda_   = c[2]
-    k5        = c[5]  # m*g
+    k6        = c[6]  # m*g
 
     # time and inputs: 1 multiplication, 1 function
     v1 = lambda_*ca.cos(t)
@@ -130,7 +132,7 @@ def mechanical_energy(c, t, q, u):
     v2 = v1*ca.sin(theta)
     v2_squared = v2*v2
     v3 = v1*cos_theta
-    v4 = l*cos_theta*k5
+    v4 = l*cos_theta*k6
 
     # velocities: 3 additions, 4 multiplications
     v5 = v3 + l*theta_dot
@@ -139,7 +141,7 @@ def mechanical_energy(c, t, q, u):
 
 
 prepare = function("prepare", prepare, [("p", 4)], ["c"])
-equations = function("equations", equations, [("c", 6), ("t", None), ("q", 1), ("u", 1)], \
+equations = function("equations", equations, [("c", 7), ("t", None), ("q", 1), ("u", 1)], \
     ["M", "f"])
 mechanical_energy = function("mechanical_energy", mechanical_energy, \
-    [("c", 6), ("t", None), ("q", 1), ("u", 1)], ["energy"])
+    [("c", 7), ("t", None), ("q", 1), ("u", 1)], ["energy"])

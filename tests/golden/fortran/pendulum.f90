@@ -19,8 +19,9 @@
 !     [2]  l
 !     [3]  lambda
 !     [4]  g
-!     [5]  l*(m*l)
-!     [6]  m*g
+!     [5]  m*l
+!     [6]  l*(m*l)
+!     [7]  m*g
 !
 !   t: time
 !
@@ -38,13 +39,13 @@ module pendulum
 contains
 
     ! Compute what the other routines need of the parameters.
-    !   c  vector of 6  constants of the model
+    !   c  vector of 7  constants of the model
     ! Operations:
     !   parameters:  3 multiplications
     pure subroutine prepare(p, c)
         real(dp), intent(in) :: p(4)
-        real(dp), intent(out) :: c(6)
-        real(dp) :: m, l, lambda, g
+        real(dp), intent(out) :: c(7)
+        real(dp) :: m, l, lambda, g, v1
 
         m      = p(1)
         l      = p(2)
@@ -52,8 +53,10 @@ contains
         g      = p(4)
 
         ! parameters: 3 multiplications
-        c(5) = l*(m*l)
-        c(6) = m*g
+        v1 = m*l
+        c(5) = v1
+        c(6) = l*v1
+        c(7) = m*g
 
         ! entries that need no computation
         c(1) = m
@@ -67,31 +70,30 @@ contains
     !   f  vector of 1      forces and inertia forces of speeds
     ! Operations:
     !   time and inputs:  1 multiplication, 1 function
-    !   positions:        1 addition, 4 multiplications, 2 functions
+    !   positions:        1 addition, 3 multiplications, 2 functions
     pure subroutine equations(c, t, q, u, M, f)
-        real(dp), intent(in) :: c(6)
+        real(dp), intent(in) :: c(7)
         real(dp), intent(in) :: t
         real(dp), intent(in) :: q(1)
         real(dp), intent(in) :: u(1)
         real(dp), intent(out) :: M(1, 1)
         real(dp), intent(out) :: f(1)
-        real(dp) :: theta, m_2, l, lambda, g, k5, v1
+        real(dp) :: theta, lambda, g, k5, k6, v1
 
         theta  = q(1)  ! θ
-        m_2    = c(1)
-        l      = c(2)
         lambda = c(3)
         g      = c(4)
-        k5     = c(5)  ! l*(m*l)
+        k5     = c(5)  ! m*l
+        k6     = c(6)  ! l*(m*l)
 
         ! time and inputs: 1 multiplication, 1 function
         v1 = lambda*sin(t)
 
-        ! positions: 1 addition, 4 multiplications, 2 functions
-        f(1) = l*(m_2*(v1*cos(theta) - g*sin(theta)))
+        ! positions: 1 addition, 3 multiplications, 2 functions
+        f(1) = k5*(v1*cos(theta) - g*sin(theta))
 
         ! entries that need no computation
-        M(1, 1) = k5
+        M(1, 1) = k6
     end subroutine equations
 
     ! The energy of the bob.
@@ -101,19 +103,19 @@ contains
     !   positions:        5 multiplications, 2 functions
     !   velocities:       3 additions, 4 multiplications
     pure subroutine mechanical_energy(c, t, q, u, energy)
-        real(dp), intent(in) :: c(6)
+        real(dp), intent(in) :: c(7)
         real(dp), intent(in) :: t
         real(dp), intent(in) :: q(1)
         real(dp), intent(in) :: u(1)
         real(dp), intent(out) :: energy
-        real(dp) :: theta, theta_dot, m, l, lambda, k6, v1, cos_theta, v2, v2_squared, v3, v4, v5
+        real(dp) :: theta, theta_dot, m, l, lambda, k7, v1, cos_theta, v2, v2_squared, v3, v4, v5
 
         theta     = q(1)  ! θ
         theta_dot = u(1)  ! θ'
         m         = c(1)
         l         = c(2)
         lambda    = c(3)
-        k6        = c(6)  ! m*g
+        k7        = c(7)  ! m*g
 
         ! time and inputs: 1 multiplication, 1 function
         v1 = lambda*cos(t)
@@ -123,7 +125,7 @@ contains
         v2 = v1*sin(theta)
         v2_squared = v2*v2
         v3 = v1*cos_theta
-        v4 = l*cos_theta*k6
+        v4 = l*cos_theta*k7
 
         ! velocities: 3 additions, 4 multiplications
         v5 = v3 + l*theta_dot

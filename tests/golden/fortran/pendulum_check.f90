@@ -9,7 +9,7 @@ program pendulum_check
     real(dp), parameter :: t = 0.39_dp
     real(dp), parameter :: q(1) = [1.008_dp]
     real(dp), parameter :: u(1) = [0.626_dp]
-    real(dp) :: c(6)
+    real(dp) :: c(7)
     integer :: failures = 0
 
     print "(a)", "pendulum: entries, largest relative error"

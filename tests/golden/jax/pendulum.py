@@ -21,8 +21,9 @@ Arguments:
     [1]  l
     [2]  lambda
     [3]  g
-    [4]  l*(m*l)
-    [5]  m*g
+    [4]  m*l
+    [5]  l*(m*l)
+    [6]  m*g
 
   t: time
 
@@ -50,26 +51,28 @@ def prepare(p):
     """Compute what the other routines need of the parameters.
 
     Returns:
-      c  vector of 6  constants of the model
+      c  vector of 7  constants of the model
     Operations:
       parameters:  3 multiplications
     """
-    c = [0.0] * 6
+    c = [0.0] * 7
     m       = p[0]
     l       = p[1]
     lambda_ = p[2]
     g       = p[3]
 
     # parameters: 3 multiplications
-    c[4] = l*(m*l)
-    c[5] = m*g
+    v1 = m*l
+    c[4] = v1
+    c[5] = l*v1
+    c[6] = m*g
 
     # entries that need no computation
     c[0] = m
     c[1] = l
     c[2] = lambda_
     c[3] = g
-    return array(c, (6,))
+    return array(c, (7,))
 
 
 def equations(c, t, q, u):
@@ -80,25 +83,24 @@ def equations(c, t, q, u):
       f  vector of 1      forces and inertia forces of speeds
     Operations:
       time and inputs:  1 multiplication, 1 function
-      positions:        1 addition, 4 multiplications, 2 functions
+      positions:        1 addition, 3 multiplications, 2 functions
     """
     M = [0.0] * 1
     f = [0.0] * 1
     theta   = q[0]  # θ
-    m       = c[0]
-    l       = c[1]
     lambda_ = c[2]
     g       = c[3]
-    k4      = c[4]  # l*(m*l)
+    k4      = c[4]  # m*l
+    k5      = c[5]  # l*(m*l)
 
     # time and inputs: 1 multiplication, 1 function
     v1 = lambda_*jnp.sin(t)
 
-    # positions: 1 addition, 4 multiplications, 2 functions
-    f[0] = l*(m*(v1*jnp.cos(theta) - g*jnp.sin(theta)))
+    # positions: 1 addition, 3 multiplications, 2 functions
+    f[0] = k4*(v1*jnp.cos(theta) - g*jnp.sin(theta))
 
     # entries that need no computation
-    M[0] = k4
+    M[0] = k5
     return array(M, (1, 1)), array(f, (1,))
 
 
@@ -117,7 +119,7 @@ def mechanical_energy(c, t, q, u):
     m         = c[0]
     l         = c[1]
     lambda_   = c[2]
-    k5        = c[5]  # m*g
+    k6        = c[6]  # m*g
 
     # time and inputs: 1 multiplication, 1 function
     v1 = lambda_*jnp.cos(t)
@@ -127,7 +129,7 @@ def mechanical_energy(c, t, q, u):
     v2 = v1*jnp.sin(theta)
     v2_squared = v2*v2
     v3 = v1*cos_theta
-    v4 = l*cos_theta*k5
+    v4 = l*cos_theta*k6
 
     # velocities: 3 additions, 4 multiplications
     v5 = v3 + l*theta_dot

@@ -20,8 +20,9 @@
 #     [2]  l
 #     [3]  lambda
 #     [4]  g
-#     [5]  l*(m*l)
-#     [6]  m*g
+#     [5]  m*l
+#     [6]  l*(m*l)
+#     [7]  m*g
 #
 #   t: time
 #
@@ -35,20 +36,22 @@ module pendulum
 export prepare, equations, mechanical_energy
 
 # Compute what the other routines need of the parameters.
-#   c  vector of 6  constants of the model
+#   c  vector of 7  constants of the model
 # Operations:
 #   parameters:  3 multiplications
 function prepare(p)
     number = promote_type(Float64, eltype(p))
-    c = Array{number}(undef, 6)
+    c = Array{number}(undef, 7)
     m      = p[1]
     l      = p[2]
     lambda = p[3]
     g      = p[4]
 
     # parameters: 3 multiplications
-    c[5] = l*(m*l)
-    c[6] = m*g
+    v1 = m*l
+    c[5] = v1
+    c[6] = l*v1
+    c[7] = m*g
 
     # entries that need no computation
     c[1] = m
@@ -63,26 +66,25 @@ end
 #   f  vector of 1      forces and inertia forces of speeds
 # Operations:
 #   time and inputs:  1 multiplication, 1 function
-#   positions:        1 addition, 4 multiplications, 2 functions
+#   positions:        1 addition, 3 multiplications, 2 functions
 function equations(c, t, q, u)
     number = promote_type(Float64, eltype(c), eltype(t), eltype(q), eltype(u))
     M = Array{number}(undef, 1, 1)
     f = Array{number}(undef, 1)
     theta  = q[1]  # θ
-    m      = c[1]
-    l      = c[2]
     lambda = c[3]
     g      = c[4]
-    k5     = c[5]  # l*(m*l)
+    k5     = c[5]  # m*l
+    k6     = c[6]  # l*(m*l)
 
     # time and inputs: 1 multiplication, 1 function
     v1 = lambda*sin(t)
 
-    # positions: 1 addition, 4 multiplications, 2 functions
-    f[1] = l*(m*(v1*cos(theta) - g*sin(theta)))
+    # positions: 1 addition, 3 multiplications, 2 functions
+    f[1] = k5*(v1*cos(theta) - g*sin(theta))
 
     # entries that need no computation
-    M[1, 1] = k5
+    M[1, 1] = k6
     return M, f
 end
 
@@ -99,7 +101,7 @@ function mechanical_energy(c, t, q, u)
     m         = c[1]
     l         = c[2]
     lambda    = c[3]
-    k6        = c[6]  # m*g
+    k7        = c[7]  # m*g
 
     # time and inputs: 1 multiplication, 1 function
     v1 = lambda*cos(t)
@@ -109,7 +111,7 @@ function mechanical_energy(c, t, q, u)
     v2 = v1*sin(theta)
     v2_squared = v2*v2
     v3 = v1*cos_theta
-    v4 = l*cos_theta*k6
+    v4 = l*cos_theta*k7
 
     # velocities: 3 additions, 4 multiplications
     v5 = v3 + l*theta_dot

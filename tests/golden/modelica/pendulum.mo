@@ -20,8 +20,9 @@ package pendulum "A pendulum whose pivot swings along x."
   //     [2]  l
   //     [3]  lambda
   //     [4]  g
-  //     [5]  l*(m*l)
-  //     [6]  m*g
+  //     [5]  m*l
+  //     [6]  l*(m*l)
+  //     [7]  m*g
   //
   //   t: time
   //
@@ -32,13 +33,13 @@ package pendulum "A pendulum whose pivot swings along x."
   //     [1]  θ'
 
   function prepare "Compute what the other routines need of the parameters."
-    //   c  vector of 6  constants of the model
+    //   c  vector of 7  constants of the model
     // Operations:
     //   parameters:  3 multiplications
     input Real p[4] "parameters";
-    output Real c[6] "constants of the model";
+    output Real c[7] "constants of the model";
   protected
-    Real m, l, lambda, g;
+    Real m, l, lambda, g, v1;
   algorithm
     m      := p[1];
     l      := p[2];
@@ -46,8 +47,10 @@ package pendulum "A pendulum whose pivot swings along x."
     g      := p[4];
 
     // parameters: 3 multiplications
-    c[5] := l*(m*l);
-    c[6] := m*g;
+    v1 := m*l;
+    c[5] := v1;
+    c[6] := l*v1;
+    c[7] := m*g;
 
     // entries that need no computation
     c[1] := m;
@@ -61,31 +64,30 @@ package pendulum "A pendulum whose pivot swings along x."
     //   f  vector of 1      forces and inertia forces of speeds
     // Operations:
     //   time and inputs:  1 multiplication, 1 function
-    //   positions:        1 addition, 4 multiplications, 2 functions
-    input Real c[6] "constants of the model, which prepare computes from the parameters";
+    //   positions:        1 addition, 3 multiplications, 2 functions
+    input Real c[7] "constants of the model, which prepare computes from the parameters";
     input Real t "time";
     input Real q[1] "coordinates";
     input Real u[1] "speeds";
     output Real M[1, 1] "mass matrix";
     output Real f[1] "forces and inertia forces of speeds";
   protected
-    Real theta, m, l, lambda, g, k5, v1;
+    Real theta, lambda, g, k5, k6, v1;
   algorithm
     theta  := q[1];  // θ
-    m      := c[1];
-    l      := c[2];
     lambda := c[3];
     g      := c[4];
-    k5     := c[5];  // l*(m*l)
+    k5     := c[5];  // m*l
+    k6     := c[6];  // l*(m*l)
 
     // time and inputs: 1 multiplication, 1 function
     v1 := lambda*sin(t);
 
-    // positions: 1 addition, 4 multiplications, 2 functions
-    f[1] := l*(m*(v1*cos(theta) - g*sin(theta)));
+    // positions: 1 addition, 3 multiplications, 2 functions
+    f[1] := k5*(v1*cos(theta) - g*sin(theta));
 
     // entries that need no computation
-    M[1, 1] := k5;
+    M[1, 1] := k6;
   end equations;
 
   function mechanical_energy "The energy of the bob."
@@ -94,20 +96,20 @@ package pendulum "A pendulum whose pivot swings along x."
     //   time and inputs:  1 multiplication, 1 function
     //   positions:        5 multiplications, 2 functions
     //   velocities:       3 additions, 4 multiplications
-    input Real c[6] "constants of the model, which prepare computes from the parameters";
+    input Real c[7] "constants of the model, which prepare computes from the parameters";
     input Real t "time";
     input Real q[1] "coordinates";
     input Real u[1] "speeds";
     output Real energy "kinetic and potential";
   protected
-    Real theta, theta_dot, m, l, lambda, k6, v1, cos_theta, v2, v2_squared, v3, v4, v5;
+    Real theta, theta_dot, m, l, lambda, k7, v1, cos_theta, v2, v2_squared, v3, v4, v5;
   algorithm
     theta     := q[1];  // θ
     theta_dot := u[1];  // θ'
     m         := c[1];
     l         := c[2];
     lambda    := c[3];
-    k6        := c[6];  // m*g
+    k7        := c[7];  // m*g
 
     // time and inputs: 1 multiplication, 1 function
     v1 := lambda*cos(t);
@@ -117,7 +119,7 @@ package pendulum "A pendulum whose pivot swings along x."
     v2 := v1*sin(theta);
     v2_squared := v2*v2;
     v3 := v1*cos_theta;
-    v4 := l*cos_theta*k6;
+    v4 := l*cos_theta*k7;
 
     // velocities: 3 additions, 4 multiplications
     v5 := v3 + l*theta_dot;
@@ -131,7 +133,7 @@ package pendulum "A pendulum whose pivot swings along x."
     Real t = 0.39;
     Real q[1] = {1.008};
     Real u[1] = {0.626};
-    Real c[6];
+    Real c[7];
     Real M_1[1, 1];
     Real f_1[1];
     Real energy_2;

@@ -19,8 +19,9 @@
 //!     [1]  l
 //!     [2]  lambda
 //!     [3]  g
-//!     [4]  l*(m*l)
-//!     [5]  m*g
+//!     [4]  m*l
+//!     [5]  l*(m*l)
+//!     [6]  m*g
 //!
 //!   t: time
 //!
@@ -33,18 +34,20 @@
 #![allow(non_snake_case, unused_parens, dead_code, clippy::all)]
 
 /// Compute what the other routines need of the parameters.
-///   c  vector of 6  constants of the model
+///   c  vector of 7  constants of the model
 /// Operations:
 ///   parameters:  3 multiplications
-pub fn prepare(p: &[f64; 4], c: &mut [f64; 6]) {
+pub fn prepare(p: &[f64; 4], c: &mut [f64; 7]) {
     let m      = p[0];
     let l      = p[1];
     let lambda = p[2];
     let g      = p[3];
 
     // parameters: 3 multiplications
-    c[4] = l*(m*l);
-    c[5] = m*g;
+    let v1 = m*l;
+    c[4] = v1;
+    c[5] = l*v1;
+    c[6] = m*g;
 
     // entries that need no computation
     c[0] = m;
@@ -58,24 +61,23 @@ pub fn prepare(p: &[f64; 4], c: &mut [f64; 6]) {
 ///   f  vector of 1      forces and inertia forces of speeds
 /// Operations:
 ///   time and inputs:  1 multiplication, 1 function
-///   positions:        1 addition, 4 multiplications, 2 functions
-pub fn equations(c: &[f64; 6], t: f64, q: &[f64; 1], u: &[f64; 1], M: &mut [[f64; 1]; 1],
+///   positions:        1 addition, 3 multiplications, 2 functions
+pub fn equations(c: &[f64; 7], t: f64, q: &[f64; 1], u: &[f64; 1], M: &mut [[f64; 1]; 1],
     f: &mut [f64; 1]) {
     let theta  = q[0];  // θ
-    let m      = c[0];
-    let l      = c[1];
     let lambda = c[2];
     let g      = c[3];
-    let k4     = c[4];  // l*(m*l)
+    let k4     = c[4];  // m*l
+    let k5     = c[5];  // l*(m*l)
 
     // time and inputs: 1 multiplication, 1 function
     let v1 = lambda*f64::sin(t);
 
-    // positions: 1 addition, 4 multiplications, 2 functions
-    f[0] = l*(m*(v1*f64::cos(theta) - g*f64::sin(theta)));
+    // positions: 1 addition, 3 multiplications, 2 functions
+    f[0] = k4*(v1*f64::cos(theta) - g*f64::sin(theta));
 
     // entries that need no computation
-    M[0][0] = k4;
+    M[0][0] = k5;
     let _ = u;
 }
 
@@ -85,13 +87,13 @@ pub fn equations(c: &[f64; 6], t: f64, q: &[f64; 1], u: &[f64; 1], M: &mut [[f64
 ///   time and inputs:  1 multiplication, 1 function
 ///   positions:        5 multiplications, 2 functions
 ///   velocities:       3 additions, 4 multiplications
-pub fn mechanical_energy(c: &[f64; 6], t: f64, q: &[f64; 1], u: &[f64; 1], energy: &mut f64) {
+pub fn mechanical_energy(c: &[f64; 7], t: f64, q: &[f64; 1], u: &[f64; 1], energy: &mut f64) {
     let theta     = q[0];  // θ
     let theta_dot = u[0];  // θ'
     let m         = c[0];
     let l         = c[1];
     let lambda    = c[2];
-    let k5        = c[5];  // m*g
+    let k6        = c[6];  // m*g
 
     // time and inputs: 1 multiplication, 1 function
     let v1 = lambda*f64::cos(t);
@@ -101,7 +103,7 @@ pub fn mechanical_energy(c: &[f64; 6], t: f64, q: &[f64; 1], u: &[f64; 1], energ
     let v2 = v1*f64::sin(theta);
     let v2_squared = v2*v2;
     let v3 = v1*cos_theta;
-    let v4 = l*cos_theta*k5;
+    let v4 = l*cos_theta*k6;
 
     // velocities: 3 additions, 4 multiplications
     let v5 = v3 + l*theta_dot;

@@ -14,7 +14,7 @@ fn main() {
     let u = [0.626];
     let mut failures = 0;
     println!("pendulum: entries, largest relative error");
-    let mut c: [f64; 6] = [0.0; 6];
+    let mut c: [f64; 7] = [0.0; 7];
     pendulum::prepare(&p, &mut c);
 
     {

@@ -5,23 +5,22 @@
 %   f  vector of 1      forces and inertia forces of speeds
 % Operations:
 %   time and inputs:  1 multiplication, 1 function
-%   positions:        1 addition, 4 multiplications, 2 functions
+%   positions:        1 addition, 3 multiplications, 2 functions
 function [M, f] = equations(c, t, q, u)
     M = zeros(1, 1);
     f = zeros(1, 1);
     theta  = q(1);  % θ
-    m      = c(1);
-    l      = c(2);
     lambda = c(3);
     g      = c(4);
-    k5     = c(5);  % l*(m*l)
+    k5     = c(5);  % m*l
+    k6     = c(6);  % l*(m*l)
 
     % time and inputs: 1 multiplication, 1 function
     v1 = lambda*sin(t);
 
-    % positions: 1 addition, 4 multiplications, 2 functions
-    f(1) = l*(m*(v1*cos(theta) - g*sin(theta)));
+    % positions: 1 addition, 3 multiplications, 2 functions
+    f(1) = k5*(v1*cos(theta) - g*sin(theta));
 
     % entries that need no computation
-    M(1, 1) = k5;
+    M(1, 1) = k6;
 end

@@ -12,7 +12,7 @@ function energy = mechanical_energy(c, t, q, u)
     m         = c(1);
     l         = c(2);
     lambda    = c(3);
-    k6        = c(6);  % m*g
+    k7        = c(7);  % m*g
 
     % time and inputs: 1 multiplication, 1 function
     v1 = lambda*cos(t);
@@ -22,7 +22,7 @@ function energy = mechanical_energy(c, t, q, u)
     v2 = v1*sin(theta);
     v2_squared = v2*v2;
     v3 = v1*cos_theta;
-    v4 = l*cos_theta*k6;
+    v4 = l*cos_theta*k7;
 
     % velocities: 3 additions, 4 multiplications
     v5 = v3 + l*theta_dot;
