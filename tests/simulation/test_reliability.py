@@ -22,8 +22,10 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable, Iterator
+from concurrent.futures import BrokenExecutor, ProcessPoolExecutor
 from contextlib import contextmanager
 from importlib import import_module
+from multiprocessing import get_context
 from pathlib import Path
 
 import numpy as np
@@ -31,7 +33,9 @@ import pytest
 
 from symbody import ModelNotice, Motion, generate, simulate, simulate_many
 from symbody.errors import CodegenError, PictureError, ResultsError, SymbodyError
+from symbody.simulation.batch.in_flight import InFlight
 from symbody.simulation.batch.runs import Runs
+from symbody.simulation.batch.stop_flag import StopFlag
 from tests.simulation.test_many import PENDULUM, REFERENCE, g, l, m, q1, same, six
 
 resource = pytest.importorskip("resource")
@@ -350,6 +354,16 @@ def test_ctrl_c_in_a_terminal_ends_motions_that_take_long(
     )
     assert "InvalidStateError" not in errors
     assert list(signs.iterdir()) == []
+
+
+def test_workers_of_a_pool_that_broke_stop() -> None:
+    """A worker that starts while another one dies is unknown to a broken pool, and would take the next task."""
+    looks = iter([True, False])
+    with ProcessPoolExecutor(1, get_context("fork")) as executor:
+        flight = InFlight("a call", executor, lambda _: executor.submit(os._exit, 1), 1, StopFlag())
+        assert list(flight.results([0], lambda: next(looks, False))) == []
+        assert isinstance(flight.lost, BrokenExecutor)
+        assert flight.flag.is_set()
 
 
 @pytest.mark.parametrize("write", [page, figure("png"), code], ids=["page", "figure", "code"])

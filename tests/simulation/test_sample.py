@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from symbody import ModelNotice, functions_of_time, sample, symbols
+from symbody import LazySample, ModelNotice, functions_of_time, sample, symbols
+from symbody.errors import ArgumentError
 from symbody.simulation.studies.sample.sequence import SEQUENCES
 
 a, b, c = symbols("a b c")
@@ -77,3 +78,12 @@ def test_a_table_of_saltelli_has_the_columns_of_a_and_b() -> None:
     A, B, AB_a, AB_b = np.array([table[a], table[b]]).reshape(2, 4, 8).swapaxes(0, 1)
     np.testing.assert_array_equal(AB_a, [B[0], A[1]])
     np.testing.assert_array_equal(AB_b, [A[0], B[1]])
+
+
+def test_a_lazy_sample_names_what_it_has() -> None:
+    table = LazySample({a: ("uniform", 0, 1)}, 8)
+    with pytest.raises(ArgumentError, match=r"^LazySample: there is no variable b; expected one of a$"):
+        table.column(b)
+    for first, count in [(-1, 2), (7, 2), (0, 0)]:
+        with pytest.raises(ArgumentError, match=rf"from case {first}; expected some of 0 to 7$"):
+            table.block(first, count)

@@ -69,7 +69,7 @@ class InFlight(Generic[Result]):
             while keep_going() and self._are_begun(may_begin):
                 yield from self._landed()
         finally:
-            if self._waiting:
+            if self._waiting or self.lost is not None:
                 self.flag.set()
                 self._withdraw()
         if self.lost is not None and keep_going():
@@ -108,11 +108,16 @@ class InFlight(Generic[Result]):
         """Cancel tasks, except those of a process pool: these see the flag and end when they start.
 
         If a worker dies after tasks were cancelled, such a pool fails on them and never ends its other workers (Python
-        3.11, its issue 107219).
+        3.11, its issue 107219). Nor does it end a worker that starts while another one dies, as Ctrl-C makes it: that
+        worker would wait for tasks, and this process for the worker.
         """
         if not isinstance(self.executor, ProcessPoolExecutor):
             for future in self._waiting:
                 future.cancel()
+        elif isinstance(self.lost, BrokenExecutor):
+            workers = self.executor._processes or {}  # noqa: SLF001  there is no public list of them
+            for worker in [*workers.values()]:
+                worker.terminate()
 
     def _error(self, error: BaseException) -> SimulationError:
         return SimulationError(

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from symbody.errors import ArgumentError, ParameterError
 from symbody.symbolic import Expr
-from symbody.symbolic.given.arguments import counted, described
+from symbody.symbolic.given.arguments import counted, described, with_known_names
 
 from .correlated import correlated_normal
 from .distribution import Distribution, quantile_function
@@ -87,21 +87,38 @@ class LazySample:
     def _points(self) -> Points:
         return SEQUENCES[self._method](len(self.names), self._n, self._seed)
 
+    @with_known_names
     def block(self, first: int, count: int) -> dict[Expr, Array]:
         """Return the values of some cases: an array of shape (count,) for each variable.
 
         Args:
             first: the number of the first of them.
             count: how many.
+
+        Raises:
+            ArgumentError: there are no such cases.
         """
+        if first < 0 or not (1 <= count <= len(self) - first):
+            raise ArgumentError(
+                f"LazySample: {counted(count, 'case')} from case {first}; expected some of 0 to {len(self) - 1}"
+            )
         end, parts = min(first + count, len(self)), []
         for start in range(first - first % BLOCK, end, BLOCK):
             own = slice(max(first - start, 0), end - start)
             parts.append({name: column[own] for name, column in self._block_from(start).items()})
         return {name: np.concatenate([part[name] for part in parts]) for name in self.names}
 
+    @with_known_names
     def column(self, name: Expr) -> Array:
-        """Return all values of one variable, shape (k,)."""
+        """Return all values of one variable, shape (k,).
+
+        Raises:
+            ArgumentError: the sample has no such variable.
+        """
+        if name not in self.names:
+            raise ArgumentError(
+                f"LazySample: there is no variable {name!r}; expected one of {', '.join(map(str, self.names))}"
+            )
         column = np.empty(len(self))
         for start in range(0, len(self), BLOCK):
             own = column[start : start + BLOCK]
