@@ -224,6 +224,13 @@ EQUALITIES: tuple[Equality, ...] = (
         ("log(a*x**2)", "log(a) + log(x**2)"),
     ),
     *missed(
+        "the sign of an irrational number is known for those of known angles alone, such as 1 + sqrt(2) = 1/tan(pi/8)",
+        ("sqrt(4 + 2*sqrt(3))", "1 + sqrt(3)"),
+        ("sqrt(5 + 2*sqrt(6))", "sqrt(2) + sqrt(3)"),
+        ("abs(1 - sqrt(3))", "sqrt(3) - 1"),
+        ("Max(3, pi)", "pi"),
+    ),
+    *missed(
         "an argument that holds a sign is not opened",
         ("tanh(abs(x))", "abs(tanh(x))"),
     ),
