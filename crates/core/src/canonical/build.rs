@@ -59,14 +59,14 @@ impl Graph {
         self.hidden_number(id).map_or(id, |number| self.number(&number))
     }
 
-    /// The argument of a function or root that is decided by numbers: the number that a sum hides, or the node itself.
+    /// The argument of a function or root that is decided by numbers: the number that a sum or a product hides, which
+    /// a derivation does not look for, or the node itself.
     pub(super) fn decided(&mut self, id: Id) -> Id {
-        match self.settled(id) {
-            sum if self.kind(sum) == Kind::Sum => {
-                self.hidden_number(sum).map_or(sum, |number| self.number(&number))
-            }
-            settled => settled,
+        let settled = self.settled(id);
+        if !matches!(self.kind(settled), Kind::Sum | Kind::Product | Kind::Scale) {
+            return settled;
         }
+        self.hidden_number(settled).map_or(settled, |number| self.number(&number))
     }
 
     /// The number that a node is in all lanes, if it has less than 46 bits above and below the line.

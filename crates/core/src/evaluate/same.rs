@@ -298,7 +298,7 @@ impl Graph {
         FieldId::HASH
             .into_iter()
             .chain(FieldId::others(0))
-            .map(|field| signed(a, negated_a, field).words().cmp(signed(b, negated_b, field).words()))
+            .map(|field| signed(a, negated_a, field).words().cmp(&signed(b, negated_b, field).words()))
             .find(|order| order.is_ne())
             .unwrap_or(Ordering::Equal)
     }

@@ -15,13 +15,37 @@ use super::prime::fraction_modulo;
 use super::quadratic::Quadratic;
 use super::radical::prime_factors;
 
+/// The largest power of two in the parts of a turn that are found by halves: 2^this.
+const MOST_HALVINGS: u64 = 16;
+
 /// The cosine and the sine of an angle.
 type Point = (Quadratic, Quadratic);
 
 impl Field {
     /// The unit cos + i sin of a fraction of a turn.
+    ///
+    /// In the first field of a lane, the unit of b/d of a turn has the order d also where the circle has no such point.
     pub(crate) fn unit(&self, turns: &Number) -> Quadratic {
-        self.unit_of_angle(&self.part_of_turn(turns))
+        let (mut rest, mut unit) = (turns.clone(), self.one());
+        if self.has_odd_roots() {
+            for (prime, count) in prime_factors(&Number::whole(turns.denominator())) {
+                let power: BigInt = Pow::pow(&prime, count.unsigned_abs());
+                if self.is_exact(&power) || prime.is_even() {
+                    continue;
+                }
+                let part = part_over(turns, &power);
+                let (Ok(prime), Ok(count)) = (u64::try_from(prime), u32::try_from(count)) else { continue };
+                if let Some(factor) = self.unit_of_prime_power(&part, prime, count) {
+                    (rest, unit) = (rest.sub(&part), self.mul(&unit, &factor));
+                }
+            }
+        }
+        let unit_of_rest = if self.has_odd_roots() && is_power_of_two_beside(&rest, self.groups().torsion.0) {
+            self.unit_of_angle(&self.exact_part_of_turn(&rest))
+        } else {
+            self.unit_of_angle(&self.part_of_turn(&rest))
+        };
+        self.mul(&unit, &unit_of_rest)
     }
 
     /// The angle that is a fraction of a turn.
@@ -77,7 +101,8 @@ impl Field {
     /// The principal power of an element r e^(i theta) with a positive r in GF(p) and an exact angle, if it is one, and k
     /// theta is exact: r^k e^(i k theta) for the theta above -pi and up to pi.
     pub(super) fn power_at_exact_angle(&self, base: &Quadratic, exponent: &Number) -> Option<Quadratic> {
-        let &[x, y] = base.words() else { return None };
+        let Quadratic::Wide(words) = base else { return None };
+        let &[x, y] = &words[..] else { return None };
         let prime = self.prime();
         let square = prime.add(prime.mul(x, x), prime.mul(y, y));
         if !prime.is_square(square) {
@@ -126,9 +151,30 @@ impl Field {
     }
 
     fn multiple(&self, (cos, sin): Point, count: i64) -> Point {
-        let one = if count < 0 { (cos, self.neg(&sin)) } else { (cos, sin) };
-        (0..count.unsigned_abs()).fold((self.one(), Quadratic::ZERO), |sum, _| self.rotate(&sum, &one))
+        let mut base = if count < 0 { (cos, self.neg(&sin)) } else { (cos, sin) };
+        let (mut sum, mut count) = ((self.one(), Quadratic::ZERO), count.unsigned_abs());
+        while count > 0 {
+            if count & 1 == 1 {
+                sum = self.rotate(&sum, &base);
+            }
+            (base, count) = (self.rotate(&base, &base), count >> 1);
+        }
+        sum
     }
+}
+
+/// The b/d of a fraction of a turn, which is the sum of that and of one with other primes in the denominator.
+fn part_over(turns: &Number, d: &BigInt) -> Number {
+    let others = turns.denominator() / d;
+    let b = (turns.numerator() * others.modinv(d).unwrap_or_default()).mod_floor(d);
+    Number::from_big(b, d.clone()).expect("a denominator is positive")
+}
+
+/// Whether a denominator divides the order of the exact angles, but for a power of two that is not too large.
+fn is_power_of_two_beside(turns: &Number, order: u64) -> bool {
+    let denominator = turns.denominator();
+    let halvings = denominator.trailing_zeros().unwrap_or(0);
+    halvings <= MOST_HALVINGS && (BigInt::from(order) % (denominator >> halvings)).is_zero()
 }
 
 fn real((cos, sin): circle::Point) -> Point {

@@ -32,6 +32,9 @@ pub(super) struct Groups {
     angle: Point,
     /// The atomic exponential of prime order.
     exponential: u64,
+    /// The odd primes of the exact angles with the largest powers of them that divide p + 1, and the units of these orders,
+    /// if the field has them all.
+    units: Vec<(u64, u32, Quadratic)>,
 }
 
 impl Field {
@@ -72,8 +75,22 @@ impl Field {
             let exponential = self.exponent_order.map_or(prime.one, |order| {
                 prime.pow(self.word(&Key::new("exponential")), (prime.p - 1) / order)
             });
-            Groups { torsion: (torsion, circle::turn_over(prime, torsion)), angle, exponential }
+            let torsion = (torsion, circle::turn_over(prime, torsion));
+            let units = if torsion.0 == TORSION { units_on_circle(prime, torsion) } else { Vec::new() };
+            Groups { torsion, angle, exponential, units }
         })
+    }
+
+    /// The largest power of a prime that is the order of a unit on the circle, and that unit, if the field is one in which
+    /// roots of odd degree are found.
+    pub(super) fn unit_on_circle(&self, prime: u64) -> Option<(u32, &Quadratic)> {
+        let mut units = self.groups().units.iter();
+        units.find(|(known, ..)| *known == prime).map(|(_, count, unit)| (*count, unit))
+    }
+
+    /// Whether roots of odd degree are found here: in the first field of a lane.
+    pub(super) fn has_odd_roots(&self) -> bool {
+        !self.groups().units.is_empty()
     }
 
     pub(super) fn word(&self, key: &Key) -> u64 {
@@ -108,28 +125,68 @@ impl Field {
     }
 
     pub(crate) fn add(&self, a: &Quadratic, b: &Quadratic) -> Quadratic {
+        if a.is_extended() || b.is_extended() {
+            return self.add_extended(a, b);
+        }
         self.closure.add(a, b)
     }
 
     pub(crate) fn sub(&self, a: &Quadratic, b: &Quadratic) -> Quadratic {
-        self.closure.sub(a, b)
+        self.add(a, &self.neg(b))
     }
 
     pub(crate) fn neg(&self, a: &Quadratic) -> Quadratic {
-        self.closure.neg(a)
+        match a {
+            Quadratic::Extended(a) => self.map_extended(a, |each| self.neg(each)),
+            _ => self.closure.neg(a),
+        }
     }
 
     pub(crate) fn mul(&self, a: &Quadratic, b: &Quadratic) -> Quadratic {
+        if a.is_extended() || b.is_extended() {
+            return self.mul_extended(a, b);
+        }
         self.closure.mul(a, b)
     }
 
     pub(crate) fn half(&self, a: &Quadratic) -> Quadratic {
-        self.closure.half(a)
+        match a {
+            Quadratic::Extended(a) => self.map_extended(a, |each| self.half(each)),
+            _ => self.closure.half(a),
+        }
     }
 
     /// The reciprocal; zero stays zero.
     pub(crate) fn inverse(&self, a: &Quadratic) -> Quadratic {
-        self.closure.inverse(a)
+        match a {
+            Quadratic::Extended(a) => self.inverse_of_extended(a),
+            _ => self.closure.inverse(a),
+        }
+    }
+
+    pub(super) fn natural_power(&self, base: &Quadratic, mut exponent: u64) -> Quadratic {
+        if !base.is_extended() {
+            return self.closure.power(base, exponent);
+        }
+        let (mut base, mut result) = (base.clone(), self.one());
+        while exponent > 0 {
+            if exponent & 1 == 1 {
+                result = self.mul(&result, &base);
+            }
+            exponent >>= 1;
+            if exponent > 0 {
+                base = self.mul(&base, &base);
+            }
+        }
+        result
+    }
+
+    /// The positive square root; `None` if it is too large.
+    fn square_root(&self, a: &Quadratic) -> Option<Quadratic> {
+        if !a.is_extended() {
+            return self.closure.sqrt(a);
+        }
+        self.square_root_of_extended(a).map(|root| self.modulus(&root))
     }
 
     pub(crate) fn div(&self, a: &Quadratic, b: &Quadratic) -> Quadratic {
@@ -141,14 +198,12 @@ impl Field {
         let base = if exponent.is_negative() { self.inverse(base) } else { base.clone() };
         let magnitude = exponent.abs();
         match (magnitude.to_i64(), &base) {
-            (Some(n), _) => self.closure.power(&base, n.unsigned_abs()),
+            (Some(n), _) => self.natural_power(&base, n.unsigned_abs()),
             // Fermat: exponents count modulo p - 1.
             (None, Quadratic::Real(_)) => {
                 self.closure.power(&base, fraction_modulo(&magnitude, self.prime().p - 1).unwrap_or(0))
             }
-            (None, Quadratic::Wide(_)) => {
-                self.opaque(Key::new("power").text(&magnitude.to_string()), &[&base])
-            }
+            (None, _) => self.opaque(Key::new("power").text(&magnitude.to_string()), &[&base]),
         }
     }
 
@@ -204,7 +259,7 @@ impl Field {
     /// The principal power with a rational exponent r: |u|^r for a positive u, |u|^r e^(i pi r) for a negative one.
     ///
     /// Positive elements of GF(p) form a group of odd order, in which r counts modulo the order. In larger fields
-    /// there are square roots, and other roots of what has an exact angle; other roots are drawn.
+    /// there are square roots, and [roots of odd degree](super::odd_root); those that are too large are drawn.
     pub(crate) fn rational_power(&self, base: &Quadratic, exponent: &Number) -> Quadratic {
         if exponent.is_integer() {
             return self.power(base, exponent);
@@ -212,7 +267,7 @@ impl Field {
         match base {
             Quadratic::Real(0) => Quadratic::ZERO,
             &Quadratic::Real(word) => self.power_of_real(word, exponent),
-            Quadratic::Wide(_) => self.power_of_wide(base, exponent),
+            _ => self.power_of_wide(base, exponent),
         }
     }
 
@@ -286,7 +341,7 @@ impl Field {
         let halvings = den.trailing_zeros();
         let mut root = base.clone();
         for _ in 0..halvings {
-            let Some(next) = self.closure.sqrt(&root) else { return self.power_of_unrooted(base, exponent) };
+            let Some(next) = self.square_root(&root) else { return self.power_of_unrooted(base, exponent) };
             root = next;
         }
         self.rational_or_drawn(&root, num, den >> halvings)
@@ -296,12 +351,19 @@ impl Field {
         match root {
             _ if odd == 1 => self.power(root, &Number::integer(num)),
             &Quadratic::Real(word) => self.power_of_real(word, &Number::rational(num, odd)),
-            Quadratic::Wide(_) => {
+            _ => {
                 let exponent = Number::rational(num, odd);
                 self.power_at_exact_angle(root, &exponent)
+                    .or_else(|| self.power_of_odd_root(root, num, odd))
                     .unwrap_or_else(|| self.power_of_unrooted(root, &exponent))
             }
         }
+    }
+
+    fn power_of_odd_root(&self, base: &Quadratic, num: i64, odd: i64) -> Option<Quadratic> {
+        let degree = odd.unsigned_abs();
+        let root = self.has_odd_roots().then(|| self.odd_root(base, degree))??;
+        Some(self.power(&root, &Number::integer(num)))
     }
 
     /// A power of a root that the closure does not hold: the positive factor that makes the leading coordinate 1 or -1 has
@@ -391,8 +453,16 @@ impl Field {
     /// multiples.
     pub(super) fn linear_image(&self, value: &Quadratic) -> u64 {
         let prime = self.prime();
-        let coordinates = value.words().iter().enumerate();
-        coordinates.fold(0, |sum, (k, &word)| {
+        if let Quadratic::Extended(extended) = value {
+            let order = extended.generator.order();
+            return extended.coefficients.iter().zip(0..).fold(0, |sum, (coefficient, exponent)| {
+                let turns = Number::rational(exponent, order.cast_signed());
+                let key = Key::new("generator").text(&turns.to_string());
+                let factor = if exponent == 0 { prime.one } else { self.word(&key) };
+                prime.add(sum, prime.mul(factor, self.linear_image(coefficient)))
+            });
+        }
+        value.words().iter().enumerate().fold(0, |sum, (k, &word)| {
             let factor = if k == 0 { prime.one } else { self.word(&Key::new("coordinate").word(k as u64)) };
             prime.add(sum, prime.mul(factor, word))
         })
@@ -426,4 +496,28 @@ fn shared_part(number: u64, other: &BigInt) -> u64 {
             _ => return shared,
         }
     }
+}
+
+/// The units of the largest orders on the circle that are powers of odd primes of the exact angles, and agree with these.
+fn units_on_circle(prime: &Prime, (order, step): (u64, Point)) -> Vec<(u64, u32, Quadratic)> {
+    let unit = |q: u64| {
+        let power_in = |mut number: u64| {
+            let mut count = 0;
+            while number % q == 0 {
+                (number, count) = (number / q, count + 1);
+            }
+            count
+        };
+        let (exact, held) = (q.pow(power_in(order)), power_in(prime.p + 1));
+        let target = circle::times(prime, step, order / exact);
+        let cofactor = (prime.p + 1) / q.pow(held);
+        let point = |t: u64| circle::times(prime, circle::point(prime, prime.natural(t)), cofactor);
+        let more = q.pow(held) / exact;
+        let agrees = |point: &Point| circle::times(prime, *point, more) == target;
+        let candidates =
+            (2..).map(point).flat_map(|point| (1..exact).map(move |k| circle::times(prime, point, k)));
+        let (cos, sin) = candidates.into_iter().find(agrees).expect("the circle is a cyclic group");
+        (q, held, Quadratic::Wide([cos, sin].into()))
+    };
+    [3, 5, 7, 11].map(unit).into()
 }

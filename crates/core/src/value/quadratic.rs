@@ -8,6 +8,9 @@
 //! square: 1 is, -1 is not, and products of positive elements of GF(p) are. Of two square roots, the positive one is
 //! taken. So in GF(p) sqrt(u v) = sqrt(u) sqrt(v) for a positive u, and sqrt(u^2) = |u| = +-u everywhere.
 
+use std::borrow::Cow;
+
+use super::extended::Extended;
 use super::prime::Prime;
 
 /// The most coordinates of an element: roots nested five deep in general, and as deep as one likes where they exist.
@@ -20,6 +23,8 @@ pub(crate) enum Quadratic {
     Real(u64),
     /// An element of a larger field; the second half of the coordinates is not zero.
     Wide(Box<[u64]>),
+    /// An element of an extension of these fields by units: only roots of odd degree make them.
+    Extended(Box<Extended>),
 }
 
 impl Quadratic {
@@ -29,7 +34,12 @@ impl Quadratic {
         match self {
             Self::Real(word) => std::slice::from_ref(word),
             Self::Wide(words) => words,
+            Self::Extended(_) => unreachable!("extensions have coefficients in place of coordinates"),
         }
+    }
+
+    pub(super) fn is_extended(&self) -> bool {
+        matches!(self, Self::Extended(_))
     }
 
     fn new(mut words: Vec<u64>) -> Self {
@@ -39,9 +49,16 @@ impl Quadratic {
         if let [word] = words[..] { Self::Real(word) } else { Self::Wide(words.into()) }
     }
 
-    /// The coordinates, for ordering and keys.
-    pub(crate) fn words(&self) -> &[u64] {
-        self.coordinates()
+    /// The coordinates, for ordering and keys; those of extensions with their degrees.
+    pub(crate) fn words(&self) -> Cow<'_, [u64]> {
+        let Self::Extended(extended) = self else { return self.coordinates().into() };
+        let words = |each: &Self| {
+            let words = each.words();
+            std::iter::once(words.len() as u64).chain(words.iter().copied()).collect::<Vec<u64>>()
+        };
+        std::iter::once(extended.generator.order())
+            .chain(extended.coefficients.iter().flat_map(words))
+            .collect()
     }
 
     pub(crate) fn is_zero(&self) -> bool {
@@ -49,6 +66,9 @@ impl Quadratic {
     }
 
     pub(super) fn leading(&self) -> u64 {
+        if let Self::Extended(extended) = self {
+            return extended.coefficients.iter().map(Self::leading).find(|&word| word != 0).unwrap_or(0);
+        }
         self.coordinates().iter().copied().find(|&word| word != 0).unwrap_or(0)
     }
 }
@@ -90,9 +110,7 @@ impl Closure {
     pub(super) fn neg(&self, a: &Quadratic) -> Quadratic {
         match a {
             Quadratic::Real(a) => Quadratic::Real(self.prime.neg(*a)),
-            Quadratic::Wide(words) => {
-                Quadratic::Wide(words.iter().map(|&word| self.prime.neg(word)).collect())
-            }
+            _ => Quadratic::Wide(a.coordinates().iter().map(|&word| self.prime.neg(word)).collect()),
         }
     }
 
