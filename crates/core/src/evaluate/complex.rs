@@ -18,7 +18,7 @@ impl Graph {
         let differs =
             |field: FieldId| self.value_in(id, field) != self.value_in(id, field.with_complex_moved());
         let is_complex = if flags.has(Flags::BRANCH) {
-            let points = self.points_for(&self.signs(id));
+            let points = self.points_for(&self.signs(id), &[id]);
             points.is_none_or(|points| (0..points).any(|point| FieldId::others(point).any(differs)))
         } else {
             FieldId::HASH.into_iter().any(differs)

@@ -7,13 +7,19 @@
 
 use rustc_hash::FxHashSet;
 
-use crate::graph::{Coin, Flags, Function, Graph, Id, View};
+use crate::graph::{Atom, Coin, Flags, Function, Graph, Id, View};
 use crate::value::{FieldId, Key, Quadratic};
 
 use super::sign_degree::{ROOT, node_of, place_of};
 
 /// Vectors of 62 bits don't tell more signs than this apart from random ones.
 const MOST_INDEPENDENT: usize = 40;
+
+/// A root in the sine of an inverse function: that of the sine or cosine itself, or that of half of its angle.
+pub(super) struct RootOfAngle {
+    atom: Atom,
+    is_half: bool,
+}
 
 impl Graph {
     /// The degree in independent signs of what has this degree in some signs.
@@ -58,9 +64,44 @@ impl Graph {
                     self.sign_of_difference(&difference, a, b, f) == f.one()
                 })
             }
+            Function::Sin | Function::Cos | Function::Tan => {
+                let roots = self.roots_of_angle(args.get(0));
+                return roots.get(place).map_or(Coin::Other(sign), |root| self.coin_of_root_of_angle(root));
+            }
+            Function::Atan2 => {
+                let atom = Atom::Atan2(self.representative(args.get(0)), self.representative(args.get(1)));
+                return self.coin_of_root_of_angle(&RootOfAngle { atom, is_half: false });
+            }
             _ => return Coin::Other(sign),
         };
         Coin::Vector(vector)
+    }
+
+    /// The roots that the sine of an argument holds besides those of the argument: the sine of atan(u) has sqrt(1 + u^2).
+    pub(super) fn roots_of_angle(&self, argument: Id) -> Vec<RootOfAngle> {
+        let is_inverse = |atom: &Atom| matches!(atom, Atom::Asin(_) | Atom::Atan(_) | Atom::Atan2(..));
+        let split = self.split_argument(argument, false);
+        let parts = split.iter().filter(|(atom, _)| is_inverse(atom));
+        parts
+            .flat_map(|(atom, factor)| {
+                let root = |is_half| RootOfAngle { atom: atom.clone(), is_half };
+                [Some(root(false)), (!factor.is_integer()).then(|| root(true))]
+            })
+            .flatten()
+            .collect()
+    }
+
+    fn coin_of_root_of_angle(&self, root: &RootOfAngle) -> Coin {
+        let name = match root.atom {
+            Atom::Asin(_) => "asin",
+            Atom::Atan(_) => "atan",
+            _ => "atan2",
+        };
+        let arguments = root.atom.arguments().into_iter();
+        let key = arguments.fold(Key::new("root of angle").text(name), |key, argument| {
+            key.word(self.representative_up_to_sign(argument).0.0.into())
+        });
+        Coin::Other(key.word(root.is_half.into()).draw(0))
     }
 
     /// A root of what holds no signs depends on the sign of that, and a root of anything else on more.

@@ -10,3 +10,15 @@ pub(crate) enum Pending<'a> {
     Product(&'a [(Id, NumberId)]),
     Function(Function, &'a [Id]),
 }
+
+impl Pending<'_> {
+    /// The nodes of which it is made.
+    pub(super) fn nodes(self) -> Vec<Id> {
+        match self {
+            Self::Node(id) => vec![id],
+            Self::Sum(terms) => terms.iter().map(|&(_, id)| id).collect(),
+            Self::Product(factors) => factors.iter().map(|&(id, _)| id).collect(),
+            Self::Function(_, args) => args.to_vec(),
+        }
+    }
+}

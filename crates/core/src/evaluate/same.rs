@@ -92,7 +92,7 @@ impl Graph {
         if self.shows(pending, id, is_opposite) {
             return true;
         }
-        match self.points_for(&self.signs_of_both(pending, id)) {
+        match self.points_for(&self.signs_of_both(pending, id), &[pending.nodes(), vec![id]].concat()) {
             Some(points) => self.everywhere(pending, points, |field, value| {
                 let other = self.value_in(id, field);
                 *value == if is_opposite { field.field().neg(&other) } else { other }
@@ -167,7 +167,7 @@ impl Graph {
         if !self.branches(Pending::Node(id)) {
             return true;
         }
-        let points = self.points_for(&self.signs(id));
+        let points = self.points_for(&self.signs(id), &[id]);
         points.is_some_and(|points| {
             self.everywhere(Pending::Node(id), points, |field, found| *found == value(field))
         })
@@ -178,7 +178,7 @@ impl Graph {
         if !self.branches(pending) || self.shows_number(pending, number) {
             return true;
         }
-        let points = self.points_for(&self.signs_of(pending));
+        let points = self.points_for(&self.signs_of(pending), &pending.nodes());
         points.is_some_and(|points| {
             self.everywhere(pending, points, |field, value| field.field().is_number(value, number))
         })

@@ -36,8 +36,12 @@ const MANY: usize = 1000;
 /// The signs of a function that has no node yet: no node has so large a number.
 const PENDING: u64 = u64::MAX << 40;
 
-/// The number of points, each in all the other lanes, for degrees up to 6.
-const POINTS: [u16; 7] = [1, 1, 2, 4, 7, 15, 29];
+/// The number of points, each in all the other lanes, for degrees up to 8.
+const POINTS: [u16; 9] = [1, 1, 2, 4, 7, 15, 29, 58, 116];
+
+/// The points for degrees up to 6. More are tried only if few nodes have to be evaluated there.
+const MOST_POINTS: u16 = 29;
+const FEW_NODES: usize = 100;
 
 /// The points that a comparison needs; `None` for degrees that are too large.
 fn points_for(degree: usize) -> Option<u16> {
@@ -45,12 +49,17 @@ fn points_for(degree: usize) -> Option<u16> {
 }
 
 impl Graph {
-    /// The points that a comparison of what has these signs needs; `None` if there are too many.
-    pub(super) fn points_for(&self, signs: &Signs) -> Option<u16> {
-        match &signs.all {
+    /// The points that a comparison of nodes with these signs needs; `None` if there are too many for what is below them.
+    pub(super) fn points_for(&self, signs: &Signs, nodes: &[Id]) -> Option<u16> {
+        let points = match &signs.all {
             Some(all) if all.len() > 2 => points_for(self.degree_in_independent(all, signs.degree)),
             _ => points_for(signs.degree),
-        }
+        }?;
+        (points <= MOST_POINTS || self.hold_few_signs(nodes)).then_some(points)
+    }
+
+    fn hold_few_signs(&self, nodes: &[Id]) -> bool {
+        self.post_order_where(nodes, |id| self.flags(id).has(Flags::BRANCH)).len() <= FEW_NODES
     }
 
     /// The signs of a difference.
@@ -133,7 +142,7 @@ impl Graph {
             Function::Abs | Function::Sign | Function::Atan2 | Function::Power => 1,
             Function::Min | Function::Max => args.len() - 1,
             Function::Piecewise => args.len() / 2,
-            Function::Sin | Function::Cos | Function::Tan => usize::from(self.makes_roots(args[0], false)),
+            Function::Sin | Function::Cos | Function::Tan => self.roots_of_angle(args[0]).len(),
             Function::Exp | Function::Sinh | Function::Cosh | Function::Tanh => {
                 usize::from(self.makes_roots(args[0], true))
             }

@@ -11,11 +11,15 @@
 use num_bigint::BigInt;
 
 use super::field::Field;
+use super::key::Key;
 use super::number::Number;
 use super::quadratic::Quadratic;
 
-/// The largest degree of a cyclotomic generator.
+/// The largest degree of a generator.
 const LARGEST_DEGREE: u64 = 128;
+
+/// Products of elements that take more products of coordinates are drawn.
+const HEAVIEST: usize = 50_000;
 
 /// The unit e^(2 pi i/n^c) of a prime n and a count c.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -145,7 +149,12 @@ impl Field {
         self.polynomial(generator, self.terms(a, generator).into_iter().chain(self.terms(b, generator)))
     }
 
+    /// A product, which is drawn where it is too large.
     pub(super) fn mul_extended(&self, a: &Quadratic, b: &Quadratic) -> Quadratic {
+        if weight(a) * weight(b) > HEAVIEST {
+            let (lesser, greater) = if a.words() < b.words() { (a, b) } else { (b, a) };
+            return self.opaque(Key::new("large product"), &[lesser, greater]);
+        }
         let generator = outer_generator(a, b);
         let (a, b) = (self.terms(a, generator), self.terms(b, generator));
         let products = a.iter().flat_map(|(m, x)| b.iter().map(move |(n, y)| (m + n, self.mul(x, y))));
@@ -172,8 +181,22 @@ impl Field {
             generator,
             step,
         );
-        let norm = self.mul(&element, &others);
-        self.mul(&others, &self.inverse(&norm))
+        match self.mul(&element, &others) {
+            Quadratic::Extended(norm) if norm.generator.prime == generator.prime => {
+                self.opaque(Key::new("large reciprocal"), &[&element]) // a product was too large
+            }
+            norm => self.mul(&others, &self.inverse(&norm)),
+        }
+    }
+
+    /// The coordinates of the largest coefficient, and the generators of an element, which are added to others.
+    pub(super) fn dimensions(&self, a: &Quadratic, generators: &mut Vec<Generator>) -> usize {
+        let Quadratic::Extended(a) = a else { return a.words().len() };
+        match generators.iter_mut().find(|known| known.prime == a.generator.prime) {
+            Some(known) => known.count = known.count.max(a.generator.count),
+            None => generators.push(a.generator),
+        }
+        a.coefficients.iter().map(|each| self.dimensions(each, generators)).max().unwrap_or(1)
     }
 
     /// An exponent e such that T -> T^e generates the conjugations of a generator T.
@@ -222,6 +245,14 @@ fn outer_generator(a: &Quadratic, b: &Quadratic) -> Generator {
     };
     let found = [generator(a), generator(b)].into_iter().flatten();
     found.max_by_key(|generator| (generator.prime, generator.count)).expect("one of the elements is extended")
+}
+
+/// How many coordinates an element has that are not zero.
+fn weight(a: &Quadratic) -> usize {
+    match a {
+        Quadratic::Extended(a) => a.coefficients.iter().filter(|each| !each.is_zero()).map(weight).sum(),
+        _ => a.words().len(),
+    }
 }
 
 fn residue(value: &BigInt, modulus: u64) -> u64 {

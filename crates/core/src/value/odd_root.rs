@@ -78,16 +78,6 @@ impl Field {
         Some(Group { exact, other, units })
     }
 
-    /// The coordinates of the largest coefficient, and the generators of an element.
-    fn dimensions(&self, a: &Quadratic, generators: &mut Vec<Generator>) -> usize {
-        let Quadratic::Extended(a) = a else { return a.words().len() };
-        match generators.iter_mut().find(|known| known.prime == a.generator.prime) {
-            Some(known) => known.count = known.count.max(a.generator.count),
-            None => generators.push(a.generator),
-        }
-        a.coefficients.iter().map(|each| self.dimensions(each, generators)).max().unwrap_or(1)
-    }
-
     /// The fraction of a turn, above -1/2 and up to 1/2, that the exact angle of an element is [Pohlig & Hellman 1978].
     fn turns_in(&self, group: &Group, a: &Quadratic) -> Option<Number> {
         let unit = self.large_power(a, &(&group.other * group.other.modinv(&group.exact)?));

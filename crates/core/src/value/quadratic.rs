@@ -114,13 +114,19 @@ impl Closure {
         }
     }
 
-    pub(super) fn sub(&self, a: &Quadratic, b: &Quadratic) -> Quadratic {
-        self.add(a, &self.neg(b))
-    }
-
     pub(super) fn mul(&self, a: &Quadratic, b: &Quadratic) -> Quadratic {
         if let (Quadratic::Real(a), Quadratic::Real(b)) = (a, b) {
             return Quadratic::Real(self.prime.mul(*a, *b));
+        }
+        if let (&[a, b], &[c, d]) = (a.coordinates(), b.coordinates()) {
+            // (a + b i)(c + d i), which is most common
+            let p = &self.prime;
+            let (real, imaginary) = (p.sub(p.mul(a, c), p.mul(b, d)), p.add(p.mul(a, d), p.mul(b, c)));
+            return if imaginary == 0 {
+                Quadratic::Real(real)
+            } else {
+                Quadratic::Wide([real, imaginary].into())
+            };
         }
         Quadratic::new(self.product(a.coordinates(), b.coordinates()))
     }
