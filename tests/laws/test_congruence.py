@@ -45,6 +45,22 @@ def test_a_modulus_whose_rest_is_known_in_the_form_of_a_quotient_ends() -> None:
     assert not report.broken, str(report)
 
 
+@pytest.mark.parametrize(
+    ("seed", "index"),
+    [
+        pytest.param(24, 303, id="degree 109 of what may be negative"),
+        pytest.param(25, 1_000_001_395, id="degree 13 of what may be negative"),
+        pytest.param(24, 1_000_004_247, id="a number that a product hides in a derivation"),
+        pytest.param(21, 1386, id="roots in sines of an angle and of its half"),
+    ],
+)
+def test_pairs_that_broke_the_law_keep_it(seed: int, index: int) -> None:
+    report = congruence.Report()
+    congruence.check(congruence.pair(seed, index), report)
+    assert report.counts["pairs"] == 1
+    assert report.is_clean, str(report)
+
+
 @pytest.mark.repeated
 @pytest.mark.parametrize("seed", range(100, 150))
 def test_equal_stays_equal_in_many_pairs(seed: int) -> None:

@@ -80,6 +80,20 @@ EQUALITIES: tuple[Equality, ...] = (
         ("(sqrt(x**2 + y**2)**(2/3)*z + sqrt(x**2 + y**2)**(2/3))**3", "(x**2 + y**2)*(z + 1)**3"),
     ),
     *known(
+        "the power n of a root of degree n is the radicand in every lane, also of what is negative or not real",
+        ("((sqrt(x) + 1)**(1/3)*y + (sqrt(x) + 1)**(1/3)*z)**3", "(sqrt(x) + 1)*(y + z)**3"),
+        ("(x**(1/13)*y + x**(1/13)*z)**13", "x*(y + z)**13"),
+        ("(x**(67/109)*y + x**(67/109)*z)*x", "x**(176/109)*(y + z)"),
+        ("x**(-9/100)*(x**(1/100)*y + x**(1/100)*z)**9", "(y + z)**9"),
+    ),
+    *known(
+        "sines of one angle and of its half hold the same roots, which count once among the signs",
+        (
+            "sqrt(sin(atan2(b, y)))*sqrt(2*sin(atan2(b, y)/2)*cos(atan2(-b, y)/2))",
+            "sin(atan2(b, y))",
+        ),
+    ),
+    *known(
         "the modulus and the sign are multiplicative",
         ("abs(a*x)", "a*abs(x)"),
         ("abs(67*x)", "67*abs(x)"),
@@ -316,6 +330,9 @@ DIFFERENCES: tuple[Difference, ...] = (
     Difference("sqrt(-x)", "sqrt(x)", "almost everywhere"),
     Difference("(x**3)**(1/3)", "x", "x < 0"),
     Difference("(x**6)**(1/3)", "x**3", "x < 0"),
+    Difference("(x**13)**(1/13)", "x", "x < 0"),
+    Difference("x**(1/13) + (-x)**(1/13)", "0", "every x"),
+    Difference("(sqrt(x) + 1)**(1/3)*(sqrt(x) + 2)**(1/3)", "-((sqrt(x) + 1)*(sqrt(x) + 2))**(1/3)", "x > 0"),
     Difference("sqrt(x)**(2/3)", "abs(x)**(1/3)", "x < 0"),
     Difference("sqrt(x**4 - 2*x**2 + 1)", "x**2 - 1", "-1 < x < 1"),
     Difference("sign(x)", "1", "x < 0"),
