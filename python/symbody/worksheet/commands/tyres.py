@@ -13,12 +13,12 @@ from symbody.deferred import Deferred
 from symbody.geometry import Frame, Point, Vector, cross, ground, origin, rotate, translate
 from symbody.geometry.frame.frame import Rows4
 from symbody.geometry.motion.principal_rotation import Rotation
-from symbody.symbolic import ENERGY, Expr, atan2, derivation, number, pi, simplify, symbol
+from symbody.symbolic import ENERGY, Expr, atan2, derivation, number, pi, symbol
 from symbody.worksheet.evaluation.session import Command, Session
 from symbody.worksheet.mechanics import frame_face
 from symbody.worksheet.mechanics.modes import mechanics
 from symbody.worksheet.mechanics.objects import Reader, column, face_of, get, made, members, put, written
-from symbody.worksheet.mechanics.small_variables import left
+from symbody.worksheet.mechanics.small_variables import left, result
 from symbody.worksheet.values.value import Listed, Relation, Sequence, Value
 
 if TYPE_CHECKING:
@@ -150,7 +150,7 @@ def tire_kinematics(session: Session, tire: Value) -> Value:
     table = reader.object(tire, "TIRE")
     contact = _contact(reader, tire)
     found, modes = contact.kinematics, mechanics(session)
-    speeds: tuple[Expr, ...] = left(modes, [simplify(each) for each in (found.VS, -found.VN, found.VR)])
+    speeds: tuple[Expr, ...] = result(modes, (found.VS, -found.VN, found.VR))
     place = made(
         "POINT", frame=get(table, "frame"), coords=column(left(modes, contact.place.coordinates), 1, modes)
     )
