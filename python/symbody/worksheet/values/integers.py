@@ -26,7 +26,8 @@ def integer_of(digits: str) -> int:
     if len(digits) <= _DIRECT:
         return int(digits)
     behind = len(digits) // 2
-    return integer_of(digits[:-behind]) * 10**behind + integer_of(digits[-behind:])
+    power: int = 10**behind
+    return integer_of(digits[:-behind]) * power + integer_of(digits[-behind:])
 
 
 def number_text(value: Expr) -> str:
