@@ -11,7 +11,7 @@ from symbody.document.formats.plain_text import text
 from symbody.document.formats.tex_letter import in_formula, missing
 from symbody.document.formats.tikz import tikz
 from symbody.symbolic.expression.latex_layout import width
-from symbody.view.sketch import Sketch
+from symbody.view.mark import Sketch
 
 CLASS = r"\documentclass{article}"
 
