@@ -30,7 +30,7 @@ from symbody.worksheet.values.value import (
     Value,
 )
 
-__all__ = ["COMMANDS", "equations_of", "mapping_of"]
+__all__ = ["COMMANDS", "mapping_of"]
 
 
 # --- substitution -----------------------------------------------------------------------------------------------------

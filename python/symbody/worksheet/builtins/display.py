@@ -85,7 +85,9 @@ def declare(session: Session, *arguments: Value) -> Value:
         elif (word := unparsed(session, argument)) == "quiet":
             quiet = True
         else:
-            session.notices.append(f"declare: the option {word} is not known; expected quiet, prime = t or x(t)")
+            session.notices.append(
+                f"declare: the option {word} is not known; expected quiet, prime = t or x(t)"
+            )
     for function in functions:
         if function.kind == "time_function":
             session.options.declared.add(function.name)
@@ -94,8 +96,7 @@ def declare(session: Session, *arguments: Value) -> Value:
             session.print(f"{text} will now be displayed as {text.partition('(')[0]}")
     if primes and not quiet:
         session.print(
-            f"derivatives with respect to {primes} of functions of one variable will now be displayed "
-            "with '"
+            f"derivatives with respect to {primes} of functions of one variable will now be displayed with '"
         )
     return NULL
 
