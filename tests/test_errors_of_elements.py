@@ -48,7 +48,52 @@ TAKES_SYMBOLS = (
     "-C*symbody.atan(slip)), with atan of symbody, not of math or numpy"
 )
 
+NOTHING = "neither stiffness nor damping; expected at least one of them"
+center = block.center_of_mass
+
 MISTAKES: list[tuple[Callable[[], object], str]] = [
+    (
+        lambda: sb.contact(center, 0.1, 0, on=block),
+        "contact: stiffness = 0, which leaves no force; expected a positive number",
+    ),
+    (
+        lambda: sb.contact(center, 0.1, k, on=block, creep_speed=0.01),
+        "contact: creep_speed without friction, which acts by it alone; expected friction=mu, or neither",
+    ),
+    (
+        lambda: sb.friction(x, on=block, viscous=c, creep_speed=0.01),
+        (
+            "friction: creep_speed without dry friction, which acts by it alone; expected coulomb=Fc, or none of both"
+        ),
+    ),
+    (lambda: sb.spring(center, sb.Point(ground, 0, 1, 0), 0, on=block), f"spring: {NOTHING}"),
+    (lambda: sb.torsion_spring(x, 0, on=block), f"torsion_spring: {NOTHING}"),
+    (
+        lambda: sb.bushing(block.frame, ground, [0] * 6, damping=[0] * 6, on=block),
+        f"bushing: {NOTHING}",
+    ),
+    (
+        lambda: tire(sb.linear_tire(cornering=C), crown_radius=-0.1),
+        f"tire: crown_radius = -0.1; {NOT_NEGATIVE}",
+    ),
+    (
+        lambda: sb.tire_kinematics(wheel, R, crown_radius=-0.1, carrier=fork),
+        f"tire_kinematics: crown_radius = -0.1; {NOT_NEGATIVE}",
+    ),
+    (
+        lambda: sb.tire_kinematics(wheel, 0.3, crown_radius=0.5, carrier=fork),
+        (
+            "tire_kinematics: crown_radius = 0.5, more than radius = 0.3; expected a cross section within the wheel: "
+            "zero for a thin disc, the radius itself for a ball"
+        ),
+    ),
+    (
+        lambda: tire(sb.linear_tire(cornering=C), damping=c),
+        (
+            "tire: damping = c beside a load that is given; expected stiffness=k with it, or the damping within the "
+            "load"
+        ),
+    ),
     (
         lambda: sb.magic_formula(TIRE | {"QSY3": 0.1}),
         (
