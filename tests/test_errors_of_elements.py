@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import warnings
 from collections.abc import Callable, Mapping
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -240,3 +241,32 @@ def test_sizes_of_displaced_and_substituted_elements_are_checked() -> None:
     assert isinstance(moved, Element)
     assert moved.sizes == {"damping": c}
     assert sb.subs(damped(c), {c: 2 * m}).sizes == {"damping": 2 * m}
+
+
+def notices_of_call(call: Callable[[], object]) -> list[str]:
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        call()
+    return [str(each.message) for each in caught]
+
+
+def test_coefficients_whose_effects_are_left_out_are_named(tmp_path: Path) -> None:
+    turning = (
+        "turn slip is left out (PDXP1, QDTP1): forces are those of a path that is wide beside the tyre, not those of "
+        "parking"
+    )
+    leaning = (
+        "factors of the camber, of sets before 5.2, are left out (LGAY); expected coefficients of camber that are "
+        "scaled already, such as PHY3 and PVY3"
+    )
+    more = {"PDXP1": 0.4, "QDTP1": 10, "PDYP1": 0, "LGAX": 1, "LGAY": 0.9}
+    assert notices_of_call(lambda: sb.magic_formula(TIRE | more)) == [f"magic_formula: {turning}; {leaning}"]
+    assert notices_of_call(lambda: sb.magic_formula(TIRE | {"QDTP1": 0, "LGAY": 1})) == []
+    path = tmp_path / "front.tir"
+    entries = "\n".join(f"{name} = {value}" for name, value in (TIRE | more).items())
+    path.write_text(f"[MODEL]\nFITTYP = 61\n{entries}\n", encoding="utf-8")
+    found: list[Any] = []
+    assert notices_of_call(lambda: found.append(sb.tire_file(path))) == [
+        f"tire_file front.tir: {turning}; {leaning}"
+    ]
+    assert notices_of_call(found[0].law) == []
