@@ -13,6 +13,7 @@ from operator import add, mul
 
 from symbody.symbolic import Expr, UndefinedFunction, number, t
 from symbody.symbolic.expression.traverse import post_order
+from symbody.worksheet.values.integers import number_text
 from symbody.worksheet.values.numeric import as_float, decimal
 
 __all__ = ["Tree", "is_negative", "leaves", "product_of", "sum_of", "tree_of", "walk"]
@@ -97,9 +98,7 @@ def _made(node: Expr, parts: list[Tree]) -> Tree:
 
 
 def _number(node: Expr, parts: list[Tree]) -> Tree:
-    numerator, denominator = node.ratio
-    key = str(numerator) if denominator == 1 else f"{numerator}/{denominator}"
-    return Tree("number", node, key=key[:_KEY_LENGTH])
+    return Tree("number", node, key=number_text(node)[:_KEY_LENGTH])
 
 
 def _constant(node: Expr, parts: list[Tree]) -> Tree:
