@@ -13,7 +13,7 @@ use num_bigint::BigInt;
 use super::field::Field;
 use super::key::Key;
 use super::number::Number;
-use super::quadratic::Quadratic;
+use super::quadratic::{Extended, Generator, Quadratic};
 
 /// The largest degree of a generator.
 const LARGEST_DEGREE: u64 = 128;
@@ -21,28 +21,19 @@ const LARGEST_DEGREE: u64 = 128;
 /// Products of elements that take more products of coordinates are drawn.
 const HEAVIEST: usize = 50_000;
 
-/// The unit e^(2 pi i/n^c) of a prime n and a count c.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Generator {
-    pub(super) prime: u64,
-    pub(super) count: u32,
-}
-
 impl Generator {
     pub(super) fn order(self) -> u64 {
         self.prime.pow(self.count)
     }
 }
 
-/// A polynomial in a generator, of which it needs a power with a positive exponent.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Extended {
-    pub(super) generator: Generator,
-    /// As many as the degree of the generator.
-    pub(super) coefficients: Box<[Quadratic]>,
-}
-
 impl Extended {
+    /// The element with another value for each coefficient, which is linear in that.
+    pub(super) fn map(&self, map: impl Fn(&Quadratic) -> Quadratic) -> Quadratic {
+        let coefficients = self.coefficients.iter().map(map).collect();
+        Quadratic::Extended(Self { generator: self.generator, coefficients }.into())
+    }
+
     /// The coefficient and the exponent of what has one term.
     pub(super) fn single_term(&self) -> Option<(&Quadratic, u64)> {
         let mut terms = self.coefficients.iter().zip(0..).filter(|(coefficient, _)| !coefficient.is_zero());
@@ -92,9 +83,9 @@ impl Field {
         terms: impl IntoIterator<Item = (u64, Quadratic)>,
     ) -> Quadratic {
         let degree = self.degree(generator);
-        let mut coefficients = vec![Quadratic::ZERO; degree as usize];
+        let mut coefficients = vec![Quadratic::ZERO; place(degree)];
         let mut add = |exponent: u64, value: &Quadratic| {
-            let known = &mut coefficients[exponent as usize];
+            let known = &mut coefficients[place(exponent)];
             *known = self.add(known, value);
         };
         for (exponent, value) in terms {
@@ -113,40 +104,12 @@ impl Field {
                 }
             }
         }
-        self.with_least_generator(generator, coefficients)
-    }
-
-    /// The polynomial in the smallest generator that it needs, or its only coefficient.
-    fn with_least_generator(&self, mut generator: Generator, mut coefficients: Vec<Quadratic>) -> Quadratic {
-        loop {
-            if coefficients[1..].iter().all(Quadratic::is_zero) {
-                return coefficients.swap_remove(0);
-            }
-            let step = generator.prime as usize;
-            let is_needed = coefficients.iter().enumerate().any(|(k, c)| k % step != 0 && !c.is_zero());
-            if is_needed {
-                return Quadratic::Extended(Extended { generator, coefficients: coefficients.into() }.into());
-            }
-            generator.count -= 1;
-            coefficients = coefficients.into_iter().step_by(step).collect();
-        }
-    }
-
-    /// The terms of an element as a polynomial in a generator.
-    fn terms(&self, a: &Quadratic, generator: Generator) -> Vec<(u64, Quadratic)> {
-        match a {
-            Quadratic::Extended(a) if a.generator.prime == generator.prime => {
-                let step = generator.prime.pow(generator.count - a.generator.count);
-                let terms = (0..).step_by(step as usize).zip(a.coefficients.iter().cloned());
-                terms.filter(|(_, coefficient)| !coefficient.is_zero()).collect()
-            }
-            _ => vec![(0, a.clone())],
-        }
+        with_least_generator(generator, coefficients)
     }
 
     pub(super) fn add_extended(&self, a: &Quadratic, b: &Quadratic) -> Quadratic {
         let generator = outer_generator(a, b);
-        self.polynomial(generator, self.terms(a, generator).into_iter().chain(self.terms(b, generator)))
+        self.polynomial(generator, terms(a, generator).into_iter().chain(terms(b, generator)))
     }
 
     /// A product, which is drawn where it is too large.
@@ -156,15 +119,9 @@ impl Field {
             return self.opaque(Key::new("large product"), &[lesser, greater]);
         }
         let generator = outer_generator(a, b);
-        let (a, b) = (self.terms(a, generator), self.terms(b, generator));
+        let (a, b) = (terms(a, generator), terms(b, generator));
         let products = a.iter().flat_map(|(m, x)| b.iter().map(move |(n, y)| (m + n, self.mul(x, y))));
         self.polynomial(generator, products)
-    }
-
-    /// The element with another value for each coefficient, which is linear in that.
-    pub(super) fn map_extended(&self, a: &Extended, map: impl Fn(&Quadratic) -> Quadratic) -> Quadratic {
-        let coefficients = a.coefficients.iter().map(map).collect();
-        Quadratic::Extended(Extended { generator: a.generator, coefficients }.into())
     }
 
     /// The reciprocal: the product of the conjugates over the norm.
@@ -189,16 +146,6 @@ impl Field {
         }
     }
 
-    /// The coordinates of the largest coefficient, and the generators of an element, which are added to others.
-    pub(super) fn dimensions(&self, a: &Quadratic, generators: &mut Vec<Generator>) -> usize {
-        let Quadratic::Extended(a) = a else { return a.words().len() };
-        match generators.iter_mut().find(|known| known.prime == a.generator.prime) {
-            Some(known) => known.count = known.count.max(a.generator.count),
-            None => generators.push(a.generator),
-        }
-        a.coefficients.iter().map(|each| self.dimensions(each, generators)).max().unwrap_or(1)
-    }
-
     /// An exponent e such that T -> T^e generates the conjugations of a generator T.
     fn conjugation(&self, generator: Generator) -> u64 {
         let Some((held, _)) = self.unit_on_circle(generator.prime) else {
@@ -210,7 +157,7 @@ impl Field {
     /// The element with a power of a generator for that.
     pub(super) fn conjugated(&self, a: &Quadratic, generator: Generator, power: u64) -> Quadratic {
         let order = generator.order();
-        let terms = self.terms(a, generator).into_iter();
+        let terms = terms(a, generator).into_iter();
         self.polynomial(generator, terms.map(|(k, value)| (mul_modulo(k, power, order), value)))
     }
 
@@ -237,6 +184,44 @@ impl Field {
     }
 }
 
+/// The polynomial in the smallest generator that it needs, or its only coefficient.
+fn with_least_generator(mut generator: Generator, mut coefficients: Vec<Quadratic>) -> Quadratic {
+    loop {
+        if coefficients[1..].iter().all(Quadratic::is_zero) {
+            return coefficients.swap_remove(0);
+        }
+        let step = place(generator.prime);
+        let is_needed = coefficients.iter().enumerate().any(|(k, c)| k % step != 0 && !c.is_zero());
+        if is_needed {
+            return Quadratic::Extended(Extended { generator, coefficients: coefficients.into() }.into());
+        }
+        generator.count -= 1;
+        coefficients = coefficients.into_iter().step_by(step).collect();
+    }
+}
+
+/// The terms of an element as a polynomial in a generator.
+fn terms(a: &Quadratic, generator: Generator) -> Vec<(u64, Quadratic)> {
+    match a {
+        Quadratic::Extended(a) if a.generator.prime == generator.prime => {
+            let step = generator.prime.pow(generator.count - a.generator.count);
+            let terms = (0..).step_by(place(step)).zip(a.coefficients.iter().cloned());
+            terms.filter(|(_, coefficient)| !coefficient.is_zero()).collect()
+        }
+        _ => vec![(0, a.clone())],
+    }
+}
+
+/// The coordinates of the largest coefficient, and the generators of an element, which are added to others.
+pub(super) fn dimensions(a: &Quadratic, generators: &mut Vec<Generator>) -> usize {
+    let Quadratic::Extended(a) = a else { return a.words().len() };
+    match generators.iter_mut().find(|known| known.prime == a.generator.prime) {
+        Some(known) => known.count = known.count.max(a.generator.count),
+        None => generators.push(a.generator),
+    }
+    a.coefficients.iter().map(|each| dimensions(each, generators)).max().unwrap_or(1)
+}
+
 /// The larger of the generators of two elements, of which one has one.
 fn outer_generator(a: &Quadratic, b: &Quadratic) -> Generator {
     let generator = |a: &Quadratic| match a {
@@ -253,6 +238,11 @@ fn weight(a: &Quadratic) -> usize {
         Quadratic::Extended(a) => a.coefficients.iter().filter(|each| !each.is_zero()).map(weight).sum(),
         _ => a.words().len(),
     }
+}
+
+/// A degree or an exponent as a place in a list.
+pub(super) fn place(exponent: u64) -> usize {
+    usize::try_from(exponent).expect("degrees are small")
 }
 
 fn residue(value: &BigInt, modulus: u64) -> u64 {

@@ -137,7 +137,7 @@ impl Field {
 
     pub(crate) fn neg(&self, a: &Quadratic) -> Quadratic {
         match a {
-            Quadratic::Extended(a) => self.map_extended(a, |each| self.neg(each)),
+            Quadratic::Extended(a) => a.map(|each| self.neg(each)),
             _ => self.closure.neg(a),
         }
     }
@@ -151,7 +151,7 @@ impl Field {
 
     pub(crate) fn half(&self, a: &Quadratic) -> Quadratic {
         match a {
-            Quadratic::Extended(a) => self.map_extended(a, |each| self.half(each)),
+            Quadratic::Extended(a) => a.map(|each| self.half(each)),
             _ => self.closure.half(a),
         }
     }
@@ -259,7 +259,7 @@ impl Field {
     /// The principal power with a rational exponent r: |u|^r for a positive u, |u|^r e^(i pi r) for a negative one.
     ///
     /// Positive elements of GF(p) form a group of odd order, in which r counts modulo the order. In larger fields
-    /// there are square roots, and [roots of odd degree](super::odd_root); those that are too large are drawn.
+    /// there are square roots, and roots of odd degree (`odd_root`); those that are too large are drawn.
     pub(crate) fn rational_power(&self, base: &Quadratic, exponent: &Number) -> Quadratic {
         if exponent.is_integer() {
             return self.power(base, exponent);
@@ -456,7 +456,8 @@ impl Field {
         if let Quadratic::Extended(extended) = value {
             let order = extended.generator.order();
             return extended.coefficients.iter().zip(0..).fold(0, |sum, (coefficient, exponent)| {
-                let turns = Number::rational(exponent, order.cast_signed());
+                let turns =
+                    Number::integer(exponent).mul(&Number::whole(order.into()).recip().expect("not 0"));
                 let key = Key::new("generator").text(&turns.to_string());
                 let factor = if exponent == 0 { prime.one } else { self.word(&key) };
                 prime.add(sum, prime.mul(factor, self.linear_image(coefficient)))

@@ -9,10 +9,10 @@
 use num_bigint::BigInt;
 use num_traits::{One, Pow, ToPrimitive};
 
-use super::extended::Generator;
+use super::extended::{dimensions, place};
 use super::field::Field;
 use super::number::Number;
-use super::quadratic::Quadratic;
+use super::quadratic::{Generator, Quadratic};
 
 /// The primes of exact angles.
 const PRIMES: [u64; 4] = [3, 5, 7, 11];
@@ -57,8 +57,8 @@ impl Field {
 
     fn group_of(&self, a: &Quadratic) -> Option<Group> {
         let mut generators = Vec::new();
-        let dimension = self.dimensions(a, &mut generators).max(2);
-        let degree = generators.iter().fold(dimension, |all, each| all * self.degree(*each) as usize);
+        let dimension = dimensions(a, &mut generators).max(2);
+        let degree = generators.iter().fold(dimension, |all, each| all * place(self.degree(*each)));
         if degree > LARGEST_DEGREE || !generators.iter().all(|each| self.is_root_of_circle(*each)) {
             return None;
         }
@@ -124,9 +124,9 @@ impl Field {
             return Some(self.mul(&self.square_root_of_extended(coefficient)?, &half));
         }
         let mut generators = Vec::new();
-        let dimension = self.dimensions(a, &mut generators).max(2);
+        let dimension = dimensions(a, &mut generators).max(2);
         let degree = generators.iter().fold(1, |all, each| all * self.degree(*each));
-        if dimension * degree as usize > LARGEST_DEGREE
+        if dimension * place(degree) > LARGEST_DEGREE
             || !generators.iter().all(|each| self.is_root_of_circle(*each))
         {
             return None;
@@ -155,7 +155,7 @@ impl Field {
     fn conjugated_everywhere(&self, a: &Quadratic, generator: Generator, power: u64) -> Quadratic {
         match a {
             Quadratic::Extended(extended) if extended.generator.prime > generator.prime => {
-                self.map_extended(extended, |each| self.conjugated_everywhere(each, generator, power))
+                extended.map(|each| self.conjugated_everywhere(each, generator, power))
             }
             Quadratic::Extended(_) => self.conjugated(a, generator, power),
             _ => a.clone(),

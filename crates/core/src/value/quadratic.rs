@@ -10,7 +10,6 @@
 
 use std::borrow::Cow;
 
-use super::extended::Extended;
 use super::prime::Prime;
 
 /// The most coordinates of an element: roots nested five deep in general, and as deep as one likes where they exist.
@@ -25,6 +24,21 @@ pub(crate) enum Quadratic {
     Wide(Box<[u64]>),
     /// An element of an extension of these fields by units: only roots of odd degree make them.
     Extended(Box<Extended>),
+}
+
+/// A polynomial in a generator, of which it needs a power with a positive exponent.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Extended {
+    pub(super) generator: Generator,
+    /// As many as the degree of the generator.
+    pub(super) coefficients: Box<[Quadratic]>,
+}
+
+/// The unit e^(2 pi i/n^c) of a prime n and a count c.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Generator {
+    pub(super) prime: u64,
+    pub(super) count: u32,
 }
 
 impl Quadratic {
