@@ -4,10 +4,10 @@ use crate::dynamics::{Dynamics, EventKind};
 use crate::failure::Failure;
 use crate::machine_code::BoundCode;
 use crate::projection::Projection;
-use crate::stepper::Stepper;
+use crate::stepper::{Sight, Stepper};
 
 /// The number of parts of a step at whose ends signs are compared, because a long step may contain many zeros.
-const PARTS: u32 = 10;
+pub const PARTS: u32 = 10;
 
 /// An event that happened.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,9 +23,12 @@ pub struct Occurrence {
 /// Looks for events, step by step.
 pub struct Watch<'a> {
     functions: Option<(&'a BoundCode, &'a [EventKind])>,
+    /// The instant up to which it has looked, and the values there, if they are known.
     t: f64,
     values: Vec<f64>,
-    state: Vec<f64>,
+    are_known: bool,
+    /// An instant, and the state there.
+    place: Vec<f64>,
     /// The instants and states at the ends of the parts of a step, and the values there, one after another.
     rows: Vec<f64>,
     ends: Vec<f64>,
@@ -34,13 +37,15 @@ pub struct Watch<'a> {
 impl<'a> Watch<'a> {
     pub fn new(dynamics: &'a Dynamics, t: f64, state: &[f64]) -> Self {
         let functions = dynamics.events.as_ref().map(|(f, kinds)| (f, kinds.as_slice()));
-        let mut values = vec![0.0; functions.map_or(0, |(f, _)| f.outputs())];
-        if let Some((f, _)) = functions {
-            f.call(t, state, &mut values);
-        }
+        let values = vec![0.0; functions.map_or(0, |(f, _)| f.outputs())];
         let parts = if functions.is_some() { PARTS as usize } else { 0 };
-        let (rows, ends) = (vec![0.0; parts * (1 + state.len())], vec![0.0; parts * values.len()]);
-        Self { functions, t, values, state: state.to_vec(), rows, ends }
+        let place: Vec<f64> = std::iter::once(t).chain(state.iter().copied()).collect();
+        let (rows, ends) = (vec![0.0; parts * place.len()], vec![0.0; parts * values.len()]);
+        let mut new = Self { functions, t, values, are_known: true, place, rows, ends };
+        if let Some((function, _)) = functions {
+            function.call_rows(&new.place, &mut new.values);
+        }
+        new
     }
 
     /// Whether there are events.
@@ -60,21 +65,20 @@ impl<'a> Watch<'a> {
         projection: &mut Projection<'_>,
     ) -> Result<Vec<Occurrence>, Failure> {
         let Some((function, kinds)) = self.functions else { return Ok(Vec::new()) };
-        let (start, end) = (self.t, stepper.t());
         // A step that was repeated may end at an instant that was already checked.
-        if end <= start {
+        if stepper.t() <= self.t || !self.begins(function, stepper) {
             return Ok(Vec::new());
         }
         let mut found: Vec<Occurrence> = Vec::new();
-        self.evaluate_parts(function, (stepper, projection), end)?;
+        self.evaluate_parts(function, (stepper, projection))?;
         for part in 0..PARTS as usize {
-            let (t, first) = (self.rows[part * (1 + self.state.len())], part * self.values.len());
+            let (t, first) = (self.rows[part * self.place.len()], part * self.values.len());
             for (event, kind) in kinds.iter().enumerate() {
                 let after = self.ends[first + event];
                 if crosses(self.values[event], after, kind.direction) {
                     let bracket = (t, self.values[event], after);
                     let zero = self.locate(function, (stepper, projection), event, bracket)?;
-                    found.push(Occurrence { event, t: zero, state: self.state.clone() });
+                    found.push(Occurrence { event, t: zero, state: self.place[1..].to_vec() });
                 }
             }
             // A zero at the end of a part belongs to that part: the next part starts with the sign after it.
@@ -95,17 +99,34 @@ impl<'a> Watch<'a> {
         Ok(found)
     }
 
+    /// Begin at the start of the last step, and return whether an event may happen in it.
+    fn begins(&mut self, function: &BoundCode, stepper: &dyn Stepper) -> bool {
+        match stepper.sight() {
+            Sight::Unknown => {}
+            Sight::Nothing => {
+                (self.t, self.are_known) = (stepper.t(), false);
+                return false;
+            }
+            Sight::Crossing { t, state } => {
+                if !self.are_known {
+                    self.place[0] = t;
+                    self.place[1..].copy_from_slice(state);
+                    function.call_rows(&self.place, &mut self.values);
+                }
+                (self.t, self.are_known) = (t, true);
+            }
+        }
+        true
+    }
+
     /// Write the values at the ends of the parts of the last step, all at once.
     fn evaluate_parts(
         &mut self,
         function: &BoundCode,
         (stepper, projection): (&mut dyn Stepper, &mut Projection<'_>),
-        end: f64,
     ) -> Result<(), Failure> {
-        let (start, width) = (self.t, 1 + self.state.len());
-        for (part, row) in (1..=PARTS).zip(self.rows.chunks_mut(width)) {
-            row[0] =
-                if part == PARTS { end } else { start + (end - start) * f64::from(part) / f64::from(PARTS) };
+        for (part, row) in (1..=PARTS).zip(self.rows.chunks_mut(self.place.len())) {
+            row[0] = end_of_part(part, self.t, stepper.t());
             projection.read(stepper, row[0], &mut row[1..])?;
         }
         function.call_rows(&self.rows, &mut self.ends);
@@ -113,7 +134,7 @@ impl<'a> Watch<'a> {
     }
 
     /// Find a zero between the last checked instant and `t` by the Illinois method, secants that keep the bracket.
-    /// Leave the state at the zero in `self.state`.
+    /// Leave the state at the zero in `self.place`.
     fn locate(
         &mut self,
         function: &BoundCode,
@@ -131,7 +152,9 @@ impl<'a> Watch<'a> {
                 break;
             }
             zero = (b - at_b * width / (at_b - at_a)).clamp(a + 0.001 * width, b - 0.001 * width);
-            self.evaluate(function, (stepper, projection), zero, &mut values)?;
+            self.place[0] = zero;
+            projection.read(stepper, zero, &mut self.place[1..])?;
+            function.call_rows(&self.place, &mut values);
             let value = values[event];
             if (value > 0.0) == (at_b > 0.0) && value != 0.0 {
                 (b, at_b, at_a) = (zero, value, at_a / 2.0);
@@ -141,27 +164,21 @@ impl<'a> Watch<'a> {
                 (a, at_a, at_b) = (zero, value, at_b / 2.0);
             }
         }
-        self.evaluate(function, (stepper, projection), zero, &mut values)?;
+        projection.read(stepper, zero, &mut self.place[1..])?;
         Ok(zero)
     }
+}
 
-    /// Write the values of the functions at an instant of the last step, and keep the state at that instant.
-    fn evaluate(
-        &mut self,
-        function: &BoundCode,
-        (stepper, projection): (&mut dyn Stepper, &mut Projection<'_>),
-        t: f64,
-        out: &mut [f64],
-    ) -> Result<(), Failure> {
-        projection.read(stepper, t, &mut self.state)?;
-        function.call(t, &self.state, out);
-        Ok(())
-    }
+/// The instant at which a part of a step ends.
+pub fn end_of_part(part: u32, start: f64, end: f64) -> f64 {
+    if part == PARTS { end } else { start + (end - start) * f64::from(part) / f64::from(PARTS) }
 }
 
 /// Whether a function that changes from one value to another passes zero in a direction; a start at zero does not
 /// count.
-fn crosses(before: f64, after: f64, direction: i32) -> bool {
+#[allow(clippy::inline_always, reason = "loops over lanes are compiled for the vectors of their caller")]
+#[inline(always)]
+pub fn crosses(before: f64, after: f64, direction: i32) -> bool {
     let rises = before < 0.0 && after >= 0.0;
     let falls = before > 0.0 && after <= 0.0;
     (rises && direction >= 0) || (falls && direction <= 0)
