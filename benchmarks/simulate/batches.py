@@ -62,7 +62,12 @@ def pendulums(problem: Problem, side: int) -> Batch:
         problem: the pendulum.
         side: the number of angles of each rod.
     """
-    manners = [*by_simulate_many(problem), native(problem), *one_at_a_time(problem), loop_of_simulate(problem)]
+    manners = [
+        *by_simulate_many(problem),
+        native(problem),
+        *one_at_a_time(problem),
+        loop_of_simulate(problem),
+    ]
     manners += [solve_ivp(problem, method) for method in ("DOP853", "LSODA")]
     if not by_jax.missing():
         steps = tuple(float(round(80 * problem.duration * FINER**k)) for k in range(12))

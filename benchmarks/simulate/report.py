@@ -57,11 +57,11 @@ MANY = """\
 
 Each contender uses the loosest setting whose largest error at the end is at most that of the table. Settings are as
 fine for all: from one to the next, a method of order 5 takes a tenth more steps. *One motion at a time* is
-`simulate_many` without lanes, so that their gain is a ratio of two rows. The reference is symbody's dop853 at 1e-13. Loops in Python are measured on a sample and scaled to all motions. JAX runs the function
-that `generate` writes for it, with all motions in one call, 64 bits, and as many threads as it chooses. *First* is the
-first call with the setting, in which JAX compiles. *Motions*: how many motions were measured. *Of processors*: the
-time of all threads together; other programs ran on the machine{load}. *Over loop*: motions per second, relative to the
-fastest loop of solve_ivp.
+`simulate_many` without lanes, so that their gain is a ratio of two rows. The reference is symbody's dop853 at 1e-13.
+Loops in Python are measured on a sample and scaled to all motions. JAX runs the function that `generate` writes for it,
+with all motions in one call, 64 bits, and as many threads as it chooses. *First* is the first call with the setting, in
+which JAX compiles. *Motions*: how many motions were measured. *Of processors*: the time of all threads together; other
+programs ran on the machine{load}. *Over loop*: motions per second, relative to the fastest loop of solve_ivp.
 """
 
 

@@ -23,10 +23,9 @@ pub struct Occurrence {
 /// Looks for events, step by step.
 pub struct Watch<'a> {
     functions: Option<(&'a BoundCode, &'a [EventKind])>,
-    /// The instant up to which it has looked, and the values there, if they are known.
+    /// The instant up to which it has looked, and the values there, unless the stepper has looked as well.
     t: f64,
     values: Vec<f64>,
-    are_known: bool,
     /// An instant, and the state there.
     place: Vec<f64>,
     /// The instants and states at the ends of the parts of a step, and the values there, one after another.
@@ -41,7 +40,7 @@ impl<'a> Watch<'a> {
         let parts = if functions.is_some() { PARTS as usize } else { 0 };
         let place: Vec<f64> = std::iter::once(t).chain(state.iter().copied()).collect();
         let (rows, ends) = (vec![0.0; parts * place.len()], vec![0.0; parts * values.len()]);
-        let mut new = Self { functions, t, values, are_known: true, place, rows, ends };
+        let mut new = Self { functions, t, values, place, rows, ends };
         if let Some((function, _)) = functions {
             function.call_rows(&new.place, &mut new.values);
         }
@@ -66,13 +65,24 @@ impl<'a> Watch<'a> {
     ) -> Result<Vec<Occurrence>, Failure> {
         let Some((function, kinds)) = self.functions else { return Ok(Vec::new()) };
         // A step that was repeated may end at an instant that was already checked.
-        if stepper.t() <= self.t || !self.begins(function, stepper) {
+        let end = stepper.t();
+        if end <= self.t {
             return Ok(Vec::new());
         }
-        let mut found: Vec<Occurrence> = Vec::new();
-        self.evaluate_parts(function, (stepper, projection))?;
-        for part in 0..PARTS as usize {
-            let (t, first) = (self.rows[part * self.place.len()], part * self.values.len());
+        match stepper.sight() {
+            Sight::Unknown => self.evaluate_parts(function, (stepper, projection), end)?,
+            Sight::Nothing => {
+                self.t = end;
+                return Ok(Vec::new());
+            }
+            Sight::Crossing { t } => {
+                self.t = t;
+                stepper.read_event_values(&mut self.values, &mut self.ends);
+            }
+        }
+        let (start, mut found) = (self.t, Vec::<Occurrence>::new());
+        for part in 1..=PARTS {
+            let (t, first) = (end_of_part(part, start, end), (part as usize - 1) * self.values.len());
             for (event, kind) in kinds.iter().enumerate() {
                 let after = self.ends[first + event];
                 if crosses(self.values[event], after, kind.direction) {
@@ -86,37 +96,7 @@ impl<'a> Watch<'a> {
             self.values.copy_from_slice(&self.ends[next]);
             self.t = t;
         }
-        // Of events at one instant, those that end the motion come last, so that the others are recorded.
-        let is_terminal = |occurrence: &Occurrence| kinds[occurrence.event].terminal;
-        found.sort_by(|a, b| {
-            let order = a.t.total_cmp(&b.t).then(is_terminal(a).cmp(&is_terminal(b)));
-            order.then(a.event.cmp(&b.event))
-        });
-        if let Some(last) = found.iter().position(is_terminal) {
-            let t = found[last].t;
-            found.retain(|occurrence| occurrence.t <= t);
-        }
-        Ok(found)
-    }
-
-    /// Begin at the start of the last step, and return whether an event may happen in it.
-    fn begins(&mut self, function: &BoundCode, stepper: &dyn Stepper) -> bool {
-        match stepper.sight() {
-            Sight::Unknown => {}
-            Sight::Nothing => {
-                (self.t, self.are_known) = (stepper.t(), false);
-                return false;
-            }
-            Sight::Crossing { t, state } => {
-                if !self.are_known {
-                    self.place[0] = t;
-                    self.place[1..].copy_from_slice(state);
-                    function.call_rows(&self.place, &mut self.values);
-                }
-                (self.t, self.are_known) = (t, true);
-            }
-        }
-        true
+        Ok(until_terminal(found, kinds))
     }
 
     /// Write the values at the ends of the parts of the last step, all at once.
@@ -124,9 +104,10 @@ impl<'a> Watch<'a> {
         &mut self,
         function: &BoundCode,
         (stepper, projection): (&mut dyn Stepper, &mut Projection<'_>),
+        end: f64,
     ) -> Result<(), Failure> {
         for (part, row) in (1..=PARTS).zip(self.rows.chunks_mut(self.place.len())) {
-            row[0] = end_of_part(part, self.t, stepper.t());
+            row[0] = end_of_part(part, self.t, end);
             projection.read(stepper, row[0], &mut row[1..])?;
         }
         function.call_rows(&self.rows, &mut self.ends);
@@ -167,6 +148,21 @@ impl<'a> Watch<'a> {
         projection.read(stepper, zero, &mut self.place[1..])?;
         Ok(zero)
     }
+}
+
+/// The events in order of time, up to the first that ends the motion.
+fn until_terminal(mut found: Vec<Occurrence>, kinds: &[EventKind]) -> Vec<Occurrence> {
+    // Of events at one instant, those that end the motion come last, so that the others are recorded.
+    let is_terminal = |occurrence: &Occurrence| kinds[occurrence.event].terminal;
+    found.sort_by(|a, b| {
+        let order = a.t.total_cmp(&b.t).then(is_terminal(a).cmp(&is_terminal(b)));
+        order.then(a.event.cmp(&b.event))
+    });
+    if let Some(last) = found.iter().position(is_terminal) {
+        let t = found[last].t;
+        found.retain(|occurrence| occurrence.t <= t);
+    }
+    found
 }
 
 /// The instant at which a part of a step ends.

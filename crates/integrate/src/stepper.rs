@@ -33,13 +33,13 @@ pub struct Stretch {
 
 /// What is known of events in the last step.
 #[derive(Clone, Copy, Debug)]
-pub enum Sight<'a> {
+pub enum Sight {
     /// Nobody has looked.
     Unknown,
     /// No function passes zero in it, nor in those that were taken with it.
     Nothing,
     /// Some function passes zero in it, and in none of those that were taken with it; it starts here.
-    Crossing { t: f64, state: &'a [f64] },
+    Crossing { t: f64 },
 }
 
 /// A method of integration, with the state that it has reached.
@@ -73,9 +73,13 @@ pub trait Stepper {
     }
 
     /// What is known of events in the last step.
-    fn sight(&self) -> Sight<'_> {
+    fn sight(&self) -> Sight {
         Sight::Unknown
     }
+
+    /// Write the values of the functions of the events at the start of the last step and at the ends of its parts, if
+    /// some function passes zero in it.
+    fn read_event_values(&self, _start: &mut [f64], _ends: &mut [f64]) {}
 
     /// The instant of the state.
     fn t(&self) -> f64;

@@ -5,7 +5,7 @@ use crate::dynamics::EventKind;
 use crate::event::{PARTS, crosses, end_of_part};
 use crate::runge_kutta::{Tableau, between, hermite_terms, terms};
 
-use super::columns::{Columns, Waiting};
+use super::columns::{Columns, Waiting, read};
 use super::stages::{StepColumns, combine};
 use super::stretch::blend;
 use super::vectors::{Loop, in_vectors};
@@ -17,6 +17,8 @@ pub(super) struct Crossings<const W: usize> {
     /// Whether the values at the end of the last step of each motion are known.
     is_known: [bool; W],
     values: Vec<[f64; W]>,
+    /// The values at the start of the step and at the ends of its parts, one after another.
+    parts: Vec<Vec<[f64; W]>>,
     /// The terms of the dense output of the step.
     terms: Vec<Vec<[f64; W]>>,
 }
@@ -28,6 +30,7 @@ impl<const W: usize> Crossings<W> {
             directions: kinds.iter().map(|kind| kind.direction).collect(),
             is_known: [false; W],
             values: vec![[0.0; W]; kinds.len()],
+            parts: vec![vec![[0.0; W]; kinds.len()]; 1 + PARTS as usize],
             terms: vec![vec![[0.0; W]; entries]; terms(tableau)],
         }
     }
@@ -47,7 +50,7 @@ impl<const W: usize> Crossings<W> {
     ) -> [bool; W] {
         self.evaluate_starts(accepted, step, function, waiting);
         in_vectors::<W>(Terms { tableau: self.tableau, step, terms: &mut self.terms });
-        let mut before = self.values.clone();
+        self.parts[0].copy_from_slice(&self.values);
         let mut found = [false; W];
         for part in 1..=PARTS {
             let instants = std::array::from_fn(|lane| end_of_part(part, step.t[lane], ends[lane]));
@@ -55,19 +58,30 @@ impl<const W: usize> Crossings<W> {
             let state = &mut function.inputs[1..=step.entries];
             in_vectors::<W>(States { instants, ends, step, terms: &self.terms, state });
             function.evaluate(&mut Waiting { lanes: *accepted, noted: &mut *waiting.noted });
-            let after = &function.outputs;
-            in_vectors::<W>(Signs {
-                directions: &self.directions,
-                before: &before,
-                after,
-                found: &mut found,
-            });
-            before.copy_from_slice(after);
+            let (earlier, later) = self.parts.split_at_mut(part as usize);
+            let (before, after) = (&earlier[part as usize - 1], &mut later[0]);
+            after.copy_from_slice(&function.outputs);
+            in_vectors::<W>(Signs { directions: &self.directions, before, after, found: &mut found });
         }
-        for (values, last) in self.values.iter_mut().zip(&before) {
+        for (values, last) in self.values.iter_mut().zip(&self.parts[PARTS as usize]) {
             blend(values, last, accepted);
         }
         std::array::from_fn(|lane| accepted[lane] && found[lane])
+    }
+
+    /// Read the values at the start of the last step, and at the ends of its parts, one after another.
+    pub fn read_values(&self, lane: usize, start: &mut [f64], ends: &mut [f64]) {
+        read(lane, &self.parts[0], start);
+        for (ends, values) in ends.chunks_mut(start.len()).zip(&self.parts[1..]) {
+            read(lane, values, ends);
+        }
+    }
+
+    /// Read the terms of the dense output of the last step.
+    pub fn read_terms(&self, lane: usize, terms: &mut [Vec<f64>]) {
+        for (term, columns) in terms.iter_mut().zip(&self.terms) {
+            read(lane, columns, term);
+        }
     }
 
     /// Write the values at the starts of the first steps.

@@ -168,7 +168,19 @@ impl<const W: usize> Desk for Crew<W> {
     }
 
     fn looks_for_events(&self) -> bool {
-        self.stretches.borrow().looks_for_events()
+        self.stretches.borrow().crossings().is_some()
+    }
+
+    fn read_event_values(&self, lane: usize, start: &mut [f64], ends: &mut [f64]) {
+        if let Some(crossings) = self.stretches.borrow().crossings() {
+            crossings.read_values(lane, start, ends);
+        }
+    }
+
+    fn read_terms(&self, lane: usize, terms: &mut [Vec<f64>]) {
+        if let Some(crossings) = self.stretches.borrow().crossings() {
+            crossings.read_terms(lane, terms);
+        }
     }
 }
 

@@ -96,9 +96,9 @@ impl<const W: usize> Stretches<W> {
         self.has_dense_stages
     }
 
-    /// Whether steps end at the first in which an event may happen.
-    pub fn looks_for_events(&self) -> bool {
-        self.crossings.is_some()
+    /// What is known of events in the steps; each stretch ends with the first in which one may happen.
+    pub fn crossings(&self) -> Option<&Crossings<W>> {
+        self.crossings.as_ref()
     }
 
     /// Try a step of each lane that is not waiting for its motion, and return which lanes now do.
@@ -231,7 +231,7 @@ impl<const W: usize> Stretches<W> {
         function: &mut Columns<W>,
         waiting: &mut Waiting<'_, W>,
     ) {
-        let is_watched = self.looks_for_events();
+        let is_watched = self.crossings.is_some();
         let looks_into =
             |control: &Control| is_watched || control.last.0 + control.last.1 > control.stretch.until;
         self.has_dense_stages = self

@@ -43,10 +43,7 @@ impl RungeKutta<'_> {
             for place in stages..c.len() {
                 lane.read_rates(place, self.stages.row_mut(place));
             }
-            // Where the crew looks for events, it has counted them.
-            if !lane.looks_for_events() {
-                self.statistics.evaluations += c.len() - stages;
-            }
+            self.statistics.evaluations += c.len() - stages;
             return;
         }
         self.scratch.copy_from_slice(&self.after);
@@ -59,6 +56,11 @@ impl RungeKutta<'_> {
 
     /// Compute the terms of the dense output of the last step.
     pub(super) fn prepare_dense(&mut self) {
+        if let Some(lane) = self.lane_of_stretches().filter(Lane::looks_for_events) {
+            lane.read_terms(&mut self.dense);
+            self.is_dense = true;
+            return;
+        }
         self.fetch_rates();
         self.is_careful = self.projection.is_needed();
         self.add_stages();

@@ -320,11 +320,17 @@ impl Stepper for RungeKutta<'_> {
         self.lane_of_stretches().is_some_and(|lane| lane.looks_for_events())
     }
 
-    fn sight(&self) -> Sight<'_> {
+    fn sight(&self) -> Sight {
         match self.has_crossing {
             None => Sight::Unknown,
             Some(false) => Sight::Nothing,
-            Some(true) => Sight::Crossing { t: self.last.0, state: &self.before },
+            Some(true) => Sight::Crossing { t: self.last.0 },
+        }
+    }
+
+    fn read_event_values(&self, start: &mut [f64], ends: &mut [f64]) {
+        if let Some(lane) = self.lane_of_stretches() {
+            lane.read_event_values(start, ends);
         }
     }
 
