@@ -21,8 +21,6 @@ pub(super) struct Control {
     pub last: (f64, f64),
     pub last_error: f64,
     pub stiff_steps: u32,
-    /// Whether an event may happen in the last step.
-    pub has_crossing: bool,
     pub statistics: Statistics,
     pub failure: Option<Failure>,
 }
@@ -42,7 +40,6 @@ impl Control {
             last: (t, 0.0),
             last_error: LEAST_ERROR.ln(),
             stiff_steps: 0,
-            has_crossing: false,
             statistics: Statistics::default(),
             failure: None,
         }
@@ -87,7 +84,6 @@ impl Control {
 
     /// Whether the motion looks at the last step.
     pub fn is_over(&self) -> bool {
-        let is_there = self.stretch.steps == 0 || self.t >= self.stretch.until.min(self.end);
-        self.failure.is_some() || self.has_crossing || is_there
+        self.failure.is_some() || self.stretch.steps == 0 || self.t >= self.stretch.until.min(self.end)
     }
 }

@@ -14,6 +14,8 @@ use super::vectors::{Loop, in_vectors};
 pub(super) struct Crossings<const W: usize> {
     tableau: &'static Tableau,
     directions: Vec<i32>,
+    /// Whether some function passes zero in the last step of each motion.
+    pub found: [bool; W],
     /// Whether the values at the end of the last step of each motion are known.
     is_known: [bool; W],
     values: Vec<[f64; W]>,
@@ -28,6 +30,7 @@ impl<const W: usize> Crossings<W> {
         Self {
             tableau,
             directions: kinds.iter().map(|kind| kind.direction).collect(),
+            found: [false; W],
             is_known: [false; W],
             values: vec![[0.0; W]; kinds.len()],
             parts: vec![vec![[0.0; W]; kinds.len()]; 1 + PARTS as usize],
@@ -40,16 +43,16 @@ impl<const W: usize> Crossings<W> {
         self.is_known[lane] = false;
     }
 
-    /// Return in which of the accepted steps, which end at these instants, some function passes zero.
+    /// Note in which of the accepted steps, which end at these instants, some function passes zero.
     pub fn find(
         &mut self,
         (accepted, ends): (&[bool; W], &[f64; W]),
         step: &StepColumns<W>,
         function: &mut Columns<W>,
         waiting: &mut Waiting<'_, W>,
-    ) -> [bool; W] {
+    ) {
         self.evaluate_starts(accepted, step, function, waiting);
-        in_vectors::<W>(Terms { tableau: self.tableau, step, terms: &mut self.terms });
+        in_vectors::<W>(Terms { tableau: self.tableau, step, out: &mut self.terms });
         self.parts[0].copy_from_slice(&self.values);
         let mut found = [false; W];
         for part in 1..=PARTS {
@@ -66,7 +69,7 @@ impl<const W: usize> Crossings<W> {
         for (values, last) in self.values.iter_mut().zip(&self.parts[PARTS as usize]) {
             blend(values, last, accepted);
         }
-        std::array::from_fn(|lane| accepted[lane] && found[lane])
+        self.found = std::array::from_fn(|lane| accepted[lane] && found[lane]);
     }
 
     /// Read the values at the start of the last step, and at the ends of its parts, one after another.
@@ -112,15 +115,15 @@ impl<const W: usize> Crossings<W> {
 struct Terms<'a, const W: usize> {
     tableau: &'static Tableau,
     step: &'a StepColumns<W>,
-    terms: &'a mut [Vec<[f64; W]>],
+    out: &'a mut [Vec<[f64; W]>],
 }
 
 impl<const W: usize> Loop for Terms<'_, W> {
     #[allow(clippy::inline_always, reason = "what isn't inlined there isn't compiled for those vectors")]
     #[inline(always)]
     fn run(self) {
-        let Self { tableau, step, terms } = self;
-        let (hermite, higher) = terms.split_at_mut(terms.len() - tableau.dense.len());
+        let Self { tableau, step, out } = self;
+        let (hermite, higher) = out.split_at_mut(out.len() - tableau.dense.len());
         let [change, first, second] = hermite else { unreachable!("there are three terms") };
         let (rates, rates_at_end) = (step.rates(0), step.rates(tableau.stages));
         for i in 0..step.entries {
@@ -134,8 +137,8 @@ impl<const W: usize> Loop for Terms<'_, W> {
         for (terms, weights) in higher.iter_mut().zip(tableau.dense) {
             combine(terms, None, &step.rates, weights);
             for term in terms {
-                for lane in 0..W {
-                    term[lane] = (0.0 + term[lane]) * step.h[lane];
+                for (entry, h) in term.iter_mut().zip(&step.h) {
+                    *entry = (0.0 + *entry) * h;
                 }
             }
         }

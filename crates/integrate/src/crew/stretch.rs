@@ -69,7 +69,7 @@ impl<const W: usize> Stretches<W> {
 
     pub fn put(&mut self, lane: usize, stretch: Stretch, statistics: Statistics) {
         if let Some(control) = &mut self.lanes[lane] {
-            (control.stretch, control.statistics, control.has_crossing) = (stretch, statistics, false);
+            (control.stretch, control.statistics) = (stretch, statistics);
         }
     }
 
@@ -87,7 +87,7 @@ impl<const W: usize> Stretches<W> {
             last: control.last,
             t: control.t,
             statistics: control.statistics,
-            has_crossing: self.crossings.as_ref().map(|_| control.has_crossing),
+            has_crossing: self.crossings.as_ref().map(|crossings| crossings.found[lane]),
             failure: control.failure.clone(),
         }
     }
@@ -118,8 +118,10 @@ impl<const W: usize> Stretches<W> {
         if let Some(events) = events {
             self.look_for_events(&accepted, step, events, waiting);
         }
+        let has_crossing = self.crossings.as_ref().map_or([false; W], |crossings| crossings.found);
         let is_over: [bool; W] = std::array::from_fn(|lane| {
-            waiting.lanes[lane] && self.lanes[lane].as_ref().is_none_or(Control::is_over)
+            let is_over = self.lanes[lane].as_ref().is_none_or(Control::is_over);
+            waiting.lanes[lane] && (is_over || has_crossing[lane])
         });
         self.move_on(accepted, step);
         is_over
@@ -252,12 +254,15 @@ impl<const W: usize> Stretches<W> {
         function: &mut Columns<W>,
         waiting: &mut Waiting<'_, W>,
     ) {
-        let Some(crossings) = self.crossings.as_mut().filter(|_| accepted.contains(&true)) else { return };
+        let Some(crossings) = &mut self.crossings else { return };
+        if !accepted.contains(&true) {
+            crossings.found = [false; W];
+            return;
+        }
         let ends = std::array::from_fn(|lane| self.lanes[lane].as_ref().map_or(0.0, |control| control.t));
-        let found = crossings.find((accepted, &ends), step, function, waiting);
-        for (lane, control) in self.lanes.iter_mut().enumerate() {
-            if let Some(control) = control.as_mut().filter(|_| accepted[lane]) {
-                control.has_crossing = found[lane];
+        crossings.find((accepted, &ends), step, function, waiting);
+        for (control, is_accepted) in self.lanes.iter_mut().zip(accepted) {
+            if let Some(control) = control.as_mut().filter(|_| *is_accepted) {
                 control.statistics.evaluations += self.tableau.c.len() - self.tableau.stages;
             }
         }

@@ -31,7 +31,7 @@ class Proportion(NamedTuple):
 
 
 def proportion_above(
-    values: NDArray[np.float64], measure: str, above: object, confidence: object
+    values: NDArray[np.float64], measure: str, above: float, confidence: float
 ) -> Proportion:
     """Return the share of the known values that are above a level, with its confidence interval [Wilson 1927].
 
