@@ -52,6 +52,7 @@ from symbody.document.sections.equations import ROWS
 from symbody.document.subject import Subject
 from symbody.dynamics.display.summary import READABLE
 from symbody.errors import ModelNotice, PictureError, ReportError, SymbodyError
+from symbody.models import ClassicSystem, four_bar, n_pendulum
 from tests.view.browser import browser
 
 r, l, m1, m2, m3, I1, I2, g, tau = PARAMETERS = symbols("r l m1 m2 m3 I1 I2 g tau")
@@ -92,7 +93,7 @@ def motion(equations: Equations) -> Motion:
     return simulate(equations, values, {phi: 1.0}, t=np.linspace(0, 0.2, 41), guess={s: 0.3})
 
 
-def written(tmp_path: Path, model: Equations | System, suffix: str, **options: object) -> str:
+def written(tmp_path: Path, model: Equations | System | ClassicSystem, suffix: str, **options: object) -> str:
     return report(model, tmp_path / f"model{suffix}", **options).read_text(encoding="utf-8")  # type: ignore[arg-type]
 
 
@@ -272,6 +273,18 @@ def test_loads_are_listed(equations: Equations) -> None:
     assert ("gravity", "acceleration", "0, -g, 0", "ground", "all bodies") in rows
 
 
+def test_squares_with_one_coefficient_are_one_term() -> None:
+    x, y, z, theta = functions_of_time("x y z theta")
+    load = Body(translate(x, y, z) * rotate("Y", theta) * translate(0, 0, -l), m1)
+    drone = System([Body(translate(x, y, z), m2), load], coordinates=[x, y, z, theta])
+    assert any(
+        r"T &= \frac{1}{2} \left(m_{1} + m_{2}\right) \left(\dot{x}^{2} + \dot{y}^{2} + \dot{z}^{2}\right)"
+        in block.latex
+        for block in blocks(newton_euler(drone)).blocks
+        if isinstance(block, Formula)
+    )
+
+
 def test_centres_of_mass_are_written_for_the_reader(equations: Equations) -> None:
     """The rod leans down by beta: its centre is at ``r sin(phi) - l sin(beta)/2``."""
     (places,) = [
@@ -358,6 +371,43 @@ def test_the_picture_is_one_of_the_reference_position(equations: Equations, tmp_
     assert {"x", "y", "ground", "crank_1", "rod <b>", "slider"} <= names
 
 
+def test_a_model_is_drawn_with_its_numbers(tmp_path: Path) -> None:
+    """The page of a model has the picture that these numbers give, and tells them; given ones come first."""
+    pendulum = n_pendulum(1)
+    text = written(tmp_path, pendulum, ".html")
+    own = written(
+        tmp_path, pendulum.system, ".html", parameters=pendulum.parameters, position={pendulum["theta1"]: 1.0}
+    )
+    assert ElementTree.tostring(svg_of(text)[0]) == ElementTree.tostring(svg_of(own)[0])
+    assert pendulum.initial[pendulum["theta1"]] == 1.0
+    told = "It is drawn with $\\theta_{1} = {}$ rad, $l_{1} = 1$ m."
+    text = written(tmp_path, pendulum, ".md")
+    assert "at the start of a typical motion, with the numbers of the model." in text
+    assert told.replace("{}", "1") in text
+    assert told.replace("{}", "0.2") in written(tmp_path, pendulum, ".md", position={pendulum["theta1"]: 0.2})
+
+
+def test_a_loop_of_a_model_closes_at_a_given_position(tmp_path: Path) -> None:
+    """The angles of the model are where the search begins."""
+    linkage = four_bar()
+    text = written(tmp_path, linkage, ".md", position={linkage["qA"]: 0.8})
+    (told,) = re.findall("It is drawn with (.*)", text)
+    found = {name: float(value) for name, value in re.findall(r"\{q([ABC])\} = ([\d.]+)", told)}
+    assert found["A"] == 0.8
+    LA, LB, LC, LN = (linkage.parameters[linkage[name]] for name in ("LA", "LB", "LC", "LN"))
+    gaps = [
+        LA * turn(found["A"]) + LB * turn(found["B"]) - LC * turn(found["C"]) - offset
+        for turn, offset in ((np.cos, 0), (np.sin, LN))
+    ]
+    np.testing.assert_allclose(gaps, 0, atol=2e-3)
+
+
+def test_lengths_differ_without_numbers(tmp_path: Path) -> None:
+    text = written(tmp_path, numbered_arm(3), ".md")
+    assert "were chosen for this picture; masses are 1." in text
+    assert "$d_{1} = 1$ m, $d_{2} = 1.2$ m, $d_{3} = 1.1$ m." in text
+
+
 def test_the_picture_satisfies_the_constraints(tmp_path: Path) -> None:
     """If no position does, the report says so."""
     x, y = functions_of_time("x y")
@@ -376,7 +426,7 @@ def test_a_large_system_is_summarised(tmp_path: Path) -> None:
     assert cost(large.residuals).total > READABLE
     text = written(tmp_path, large, ".md")
     assert len(text) < 150_000
-    assert "too many to be printed: equations.residuals contains them." in text
+    assert "They would fill pages: equations.residuals contains them." in text
     assert "too large for checks" in text
 
 
@@ -467,7 +517,8 @@ MISTAKES = {
         {},
     ),
     "report: 3 is not a path; expected one, such as 'model.html'": (CART, 3, {}),
-    "report: 3 is not a model; expected a system, or equations of motion such as newton_euler(system)": (
+    "report: 3 is not a model; expected a system, equations of motion such as newton_euler(system), or a model of "
+    "symbody.models": (
         3,
         "model.md",
         {},

@@ -60,6 +60,16 @@ def test_one_long_operation_is_stopped(long: str) -> None:
     assert errors == ["the statement ran for more than 0.1 s; it was stopped, and the next statement runs"]
 
 
+def test_a_statement_that_takes_too_much_memory_is_stopped() -> None:
+    interpreter = Interpreter()
+    interpreter.session.limits.memory = 2e7
+    lines, errors = run("k := 0: do k := k+1: L[k] := Matrix(300,300) od: 5;", None, interpreter)
+    assert lines == ["5"]
+    assert errors == [
+        "the statement took more than 0.02 GB of memory; it was stopped, and the next statement runs"
+    ]
+
+
 def test_a_long_motion_is_stopped() -> None:
     interpreter = Interpreter()
     sheet = "s := dsolve({diff(x(t),t) = cos(1000*t)*x(t), x(0) = 1}, numeric):"

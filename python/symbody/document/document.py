@@ -8,7 +8,7 @@ from typing import TypeAlias
 
 from matplotlib.figure import Figure
 
-from symbody.view.sketch import Sketch
+from symbody.view.mark import Sketch
 
 
 @dataclass(frozen=True)

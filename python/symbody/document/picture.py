@@ -11,21 +11,22 @@ from symbody.dynamics import Equations, lagrange_equations, newton_euler
 from symbody.errors import FrameError, ModelNotice, SymbodyError
 from symbody.multibody import System
 from symbody.symbolic.given.arguments import counted
+from symbody.view import DrawableMotion
 from symbody.view.animation import thinned
-from symbody.view.sketch import Sketch, sketch
+from symbody.view.sketch import sketch
 from symbody.view.svg import sketch_svg
 
 MOST = 30
 """The bodies up to which a notebook draws a system at once: half a second."""
 
 
-def drawing(subject: Subject) -> Sketch:
-    """Return the sketch of the subject of a report.
+def drawn_motion(subject: Subject) -> DrawableMotion:
+    """Return the motion whose first instant is drawn: the given one, or the reference position.
 
     Raises:
-        SymbodyError: no position satisfies the constraints, or there is nothing to draw.
+        SymbodyError: no position satisfies the constraints.
     """
-    return sketch(still(subject) if subject.motion is None else thinned(subject.motion))
+    return still(subject) if subject.motion is None else thinned(subject.motion)
 
 
 def no_picture(error: SymbodyError) -> str:
@@ -47,7 +48,7 @@ def picture(system: System) -> str:
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", ModelNotice)  # of the derivation, for which nobody asked
-            svg = sketch_svg(drawing(Subject(derived(system), None, {}, {}, {})))
+            svg = sketch_svg(sketch(drawn_motion(Subject(derived(system), None, {}, {}, {}))))
     except SymbodyError as error:
         return f"<p>{escape(no_picture(error))}</p>"
     return f"<figure>{svg}</figure>"

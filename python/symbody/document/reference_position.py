@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import cycle, takewhile
 
 import numpy as np
 from numpy.typing import NDArray
 
 from symbody.codegen import lambdify
+from symbody.document.role import ANGLE, LENGTH, roles_of
 from symbody.document.subject import Subject
-from symbody.dynamics import Equations
-from symbody.multibody import Variables
+from symbody.errors import ConstraintError
+from symbody.multibody import Body, System, Variables
 from symbody.simulation import consistent_state
 from symbody.symbolic import Expr, free_symbols
 from symbody.view import DrawableMotion
@@ -20,10 +22,21 @@ from symbody.view.overview import overview
 ANGLES = (0.5, 0.9, -0.4, 0.6)
 """The angles in turn, in rad, so that links do not lie in one line."""
 
-LENGTH = 0.5
+UPRIGHT = (0.2, 0.15, -0.2, 0.1)
+"""The angles of a mechanism that travels, such as a vehicle, which is near its upright position."""
+
+LENGTHS = (1.0, 0.8, 1.2, 0.9, 1.1, 0.7)
+"""The lengths in turn, so that no two neighbours are alike; all are 1 if the loops do not close with these."""
+
+PLACE = 0.5
+"""The coordinates that are lengths."""
+
+TILT = 0.4
+"""The angles among the parameters, in rad."""
+
 PARAMETER = 1.0
-INERTIA = 0.08
-"""The moments of inertia: those of rods of length and mass 1."""
+ROD, SOLID = 0.08, 0.01
+"""The moments of inertia, of rods of length and mass 1 that move in a plane, and of others."""
 
 
 @dataclass(frozen=True)
@@ -50,40 +63,67 @@ class Still:
 
 def still(subject: Subject) -> DrawableMotion:
     """Return the reference position of a system: the given values, defaults for others, on the constraints."""
+    try:
+        return _placed(subject, LENGTHS)
+    except ConstraintError:
+        return _placed(subject, (PARAMETER,))
+
+
+def _placed(subject: Subject, lengths: Sequence[float]) -> Still:
+    """Return the reference position with the given lengths in turn.
+
+    Raises:
+        ConstraintError: no position satisfies the constraints.
+    """
     equations = subject.equations
-    guess = {q: value for q, value in _positions(equations.system).items() if q not in subject.position}
-    bodies = () if subject.mechanism is None else subject.mechanism.bodies
-    moments = {each: INERTIA for body in bodies for each in body.moments}
-    products = {each: 0.0 for body in bodies for each in body.products}
-    inertias = {each: value for each, value in (products | moments).items() if each.kind == "symbol"}
-    known = dict.fromkeys(equations.parameters, PARAMETER) | inertias | dict(subject.parameters)
-    if equations.constraints:
-        state = consistent_state(
-            equations, _of_constraints(equations, known), dict(subject.position), guess=guess
-        )
-        found = {q: state[q] for q in equations.coordinates}
-    else:
-        found = guess | dict(subject.position)
-    return Still(equations.system, known | found)
+    guess = _positions(equations.system) if subject.guess is None else subject.guess
+    guess = {q: value for q, value in guess.items() if q not in subject.position}
+    known = {**_numbers(subject, lengths), **subject.parameters}
+    if not equations.constraints and subject.guess is None:
+        return Still(equations.system, known | guess | dict(subject.position))
+    of_constraints = {p: known[p] for p in equations.parameters}
+    state = consistent_state(equations, of_constraints, dict(subject.position), guess=guess)
+    return Still(equations.system, known | {q: state[q] for q in equations.coordinates})
 
 
-def _of_constraints(equations: Equations, known: Mapping[Expr, float]) -> dict[Expr, float]:
-    """Return the values of the parameters that the equations have."""
-    return {p: known[p] for p in equations.parameters}
+def _numbers(subject: Subject, lengths: Sequence[float]) -> dict[Expr, float]:
+    """Return values of all parameters, by what they mean."""
+    found = dict.fromkeys(subject.equations.parameters, PARAMETER)
+    roles = roles_of(subject)
+    found |= {each: TILT for each, role in roles.items() if role == ANGLE}
+    its_lengths = [each for each, role in roles.items() if role == LENGTH]
+    found |= zip(its_lengths, cycle(lengths), strict=False)
+    for body in () if subject.mechanism is None else subject.mechanism.bodies:
+        moment = SOLID if sum(not each.is_zero for each in body.moments) > 1 else ROD
+        found |= dict.fromkeys(body.products, 0.0) | dict.fromkeys((-each for each in body.products), 0.0)
+        found |= dict.fromkeys(body.moments, moment)
+    return {each: value for each, value in found.items() if each.kind == "symbol"}
 
 
 def _positions(system: Variables) -> dict[Expr, float]:
     """Return a value of each coordinate, by its kind; the quaternions of floating frames are not rotated."""
     found: dict[Expr, float] = {}
+    angles = UPRIGHT if _travels(system) else ANGLES
     for group in overview(system)[0]:
         for coordinate in group.expressions:
             if group.kind == "angle":
-                found[coordinate] = ANGLES[len(found) % len(ANGLES)]
+                found[coordinate] = angles[len(found) % len(angles)]
             elif group.kind == "length":
-                found[coordinate] = LENGTH
+                found[coordinate] = PLACE
             else:
-                found[coordinate] = 1.0 if coordinate in system.coordinate_rates else LENGTH
+                found[coordinate] = 1.0 if coordinate in system.coordinate_rates else PLACE
     return found
+
+
+def _travels(system: Variables) -> bool:
+    """Return whether two coordinates displace a body before anything turns it, as those of a vehicle."""
+    return isinstance(system, System) and any(_freedom(body) > 1 for body in system.bodies)
+
+
+def _freedom(body: Body) -> int:
+    """Return the number of functions of time that displace a body before anything turns it."""
+    first = takewhile(lambda motion: not motion.rotates, body.frame.motions)
+    return len({leaf for motion in first for leaf in motion.leaves if leaf.depends_on_time})
 
 
 def _default(leaf: Expr) -> float:

@@ -21,10 +21,12 @@ from symbody.document.sections.mechanism import mechanism
 from symbody.document.sections.motion import motion as motion_section
 from symbody.document.sections.nomenclature import nomenclature
 from symbody.document.sections.size import size
+from symbody.document.start import Start, start_of
 from symbody.document.subject import Subject
 from symbody.dynamics import Equations
 from symbody.errors import ReportError
-from symbody.multibody import System
+from symbody.models import ClassicSystem
+from symbody.multibody import System, Variables
 from symbody.symbolic import Expr
 from symbody.symbolic.given.arguments import brief, with_known_names
 from symbody.view import DrawableMotion
@@ -53,7 +55,7 @@ SECTIONS: tuple[Callable[[Subject], list[Block]], ...] = (
 
 @with_known_names
 def report(
-    model: Equations | System,
+    model: Equations | System | ClassicSystem,
     path: str | os.PathLike[str],
     *,
     motion: DrawableMotion | None = None,
@@ -68,11 +70,12 @@ def report(
     than 1000 operations, or two pages, are summarised.
 
     Args:
-        model: the equations of motion, or a system, whose equations are derived.
+        model: the equations of motion, or a system, whose equations are derived; of a model of `symbody.models`, the
+            picture has its numbers and the start of its motion.
         path: the file; its suffix is the format: ``.html``, ``.md``, ``.tex`` or ``.ipynb``. Its folder is made if
             necessary.
         motion: a motion, which is plotted; its first instant is the reference position.
-        parameters: without a motion, values of parameters for the picture; by default 1.
+        parameters: without a motion, values of parameters for the picture.
         position: without a motion, values of coordinates for the picture.
         units: the units of symbols, such as ``{k: "N/m"}``; those of masses, angles and lengths are known.
         title: the title; by default the name of the system.
@@ -94,12 +97,16 @@ def report(
     """
     file, write = _format(path)
     heading, equations = title_of(title), _equations(model)
+    known = parameters_of(equations, parameters)
+    places = position_of(equations.system, position)
+    start = start_of(model, known, places) if isinstance(model, ClassicSystem) else Start(known, places, None)
     subject = Subject(
         equations,
-        _motion(motion, model),
-        parameters_of(equations, parameters),
-        position_of(equations.system, position),
+        _motion(motion, equations.system),
+        start.parameters,
+        start.position,
         units_of(equations, units),
+        start.guess,
     )
     blocks = tuple(block for section in SECTIONS for block in section(subject))
     text = write(Document(heading or subject.system.name or "Multibody system", blocks))
@@ -125,19 +132,20 @@ def _equations(model: object) -> Equations:
     """Return the equations of motion, derived if the model is a system."""
     if isinstance(model, Equations):
         return model
+    if isinstance(model, ClassicSystem):
+        return derived(model.system)
     if not isinstance(model, System):
         raise ReportError(
-            f"report: {brief(model)} is not a model; expected a system, or equations of motion such as "
-            "newton_euler(system)"
+            f"report: {brief(model)} is not a model; expected a system, equations of motion such as "
+            "newton_euler(system), or a model of symbody.models"
         )
     return derived(model)
 
 
-def _motion(motion: DrawableMotion | None, model: Equations | System) -> DrawableMotion | None:
+def _motion(motion: DrawableMotion | None, system: Variables) -> DrawableMotion | None:
     """Return the motion, which must be one of the same system."""
     if motion is None:
         return None
-    system = model.system if isinstance(model, Equations) else model
     if getattr(motion, "system", None) is not system:
         raise ReportError(
             f"report: {brief(motion)} is not a motion of {brief(system)}; expected one, such as "

@@ -20,9 +20,10 @@ class Subject:
     Attributes:
         equations: the equations of motion.
         motion: the motion whose first instant is drawn and which is plotted, if there is one.
-        parameters: the values of parameters at the reference position.
+        parameters: the values of parameters, and of inputs, at the reference position.
         position: the values of coordinates there.
         units: the units of symbols and functions of time.
+        guess: where the other coordinates are, about; None leaves it to the picture.
     """
 
     equations: Equations
@@ -30,6 +31,7 @@ class Subject:
     parameters: Mapping[Expr, float]
     position: Mapping[Expr, float]
     units: Mapping[Expr, str]
+    guess: Mapping[Expr, float] | None = None
 
     @property
     def system(self) -> Variables:

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from itertools import pairwise, product
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,10 +14,10 @@ from scipy.spatial.transform import Rotation
 from symbody.view.camera import AXES
 from symbody.view.drawable_motion import DrawableMotion
 from symbody.view.drawing_options import DrawingOptions
+from symbody.view.mark import Dot, Ellipse, Label, Line, Mark, Patch, Place, Sketch, outermost
 from symbody.view.scene import scene
 
 Array = NDArray[np.float64]
-Place: TypeAlias = tuple[float, float]
 
 WIDTH = 640
 """The width of a sketch, in points."""
@@ -39,56 +38,6 @@ HEAD = 11
 """The length of the head of an arrow, in points."""
 
 AXIS_COLORS = ("#c0392b", "#27824a", "#2563a8")
-
-
-@dataclass(frozen=True)
-class Patch:
-    """A filled polygon."""
-
-    corners: tuple[Place, ...]
-    color: str
-    opacity: float
-
-
-@dataclass(frozen=True)
-class Line:
-    """A straight line."""
-
-    start: Place
-    end: Place
-    color: str
-    width: float
-    is_dashed: bool = False
-
-
-@dataclass(frozen=True)
-class Dot:
-    """A small disc."""
-
-    at: Place
-    color: str
-    radius: float
-
-
-@dataclass(frozen=True)
-class Label:
-    """A name beside a place."""
-
-    at: Place
-    text: str
-    color: str
-
-
-Mark: TypeAlias = Patch | Line | Dot | Label
-
-
-@dataclass(frozen=True)
-class Sketch:
-    """A drawing: its size in points, and its marks from back to front; the y axis points down."""
-
-    width: float
-    height: float
-    marks: tuple[Mark, ...]
 
 
 def sketch(motion: DrawableMotion, instant: int = 0, options: DrawingOptions | None = None) -> Sketch:
@@ -143,7 +92,7 @@ class _Projection:
 
     def sketch(self) -> Sketch:
         """Return the sketch: everything is measured first, and drawn to the scale that fills it."""
-        flat = np.array([place for mark in self._marks() for place in _places(mark)])
+        flat = np.array([place for mark in self._marks() for place in outermost(mark)])
         low, high = flat.min(axis=0), flat.max(axis=0)
         extent = np.maximum(high - low, 1e-9 * self.radius)
         self.scale = float(min((WIDTH - 2 * MARGIN) / extent[0], (TALLEST - 2 * MARGIN) / extent[1]))
@@ -176,14 +125,33 @@ class _Projection:
         """Yield the solids with their distances towards the camera; each is its outline and its faces."""
         for body in self.content["bodies"]:
             for part in body["parts"]:
+                opacity = 0.12 if part.get("glass") else 0.3
+                if part["kind"] == "ellipsoid":
+                    yield self._ellipsoid(part, body["color"], opacity)
+                    continue
                 faces = [self._in_root(part["pose"], face) for face in _faces(part)]
                 depth = float(np.concatenate(faces).mean(axis=0) @ self.towards)
-                opacity = 0.12 if part.get("glass") else 0.3
                 outline = self._outline(np.concatenate(faces))
                 edges = [
                     side for face in faces if self._is_seen(face) for side in self._sides(face, body["color"])
                 ]
                 yield depth, [Patch(outline, body["color"], opacity), *edges]
+
+    def _ellipsoid(self, part: Mapping[str, Any], color: str, opacity: float) -> tuple[float, list[Mark]]:
+        """Return the distance of an ellipsoid, and its outline: the image of a ball under a linear map, an ellipse.
+
+        With the semi-axes as the columns of A, and the map P to the picture, it is ``x = P A n``, ``|n| = 1``, whose
+        semi-axes are the singular values of P A, along the left singular vectors.
+        """
+        (centre,) = self._in_root(part["pose"], [part["at"]])
+        axes = Rotation.from_quat(self.poses[part["pose"]][3:]).as_matrix() * np.array(part["size"])
+        sides, radii, _ = np.linalg.svd(self.scale * self.plane @ axes)
+        is_round = radii[0] - radii[1] < 1e-6 * radii[0]
+        turn = 0.0 if is_round else float(np.degrees(np.arctan2(sides[1, 0], sides[0, 0]))) % 180
+        digits = 15 if self.is_measuring else 2
+        first, second = (round(float(radius), digits) for radius in radii)
+        (at,) = self._flat(centre)
+        return float(centre @ self.towards), [Ellipse(at, (first, second), round(turn, 2), color, opacity)]
 
     def _outline(self, places: Array) -> tuple[Place, ...]:
         flat = (places - self.follow) @ self.plane.T
@@ -314,16 +282,6 @@ def _width(marks: Sequence[Mark]) -> float:
     return max([WIDTH, *(mark.at[0] + 8 * len(mark.text) + 10 for mark in marks if isinstance(mark, Label))])
 
 
-def _places(mark: Mark) -> tuple[Place, ...]:
-    match mark:
-        case Patch(corners=corners):
-            return corners
-        case Line(start=start, end=end):
-            return (start, end)
-        case _:
-            return (mark.at,)
-
-
 def _faces(part: Mapping[str, Any]) -> list[Array]:
     """Return the faces of a solid in the frame of its part; those of round ones have many corners."""
     match part["kind"]:
@@ -336,10 +294,8 @@ def _faces(part: Mapping[str, Any]) -> list[Array]:
             half = float(part["thickness"]) / 2
             top = np.column_stack([flat, np.full(len(flat), z + half)])
             return [top, (top - [0, 0, 2 * half])[::-1]]
-        case "rod":
-            return _cylinder(part)
         case _:
-            return [_ball() * np.array(part["size"]) + np.array(part["at"])]
+            return _cylinder(part)
 
 
 def _box(part: Mapping[str, Any]) -> list[Array]:
@@ -362,9 +318,3 @@ def _cylinder(part: Mapping[str, Any]) -> list[Array]:
     angle = np.linspace(0, 2 * np.pi, ROUND, endpoint=False)[:, None]
     ring = float(part["radius"]) * (np.cos(angle) * first + np.sin(angle) * np.cross(axis, first))
     return [end + ring, (start + ring)[::-1]]
-
-
-def _ball() -> Array:
-    height, angle = np.meshgrid(np.linspace(-1, 1, 17), np.linspace(0, 2 * np.pi, ROUND, endpoint=False))
-    ring = np.sqrt(1 - height**2)
-    return np.column_stack([(ring * np.cos(angle)).ravel(), (ring * np.sin(angle)).ravel(), height.ravel()])

@@ -8,7 +8,7 @@ from io import StringIO
 import matplotlib as mpl
 from matplotlib.figure import Figure
 
-from symbody.view.sketch import Dot, Label, Line, Mark, Patch, Sketch
+from symbody.view.mark import Dot, Ellipse, Label, Line, Mark, Patch, Sketch
 
 
 def sketch_svg(drawing: Sketch) -> str:
@@ -28,10 +28,11 @@ def _element(mark: Mark) -> str:
     match mark:
         case Patch():
             corners = " ".join(f"{x:g},{y:g}" for x, y in mark.corners)
-            look = (
-                f'fill="{mark.color}" fill-opacity="{mark.opacity:g}" stroke="{mark.color}" stroke-width="1"'
-            )
-            return f'<polygon points="{corners}" {look} stroke-linejoin="round"/>'
+            return f'<polygon points="{corners}" {_filled(mark)} stroke-linejoin="round"/>'
+        case Ellipse():
+            (x, y), (a, b) = mark.at, mark.radii
+            turn = f' transform="rotate({mark.turn:g} {x:g} {y:g})"' if mark.turn else ""
+            return f'<ellipse cx="{x:g}" cy="{y:g}" rx="{a:g}" ry="{b:g}" {_filled(mark)}{turn}/>'
         case Line():
             (x1, y1), (x2, y2) = mark.start, mark.end
             look = f'stroke="{mark.color}" stroke-width="{mark.width:g}" stroke-linecap="round"'
@@ -44,6 +45,10 @@ def _element(mark: Mark) -> str:
             x, y = mark.at
             halo = 'stroke="#ffffff" stroke-width="3" paint-order="stroke"'
             return f'<text x="{x:g}" y="{y:g}" font-size="13" fill="{mark.color}" {halo}>{escape(mark.text)}</text>'
+
+
+def _filled(mark: Patch | Ellipse) -> str:
+    return f'fill="{mark.color}" fill-opacity="{mark.opacity:g}" stroke="{mark.color}" stroke-width="1"'
 
 
 def figure_svg(figure: Figure) -> str:

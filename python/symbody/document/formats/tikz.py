@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from symbody.document.formats.plain_text import text
-from symbody.view.sketch import Dot, Label, Line, Mark, Patch, Sketch
+from symbody.view.mark import Dot, Ellipse, Label, Line, Mark, Patch, Sketch
 
 UNIT = "0.7pt"
 """The length of a point of the sketch on paper."""
@@ -35,9 +35,12 @@ def _path(mark: Mark, color: str) -> str:
     match mark:
         case Patch():
             corners = " -- ".join(f"({x:g},{y:g})" for x, y in mark.corners)
-            return (
-                rf"\filldraw[draw={color}, fill={color}, fill opacity={mark.opacity:g}] {corners} -- cycle;"
-            )
+            return rf"\filldraw[{_filled(mark, color)}] {corners} -- cycle;"
+        case Ellipse():
+            # With y down, TikZ rotates about a centre that is shifted first, in the sense of the picture.
+            (x, y), (a, b) = mark.at, mark.radii
+            look = f"{_filled(mark, color)}, shift={{({x:g},{y:g})}}, rotate={mark.turn:g}"
+            return rf"\filldraw[{look}] (0,0) ellipse[x radius={a:g}, y radius={b:g}];"
         case Line():
             (x1, y1), (x2, y2) = mark.start, mark.end
             look = f"{color}, line width={0.6 * mark.width:g}pt, line cap=round" + ", dashed" * mark.is_dashed
@@ -48,3 +51,7 @@ def _path(mark: Mark, color: str) -> str:
         case Label():
             x, y = mark.at
             return rf"\node[{color}, anchor=base west, inner sep=0pt] at ({x:g},{y:g}) {{{text(mark.text)}}};"
+
+
+def _filled(mark: Patch | Ellipse, color: str) -> str:
+    return f"draw={color}, fill={color}, fill opacity={mark.opacity:g}"

@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+from itertools import groupby
+
 from symbody.document.document import Block, Heading, Math, Picture, Table, Words, prose
 from symbody.document.formula import listed
-from symbody.document.picture import drawing, no_picture
+from symbody.document.picture import drawn_motion, no_picture
+from symbody.document.role import in_order, roles_of, units_of_coordinates
 from symbody.document.subject import Subject
 from symbody.errors import SymbodyError
 from symbody.geometry import Vector
 from symbody.multibody import Body, System
 from symbody.simulation.given.wording import joined_by_and
-from symbody.symbolic import cost, latex
+from symbody.symbolic import Expr, cost, free_symbols, latex
 from symbody.symbolic.expression.latex_layout import LINE, width
 from symbody.symbolic.given.arguments import brief, counted
+from symbody.view import DrawableMotion
+from symbody.view.sketch import sketch
 from symbody.view.svg import sketch_svg
 
 
@@ -24,24 +29,64 @@ def mechanism(subject: Subject) -> list[Block]:
     sizes = {"body": system.bodies, "load": system.loads, "constraint": system.constraints}
     parts = [counted(len(each), noun) for noun, each in sizes.items() if each]
     sentence = prose(f"The system has {joined_by_and(parts)}.")
-    return [Heading("Mechanism"), sentence, _picture(subject), _bodies(system), *_loads(system)]
+    return [Heading("Mechanism"), sentence, *_picture(subject), _bodies(system), *_loads(system)]
 
 
-def _picture(subject: Subject) -> Block:
-    """Return the drawing, or the reason for which there is none."""
+def _picture(subject: Subject) -> list[Block]:
+    """Return the drawing and its numbers, or the reason for which there is none."""
     try:
-        sketch = drawing(subject)
+        drawn = drawn_motion(subject)
+        sketched = sketch(drawn)
     except SymbodyError as error:
         if subject.is_chosen:
             raise
-        return prose(no_picture(error))
+        return [prose(no_picture(error))]
+    return [
+        Picture("mechanism", _caption(subject), sketch_svg(sketched), sketched),
+        *_numbers(subject, drawn),
+    ]
+
+
+def _caption(subject: Subject) -> str:
     if subject.motion is not None:
-        caption = f"The mechanism at t = {subject.motion.t[0]:g} s."
-    elif subject.is_chosen:
-        caption = "The mechanism at the reference position."
-    else:
-        caption = "The mechanism at a reference position; lengths and masses are 1."
-    return Picture("mechanism", caption, sketch_svg(sketch), sketch)
+        return f"The mechanism at t = {subject.motion.t[0]:g} s."
+    if subject.guess is not None:
+        return "The mechanism at the start of a typical motion, with the numbers of the model."
+    if subject.is_chosen:
+        return "The mechanism at the reference position."
+    return "The mechanism with lengths and angles that were chosen for this picture; masses are 1."
+
+
+def _numbers(subject: Subject, drawn: DrawableMotion) -> list[Block]:
+    """Return the sentence that tells the numbers of the picture: those that place the bodies."""
+    names = _placing(subject)
+    if not names:
+        return []
+    units = {
+        **{each: unit for each, (_, unit) in roles_of(subject).items()},
+        **units_of_coordinates(drawn.system),
+    }
+    units |= subject.units
+    values = [f"{row[0] + 0.0:.4g}" for row in drawn.evaluate(names)]
+    words: list[str | Math] = []
+    pairs = zip(names, values, strict=True)
+    for (value, unit), group in groupby(pairs, key=lambda pair: (pair[1], units.get(pair[0], ""))):
+        alike = " = ".join(latex(name) for name, _ in group)
+        words += [Math(f"{alike} = {value}"), f" {unit}, " if unit else ", "]
+    words[-1] = str(words[-1]).removesuffix(", ") + "."
+    return [prose("It is drawn with ", *words)]
+
+
+def _placing(subject: Subject) -> list[Expr]:
+    """Return the coordinates and parameters that place bodies, in their order."""
+    system = subject.mechanism
+    if system is None:
+        return []
+    poses = (body.frame.pose for body in system.bodies)
+    entries = [entry for rows, at in poses for entry in (*rows[0], *rows[1], *rows[2], *at)]
+    leaves = free_symbols([*entries, *system.position_constraints])
+    symbols = sorted((leaf for leaf in leaves if leaf.kind == "symbol"), key=in_order)
+    return [*(q for q in system.coordinates if q in leaves), *symbols]
 
 
 def _bodies(system: System) -> Block:

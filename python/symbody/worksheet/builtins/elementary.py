@@ -252,6 +252,10 @@ def evalf(session: Session, *values: Value) -> Value:
     return sequence([in_decimals(session, each, session.options.digits) for each in values])
 
 
+_DOUBLE = 16
+"""The digits of a double."""
+
+
 def in_decimals(session: Session, value: Value, digits: int) -> Value:
     """Return a value with decimals for numbers; exponents that are integers stay."""
     if isinstance(value, Expr):
@@ -264,7 +268,7 @@ def in_decimals(session: Session, value: Value, digits: int) -> Value:
     if isinstance(value, Range):
         return Range(in_decimals(session, value.start, digits), in_decimals(session, value.stop, digits))
     if isinstance(value, Unevaluated):
-        return root_number(integral_number(value, min(digits, 17)), min(digits, 17))
+        return root_number(integral_number(value, min(digits, _DOUBLE)), min(digits, _DOUBLE))
     found = session.resolve(value)
     if isinstance(found, Array):
         entries = [in_decimals(session, session.current(each), digits) for each in found.entries]
@@ -274,10 +278,15 @@ def in_decimals(session: Session, value: Value, digits: int) -> Value:
 
 def _scalar_in_decimals(session: Session, value: Expr, digits: int) -> Expr:
     found = as_float(value)
+    if found is None and value.is_number:
+        session.notice("evalf: a number beyond the range of decimals stays exact")
+        return value
+    if found is not None and digits > _DOUBLE:
+        session.notice(f"evalf: {_DOUBLE} digits, as doubles have; {digits} were asked for")
     if found is not None:
-        return decimal(found, min(digits, 17))
+        return decimal(found, min(digits, _DOUBLE))
     if session.options.imaginary and (constant := as_complex(value)) is not None:
-        return of_number(constant, min(digits, 17))
+        return of_number(constant, min(digits, _DOUBLE))
     made: dict[int, Expr] = {}
     for node in walk(tree_of(value)):
         made[id(node)] = _node_in_decimals(session, node, [made[id(part)] for part in node.parts], digits)
@@ -291,7 +300,7 @@ def _node_in_decimals(session: Session, node: Tree, parts: list[Expr], digits: i
         whole = exponent.is_number and exponent.ratio[1] in (1, 2)
         return _decimal_or(found, parts[0] ** (exponent if whole else parts[1]), digits)
     if found is not None:
-        return decimal(found, min(digits, 17))
+        return decimal(found, min(digits, _DOUBLE))
     if node.kind == "sum":
         return sum(parts[1:], start=parts[0])
     if node.kind == "product":
@@ -310,7 +319,7 @@ def _node_in_decimals(session: Session, node: Tree, parts: list[Expr], digits: i
 
 
 def _decimal_or(found: float | None, value: Expr, digits: int) -> Expr:
-    return value if found is None else decimal(found, min(digits, 17))
+    return value if found is None else decimal(found, min(digits, _DOUBLE))
 
 
 COMMANDS: dict[str, Command] = {

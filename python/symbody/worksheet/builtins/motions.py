@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from symbody.deferred import Deferred
-from symbody.dynamics import Equations, equations_from_differential
 from symbody.errors import SymbodyError, WorksheetError
 from symbody.symbolic import Expr, free_symbols, substitute, t, time_derivative, time_function
 from symbody.worksheet.builtins.closed_motion import closed_solution
@@ -30,8 +29,10 @@ from symbody.worksheet.values.value import (
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
+
+    from symbody import dynamics
 else:
-    np = Deferred("numpy")
+    np, dynamics = Deferred("numpy"), Deferred("symbody.dynamics")
 
 
 __all__ = ["COMMANDS", "PACKAGES", "NumericSolution"]
@@ -52,7 +53,7 @@ class NumericSolution:
         initial: the initial values by state.
     """
 
-    equations: Equations
+    equations: dynamics.Equations
     results: tuple[Expr, ...]
     start: float
     initial: dict[Expr, float]
@@ -226,7 +227,7 @@ def _made(
         )
     functions = [time_function(name) for name in names]
     try:
-        equations = equations_from_differential(residuals, functions)
+        equations = dynamics.equations_from_differential(residuals, functions)
     except SymbodyError as fault:
         raise WorksheetError(f"dsolve: {fault}") from fault
     states = [*equations.coordinates, *equations.speeds]

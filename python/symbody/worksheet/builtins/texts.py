@@ -9,6 +9,7 @@ from symbody.symbolic import Expr, number
 from symbody.worksheet.evaluation.arithmetic import scalar
 from symbody.worksheet.evaluation.session import Command, Session
 from symbody.worksheet.printing.print import Style, text_of
+from symbody.worksheet.values.integers import MOST_BITS, number_text
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.numeric import as_float, as_integer
 from symbody.worksheet.values.value import NULL, Array, Listed, Range, String, Value
@@ -72,21 +73,26 @@ def _piece(session: Session, flags: str, width: str, precision: str | None, kind
     if kind in "aAsc" or kind in "qQp":
         text = unparsed(session, value)
         return f"%{flags.replace('0', '').replace('+', '')}{width}{point}s" % text
+    if kind in "di":
+        return _integer_piece(session, flags, width, point, value)
     amount = as_float(scalar(session, value)) if isinstance(value, Expr) else None
     if amount is None:
-        if kind in "di":
-            raise WorksheetError(f"printf: integer expected for %{kind}, found {session.text(value)[:60]}")
         raise WorksheetError(f"printf: a number expected for %{kind}, found {session.text(value)[:60]}")
-    if kind in "di":
-        whole = as_integer(value)
-        if whole is None:
-            raise WorksheetError(f"printf: integer expected for %{kind}, found {session.text(value)[:60]}")
-        return f"%{flags}{width}{point}d" % whole
     if kind in "xXo":
         return f"%{flags}{width}{kind}" % (as_integer(value) or 0)
     if kind in "feEgG":
         return f"%{flags}{width}{point}{kind}" % amount
     raise WorksheetError(f"printf: the format %{kind} is not known; expected one of %d %f %e %g %s %a")
+
+
+def _integer_piece(session: Session, flags: str, width: str, point: str, value: Value) -> str:
+    """Return an integer in a format such as ``%+6d``; one of very many digits is longer than any width."""
+    whole = as_integer(value)
+    if whole is None or not isinstance(value, Expr):
+        raise WorksheetError(f"printf: integer expected for %d, found {session.text(value)[:60]}")
+    if whole.bit_length() > MOST_BITS:
+        return number_text(value).rjust(int(width or 0))
+    return f"%{flags}{width}{point}d" % whole
 
 
 def printf(session: Session, template: Value, *values: Value) -> Value:
@@ -117,9 +123,8 @@ def length(session: Session, value: Value) -> Value:
     """length(e): of a string, its letters; of an integer, its digits; of other values, the length of their text."""
     if isinstance(value, String):
         return number(len(value.text))
-    whole = as_integer(value)
-    if whole is not None:
-        return number(len(str(abs(whole))) if whole else 0)
+    if isinstance(value, Expr) and as_integer(value) is not None:
+        return number(0 if value.is_zero else len(number_text(value).lstrip("-")))
     return number(len(unparsed(session, value)))
 
 

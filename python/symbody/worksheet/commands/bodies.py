@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
+from symbody.deferred import Deferred
 from symbody.errors import WorksheetError
 from symbody.geometry import Vector, velocity
 from symbody.geometry.motion.translation import Translation
-from symbody.multibody import Body, Load
-from symbody.multibody import angular_momentum as angular_momentum_of
-from symbody.multibody import gravitational_energy as weight_energy
-from symbody.multibody import kinetic_energy as kinetic_energy_of
-from symbody.multibody import linear_momentum as linear_momentum_of
-from symbody.multibody import power as power_of
 from symbody.symbolic import ENERGY, Expr, derivation, dot3, number
 from symbody.worksheet.evaluation.session import Command, Session
 from symbody.worksheet.mechanics import frame_face
@@ -29,6 +26,12 @@ from symbody.worksheet.mechanics.objects import (
 )
 from symbody.worksheet.mechanics.small_variables import result
 from symbody.worksheet.values.value import Array, Listed, Table, Value
+
+if TYPE_CHECKING:
+    from symbody import multibody
+    from symbody.multibody import Body, Load
+else:
+    multibody = Deferred("symbody.multibody")
 
 __all__ = ["COMMANDS", "gravity"]
 
@@ -181,26 +184,30 @@ def kinetic_energy(session: Session, objects: Value) -> Value:
 
 def _kinetic_energies(bodies: list[Body]) -> tuple[Expr, Expr]:
     """Return the kinetic energy by velocities along the axes of each body, and along those of the ground."""
-    spins = [Body.of_inertia(body.center_of_mass, 0, body.inertia) for body in bodies if not body.is_particle]
-    fixed = kinetic_energy_of(spins) if spins else number(0)
+    spins = [
+        multibody.Body.of_inertia(body.center_of_mass, 0, body.inertia)
+        for body in bodies
+        if not body.is_particle
+    ]
+    fixed = multibody.kinetic_energy(spins) if spins else number(0)
     for body in bodies:
         v = velocity(body.center_of_mass).components
         fixed += body.mass * dot3(v, v) / 2
-    return kinetic_energy_of(bodies), fixed
+    return multibody.kinetic_energy(bodies), fixed
 
 
 def gravitational_energy(session: Session, objects: Value) -> Value:
     """gravitational_energy(body): -m g . r_G; 0 without _gravity; by the coordinates in a moving frame."""
     reader = Reader(session, "gravitational_energy", hung=False)
     bodies, g = _bodies(reader, objects), gravity(reader)
-    energy = number(0) if g is None else weight_energy(bodies, g)
+    energy = number(0) if g is None else multibody.gravitational_energy(bodies, g)
     return result(mechanics(session), [energy], ENERGY)[0]
 
 
 def linear_momentum(session: Session, objects: Value) -> Value:
     """linear_momentum(body): the linear momentum of a body, or of a set, in the axes of the ground."""
     reader = Reader(session, "linear_momentum")
-    return table_of_vector(session, linear_momentum_of(_bodies(reader, objects)))
+    return table_of_vector(session, multibody.linear_momentum(_bodies(reader, objects)))
 
 
 def angular_momentum(session: Session, objects: Value, point: Value | None = None) -> Value:
@@ -210,7 +217,7 @@ def angular_momentum(session: Session, objects: Value, point: Value | None = Non
     about = None if point is None else reader.point(point)
     single = members(session, objects)[0] if len(bodies) == 1 else None
     frame = None if single is None else reader.frame_value(single)
-    return table_of_vector(session, angular_momentum_of(bodies, about), frame)
+    return table_of_vector(session, multibody.angular_momentum(bodies, about), frame)
 
 
 def power(session: Session, loads: Value) -> Value:
@@ -218,7 +225,7 @@ def power(session: Session, loads: Value) -> Value:
     reader = Reader(session, "power")
     found: list[Load] = [load for item in members(session, loads) if (load := reader.load(item)) is not None]
     with derivation(order=ENERGY):
-        total = sum((power_of(load) for load in found), start=number(0))
+        total = sum((multibody.power(load) for load in found), start=number(0))
     return result(mechanics(session), [total], ENERGY)[0]
 
 

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from symbody.dynamics import euler_equations as euler_of
-from symbody.dynamics import generalized_force as generalized_force_of
-from symbody.dynamics import lagrange as lagrange_of
-from symbody.dynamics import newton_equations as newton_of
+from typing import TYPE_CHECKING
+
+from symbody.deferred import Deferred
 from symbody.errors import WorksheetError
 from symbody.geometry import Frame, Point
-from symbody.multibody import Body, gravitational_energy, kinetic_energy
 from symbody.symbolic import ENERGY, Expr, derivation, number, small
 from symbody.worksheet.commands.bodies import gravity
 from symbody.worksheet.evaluation.session import Command, Session
@@ -17,6 +15,13 @@ from symbody.worksheet.mechanics.modes import mechanics
 from symbody.worksheet.mechanics.objects import Reader, described, kind_of, members, table_of_vector
 from symbody.worksheet.mechanics.small_variables import result
 from symbody.worksheet.values.value import Boolean, Listed, MapleSet, Sequence, Value
+
+if TYPE_CHECKING:
+    from symbody import dynamics, multibody
+    from symbody.multibody import Body
+else:
+    dynamics = Deferred("symbody.dynamics")
+    multibody = Deferred("symbody.multibody")
 
 __all__ = ["COMMANDS"]
 
@@ -27,7 +32,9 @@ def newton_equations(session: Session, system: Value, *options: Value) -> Value:
     bodies, loads = reader.bodies_and_loads(system)
     _check(reader, bodies)
     axes, shown, _ = _options(reader, options)
-    return table_of_vector(session, newton_of([*bodies, *loads], axes, gravity=gravity(reader)), shown)
+    return table_of_vector(
+        session, dynamics.newton_equations([*bodies, *loads], axes, gravity=gravity(reader)), shown
+    )
 
 
 def euler_equations(session: Session, system: Value, *options: Value) -> Value:
@@ -43,7 +50,9 @@ def euler_equations(session: Session, system: Value, *options: Value) -> Value:
     with derivation(order=ENERGY):
         if about is None and sum((body.mass for body in bodies), start=number(0)).is_zero:
             about = bodies[0].center_of_mass
-    return table_of_vector(session, euler_of([*bodies, *loads], about, axes, gravity=gravity(reader)), shown)
+    return table_of_vector(
+        session, dynamics.euler_equations([*bodies, *loads], about, axes, gravity=gravity(reader)), shown
+    )
 
 
 def _check(reader: Reader, bodies: list[Body]) -> None:
@@ -72,7 +81,7 @@ def generalized_force(session: Session, loads: Value, variables: Value) -> Value
     several = reader.session.resolve(variables)
     items = several.items if isinstance(several, Listed | MapleSet | Sequence) else (several,)
     coordinates = [_coordinate(reader, item) for item in items]
-    forces = result(mechanics(session), generalized_force_of(found, coordinates))
+    forces = result(mechanics(session), dynamics.generalized_force(found, coordinates))
     return Listed(forces) if isinstance(several, Listed | MapleSet | Sequence) else forces[0]
 
 
@@ -99,7 +108,7 @@ def lagrange(session: Session, energy: Value, variable: Value, time: Value | Non
     reader = Reader(session, "lagrange")
     L, several = reader.scalar(energy), session.resolve(variable)
     items = several.items if isinstance(several, Listed | MapleSet | Sequence) else (variable,)
-    found = [lagrange_of(L, _function_of_time(reader, item)) for item in items]
+    found = [dynamics.lagrange(L, _function_of_time(reader, item)) for item in items]
     equations = result(mechanics(session), found)
     return Listed(equations) if isinstance(several, Listed | MapleSet | Sequence) else equations[0]
 
@@ -112,15 +121,17 @@ def lagrange_equations(session: Session, system: Value, variables: Value, *optio
     _check(reader, bodies)
     unhung = Reader(session, "lagrange_equations", hung=False)
     with derivation(order=ENERGY):
-        L = kinetic_energy(bodies)
+        L = multibody.kinetic_energy(bodies)
         g = gravity(unhung)
         if g is not None:
-            L -= gravitational_energy(unhung.bodies_and_loads(_only_bodies(session, system))[0], g)
+            L -= multibody.gravitational_energy(unhung.bodies_and_loads(_only_bodies(session, system))[0], g)
     items = members(session, variables)
     coordinates = [_function_of_time(reader, item) for item in items]
-    forces = generalized_force_of(loads, coordinates)
+    forces = dynamics.generalized_force(loads, coordinates)
     modes = mechanics(session)
-    found = [result(modes, [lagrange_of(L, q) - Q])[0] for q, Q in zip(coordinates, forces, strict=True)]
+    found = [
+        result(modes, [dynamics.lagrange(L, q) - Q])[0] for q, Q in zip(coordinates, forces, strict=True)
+    ]
     return Listed(tuple(found))
 
 

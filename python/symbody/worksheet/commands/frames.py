@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
+from symbody.deferred import Deferred
 from symbody.errors import WorksheetError
 from symbody.geometry import Frame
 from symbody.geometry import rotate as rotated
 from symbody.geometry import translate as translated
-from symbody.multibody import displaced
 from symbody.symbolic import Expr, dot3, sqrt, symbol
 from symbody.worksheet.evaluation.session import Command, Session
 from symbody.worksheet.mechanics import frame_face
@@ -14,6 +16,11 @@ from symbody.worksheet.mechanics.modes import mechanics
 from symbody.worksheet.mechanics.objects import Reader, face_of, fields_of, kind_of, members, put, written
 from symbody.worksheet.mechanics.small_variables import entered_frame
 from symbody.worksheet.values.value import NULL, Array, Sequence, String, Table, Value
+
+if TYPE_CHECKING:
+    from symbody import multibody
+else:
+    multibody = Deferred("symbody.multibody")
 
 __all__ = ["COMMANDS", "copied"]
 
@@ -88,16 +95,18 @@ def _displaced(reader: Reader, motion: Frame, thing: Value) -> Value:
     kind, frame = kind_of(table), reader.frame_value(table)
     own, moving = reader.frame(table), entered_frame(mechanics(session), motion)
     if kind == "POINT":
-        point = displaced(reader.point(table), moving).projected(own)
+        point = multibody.displaced(reader.point(table), moving).projected(own)
         return written(session, kind, point.coordinates, frame)
     if kind == "BODY":
         found = copied(table)
         put(found, "frame", face_of(session, own * moving))
         return found
-    vector = displaced(reader.vector(table), moving).projected(own)
+    vector = multibody.displaced(reader.vector(table), moving).projected(own)
     fields = fields_of(table, "acting", "reacting")
     if kind == "FORCE":
-        at = displaced(reader.point(fields_of(table, "applied")["applied"] or table), moving, frame=own)
+        at = multibody.displaced(
+            reader.point(fields_of(table, "applied")["applied"] or table), moving, frame=own
+        )
         fields["applied"] = written(session, "POINT", at.projected(own).coordinates, frame)
     return written(session, kind, vector.components, frame, **fields)
 

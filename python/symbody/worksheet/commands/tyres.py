@@ -7,19 +7,25 @@ axes of the tyre, whose y axis is that of the spin.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
+from symbody.deferred import Deferred
 from symbody.geometry import Frame, Point, Vector, cross, ground, origin, rotate, translate
 from symbody.geometry.frame.frame import Rows4
 from symbody.geometry.motion.principal_rotation import Rotation
-from symbody.multibody import Body, TireKinematics, TireShape, tire_shape
-from symbody.multibody import tire_kinematics as kinematics_of
-from symbody.symbolic import ENERGY, Expr, atan2, derivation, number, pi, simplify, symbol
+from symbody.symbolic import ENERGY, Expr, atan2, derivation, number, pi, symbol
 from symbody.worksheet.evaluation.session import Command, Session
 from symbody.worksheet.mechanics import frame_face
 from symbody.worksheet.mechanics.modes import mechanics
 from symbody.worksheet.mechanics.objects import Reader, column, face_of, get, made, members, put, written
-from symbody.worksheet.mechanics.small_variables import left
+from symbody.worksheet.mechanics.small_variables import left, result
 from symbody.worksheet.values.value import Listed, Relation, Sequence, Value
+
+if TYPE_CHECKING:
+    from symbody import multibody
+    from symbody.multibody import Body, TireKinematics, TireShape
+else:
+    multibody = Deferred("symbody.multibody")
 
 __all__ = ["COMMANDS", "tyre_axes"]
 
@@ -79,7 +85,7 @@ def _contact(reader: Reader, table: Value) -> _Contact:
     compliance = members(reader.session, get(tire, "compliance") or number(0))
     spin, y_def, z_def, _ = (reader.scalar(each) for each in compliance)
     # profiles are to the right and downwards here; in `tire_shape`, to the left and towards the road
-    shape = tire_shape(-y, z, spin_deformation=-spin, y_deformation=-y_def, z_deformation=z_def)
+    shape = multibody.tire_shape(-y, z, spin_deformation=-spin, y_deformation=-y_def, z_deformation=z_def)
     with derivation(order=ENERGY):
         axes, is_carrier = tyre_axes(wheel.frame, road)
         place = Point(axes, 0, y + y_def, z + z_def)
@@ -89,7 +95,7 @@ def _contact(reader: Reader, table: Value) -> _Contact:
 
 
 def _kinematics(wheel: Body, shape: TireShape, surface: Frame, carrier: Frame | None) -> TireKinematics:
-    return kinematics_of(wheel, shape, road=surface, carrier=carrier, spin_axis="-Y")
+    return multibody.tire_kinematics(wheel, shape, road=surface, carrier=carrier, spin_axis="-Y")
 
 
 def tyre_axes(wheel: Frame, road: Frame) -> tuple[Frame, bool]:
@@ -101,7 +107,7 @@ def tyre_axes(wheel: Frame, road: Frame) -> tuple[Frame, bool]:
         carrier = carrier.parent
     if Vector(carrier, 1, 0, 0).projected(road).components[2].is_zero:
         return carrier, True
-    found = _kinematics(Body(wheel, 0), tire_shape(0, 1), road * rotate("X", pi), None)
+    found = _kinematics(multibody.Body(wheel, 0), multibody.tire_shape(0, 1), road * rotate("X", pi), None)
     j = Vector(wheel, 0, 1, 0)
     x = found.longitudinal
     columns = [each.projected(wheel.ancestor).components for each in (x, j, cross(x, j))]
@@ -144,7 +150,7 @@ def tire_kinematics(session: Session, tire: Value) -> Value:
     table = reader.object(tire, "TIRE")
     contact = _contact(reader, tire)
     found, modes = contact.kinematics, mechanics(session)
-    speeds: tuple[Expr, ...] = left(modes, [simplify(each) for each in (found.VS, -found.VN, found.VR)])
+    speeds: tuple[Expr, ...] = result(modes, (found.VS, -found.VN, found.VR))
     place = made(
         "POINT", frame=get(table, "frame"), coords=column(left(modes, contact.place.coordinates), 1, modes)
     )

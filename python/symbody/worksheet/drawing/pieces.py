@@ -76,13 +76,17 @@ def drawn(session: Session, plot: Plot) -> str:
     return f"[Plot: {path.name}]"
 
 
+_BOX = (0.08, 0.06, 0.84, 0.86)
+"""The place of spatial axes: to find it from their labels draws them twice."""
+
+
 def _write(path: Path, frames: list[list[Piece]], options: dict[str, Value]) -> None:
     from matplotlib.animation import FuncAnimation  # noqa: PLC0415 - loaded for the first drawing
     from matplotlib.figure import Figure  # noqa: PLC0415
 
-    figure = Figure(figsize=(6, 4), layout="constrained")
     solid = any(piece.points.shape[1] == 3 for frame in frames for piece in frame)
-    axes: Any = figure.add_subplot(projection="3d" if solid else None)
+    figure = Figure(figsize=(6, 4), layout=None if solid else "constrained")
+    axes: Any = figure.add_axes(_BOX, projection="3d") if solid else figure.add_subplot()
     if path.suffix == ".png":
         _fill(axes, frames[0], options)
         figure.savefig(path, dpi=120)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -11,13 +10,14 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr
 from symbody.worksheet.evaluation import current
+from symbody.worksheet.evaluation.limits import Limits
 from symbody.worksheet.printing.print import Style, text_of
 from symbody.worksheet.values.value import NULL, Array, Sequence, Table, Value
 
 if TYPE_CHECKING:
     from symbody.worksheet.sheet import syntax
 
-__all__ = ["Command", "Limits", "Scope", "Session"]
+__all__ = ["Command", "Scope", "Session"]
 
 # A command takes the session and its evaluated arguments, sequences flattened, options as relations.
 Command: TypeAlias = Callable[..., Value]
@@ -42,36 +42,6 @@ class Scope:
     parent: Scope | None = None
     last: list[Value] = field(default_factory=list)
     name: str = ""
-
-
-@dataclass
-class Limits:
-    """What keeps a worksheet from running forever: seconds a statement, nested calls, items of a sequence."""
-
-    seconds: float = 300.0
-    depth: int = 150
-    items: int = 1_000_000
-    deadline: float = float("inf")
-
-    def start(self) -> None:
-        """Begin a statement."""
-        self.deadline = time.monotonic() + self.seconds
-
-    def check(self) -> None:
-        """Raise an error if the statement has run for too long."""
-        if time.monotonic() > self.deadline:
-            raise self.exceeded()
-
-    def exceeded(self) -> WorksheetError:
-        """Return the error of a statement that has run for too long."""
-        return WorksheetError(
-            f"the statement ran for more than {self.seconds:g} s; it was stopped, and the next statement runs"
-        )
-
-    def check_items(self, items: float) -> None:
-        """Raise an error for sequences, loops of sequences and matrices of too many items."""
-        if items > self.items:
-            raise WorksheetError(f"{items:.0f} items; expected at most {self.items}")
 
 
 @dataclass
@@ -261,6 +231,7 @@ class Session:
             places=self.options.places,
             reciprocals=frozenset(self.options.reciprocals),
             raw=frozenset(self.opaque),
+            elided=True,
         )
 
     def text(self, value: Value) -> str:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
+from symbody.deferred import Deferred
 from symbody.errors import WorksheetError
 from symbody.geometry import Frame, Point, Vector, ground
-from symbody.multibody import Body, Force, Load, Torque
 from symbody.symbolic import Expr, Matrix, number, symbol
 from symbody.worksheet.evaluation.session import Session
 from symbody.worksheet.mechanics import frame_face
@@ -16,6 +17,12 @@ from symbody.worksheet.mechanics.shortest import shortest
 from symbody.worksheet.mechanics.small_variables import entered, entered_frame, left, left_frame, result
 from symbody.worksheet.values.value import Array, Listed, MapleSet, Reference, Table, Value
 from symbody.worksheet.values.value import Sequence as Several
+
+if TYPE_CHECKING:
+    from symbody import multibody
+    from symbody.multibody import Body, Load
+else:
+    multibody = Deferred("symbody.multibody")
 
 __all__ = [
     "Reader",
@@ -200,7 +207,7 @@ class Reader:
             inertia = self._inertia(table)
             mass = self._constant(table, "mass", get(table, "mass") or number(0))
             name = value.name if isinstance(value, Reference) else ""
-            self._bodies[id(table)] = Body.of_inertia(self.frame(table), mass, inertia, name=name)
+            self._bodies[id(table)] = multibody.Body.of_inertia(self.frame(table), mass, inertia, name=name)
         return self._bodies[id(table)]
 
     def _inertia(self, table: Table) -> Matrix:
@@ -237,9 +244,9 @@ class Reader:
             return None
         name = value.name if isinstance(value, Reference) else ""
         if kind_of(table) == "TORQUE":
-            return Torque(vector, on=on, reaction=reaction, name=name)
+            return multibody.Torque(vector, on=on, reaction=reaction, name=name)
         at = self.point(get(table, "applied") or table)
-        return Force(vector, at=at, on=on, reaction=reaction, name=name)
+        return multibody.Force(vector, at=at, on=on, reaction=reaction, name=name)
 
     def _side(self, table: Table, name: str) -> Body | None:
         value = get(table, name)

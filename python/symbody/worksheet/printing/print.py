@@ -11,6 +11,7 @@ from symbody.symbolic import Expr, number
 from symbody.symbolic.expression.traverse import post_order
 from symbody.worksheet.printing.source_text import procedure_text, source_text
 from symbody.worksheet.values.decimals import decimal_text
+from symbody.worksheet.values.integers import number_text, shown_number
 from symbody.worksheet.values.structure import Tree, is_negative, tree_of
 from symbody.worksheet.values.value import (
     Array,
@@ -89,6 +90,7 @@ class Style:
         places: digits behind the point, or None for all.
         reciprocals: which of sec, csc and cot the session has used.
         raw: names that are texts of something that isn't a scalar, and are printed without quotes.
+        elided: whether only the first and the last digits of very long numbers are printed.
     """
 
     primes: str = ""
@@ -99,6 +101,7 @@ class Style:
     places: int | None = None
     reciprocals: frozenset[str] = frozenset()
     raw: frozenset[str] = frozenset()
+    elided: bool = False
 
 
 PLAIN = Style()
@@ -191,10 +194,8 @@ def _number(node: Tree, parts: list[_Text], style: Style) -> _Text:
     if node.value.is_decimal:
         text = decimal_text(ratio, style.digits, style.places)
         return text, _NEGATIVE if text.startswith("-") else _ATOM
-    numerator, denominator = ratio
-    if denominator != 1:
-        return f"{numerator}/{denominator}", _NEGATIVE if numerator < 0 else _PRODUCT
-    return str(numerator), _NEGATIVE if numerator < 0 else _ATOM
+    text = shown_number(node.value) if style.elided else number_text(node.value)
+    return text, _NEGATIVE if ratio[0] < 0 else _ATOM if ratio[1] == 1 else _PRODUCT
 
 
 def _name(node: Tree, parts: list[_Text], style: Style) -> _Text:

@@ -10,14 +10,11 @@ from lark import Token
 
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.sheet.syntax import Expression, Parameter, Place, Statement
+from symbody.worksheet.values.integers import MOST_DIGITS, integer_of
 
 __all__ = ["Builder", "Mistake", "one_place", "unquoted"]
 
 Items = list[Any]
-
-
-_DIGITS = 4300
-"""The digits of a number that Python reads without being told to."""
 
 
 class Mistake(Exception):
@@ -195,9 +192,9 @@ class Builder:
     # --- atoms ---
 
     def integer(self, place: Place, parts: Items) -> Expression:
-        if len(parts[0]) > _DIGITS:
-            raise Mistake(place, f"a number of {len(parts[0])} digits", f"at most {_DIGITS}")
-        return syntax.Integer(int(parts[0]), place=place)
+        if len(parts[0]) > MOST_DIGITS:
+            raise Mistake(place, f"a number of {len(parts[0])} digits", f"at most {MOST_DIGITS}")
+        return syntax.Integer(integer_of(parts[0]), place=place)
 
     def decimal(self, place: Place, parts: Items) -> Expression:
         return syntax.Decimal(str(parts[0]), place=place)

@@ -22,10 +22,13 @@ def decimal(value: float, digits: int = 10) -> Expr:
 
 
 def as_float(value: Expr) -> float | None:
-    """Return the number that a constant stands for, or None for what isn't one."""
+    """Return the number that a constant stands for; None for what isn't one, or is beyond the doubles."""
     if value.is_number:
         numerator, denominator = value.ratio
-        return numerator / denominator
+        try:
+            return numerator / denominator
+        except OverflowError:
+            return None
     if not value.is_constant:
         return None
     try:

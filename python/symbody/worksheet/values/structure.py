@@ -13,6 +13,7 @@ from operator import add, mul
 
 from symbody.symbolic import Expr, UndefinedFunction, number, t
 from symbody.symbolic.expression.traverse import post_order
+from symbody.worksheet.values.integers import number_text
 from symbody.worksheet.values.numeric import as_float, decimal
 
 __all__ = ["Tree", "is_negative", "leaves", "product_of", "sum_of", "tree_of", "walk"]
@@ -97,9 +98,7 @@ def _made(node: Expr, parts: list[Tree]) -> Tree:
 
 
 def _number(node: Expr, parts: list[Tree]) -> Tree:
-    numerator, denominator = node.ratio
-    key = str(numerator) if denominator == 1 else f"{numerator}/{denominator}"
-    return Tree("number", node, key=key[:_KEY_LENGTH])
+    return Tree("number", node, key=number_text(node)[:_KEY_LENGTH])
 
 
 def _constant(node: Expr, parts: list[Tree]) -> Tree:
@@ -229,11 +228,11 @@ def product_of(parts: Iterable[Tree], value: Expr | None = None) -> Tree:
 
 
 def _powers_joined(factors: list[Tree]) -> tuple[list[Tree], Expr]:
-    """Return factors with powers of one base joined, and the number that this leaves."""
+    """Return factors with numeric powers of one base joined, and the number that this leaves."""
     groups: dict[Expr, list[Tree]] = {}
     for factor in factors:
-        base = factor.parts[0] if factor.kind == "power" else factor
-        groups.setdefault(base.value, []).append(factor)
+        numeric = factor.kind == "power" and factor.parts[1].value.is_number
+        groups.setdefault((factor.parts[0] if numeric else factor).value, []).append(factor)
     content = number(1)
     if len(groups) == len(factors):
         return factors, content
