@@ -13,11 +13,21 @@ from .body import Body
 from .constant_form import constant_form
 from .load import Force, Load
 
-__all__ = ["left_places"]
+__all__ = ["left_places", "notices_of_left_places"]
 
 
-def left_places(bodies: Collection[Body], loads: Iterable[Load]) -> Iterator[str]:
-    """Return notices of forces whose point is at rest or on another body, and moves away from the body that they push.
+def notices_of_left_places(bodies: Collection[Body], loads: Iterable[Load]) -> Iterator[str]:
+    """Return notices of forces at places that their bodies leave, with the ways out.
+
+    Args:
+        bodies: the bodies of a system.
+        loads: its loads.
+    """
+    return (_notice(force, where) for force, where in left_places(bodies, loads))
+
+
+def left_places(bodies: Collection[Body], loads: Iterable[Load]) -> Iterator[tuple[Force, str]]:
+    """Return forces whose point is at rest or on another body, and moves away from the body that they push; and where.
 
     A force may act on ever other material points of its body, as that of a jet at rest does. Then what exerts it is
     known, and the point is fixed in the body that reacts. A point that stays at one distance from the centre of mass
@@ -31,7 +41,7 @@ def left_places(bodies: Collection[Body], loads: Iterable[Load]) -> Iterator[str
         if isinstance(load, Force) and load.on in bodies and not _is_held(load):
             where = _carrier(load, bodies)
             if where is not None and _leaves(load.on, load.at):
-                yield _notice(load, where)
+                yield load, where
 
 
 def _is_held(force: Force) -> bool:

@@ -20,9 +20,10 @@ from symbody.worksheet.values.value import Sequence as Several
 
 if TYPE_CHECKING:
     from symbody import multibody
-    from symbody.multibody import Body, Load
+    from symbody.multibody import Body, Load, left_place
 else:
     multibody = Deferred("symbody.multibody")
+    left_place = Deferred("symbody.multibody.left_place")
 
 __all__ = [
     "Reader",
@@ -269,7 +270,16 @@ class Reader:
             else:
                 name = item.name if isinstance(item, Reference) else "?"
                 self.session.lines.append(f"<{name}> {kind} is not valid: it must be applied to a BODY")
+        self._notice_left_places(bodies, loads)
         return bodies, loads
+
+    def _notice_left_places(self, bodies: list[Body], loads: list[Load]) -> None:
+        for force, where in left_place.left_places(bodies, loads):
+            body = force.on.name or "BODY"
+            self.session.notice(
+                f"the FORCE {force.name} acts on {body} at {where}, from which {body} moves away; expected a point of "
+                f"{body}, such as make_POINT({body}[frame], x, y, z), or behind {body} the body that exerts the force"
+            )
 
     def _is(self, value: Value, kind: str) -> bool:
         return kind_of(self.session.resolve(value)) == kind
