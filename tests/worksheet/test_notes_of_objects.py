@@ -1,4 +1,4 @@
-"""Notes about objects that may not be what a sheet means: forces beside their bodies, sums without a meaning."""
+"""Sums of objects that have no meaning are told, and cells that follow other text in a line are read."""
 
 from __future__ import annotations
 
@@ -16,21 +16,6 @@ def notes(text: str) -> list[str]:
     interpreter = Interpreter()
     printed(text, interpreter=interpreter)
     return interpreter.session.notices
-
-
-def test_a_force_at_a_place_that_its_body_leaves_is_told() -> None:
-    made = "F := make_FORCE(v, make_POINT(ground,l,0,0), A): newton_equations({A,B,F}):"
-    (note,) = notes(BODIES + made)
-    assert note.startswith(
-        "the FORCE F acts on A at a place at rest, from which A moves away; expected a point of A"
-    )
-    (other,) = notes(BODIES + "F := make_FORCE(v, CoM(B), A): newton_equations({A,B,F}):")
-    assert "at a place on B" in other
-
-
-def test_a_force_at_a_point_of_one_of_its_bodies_needs_no_note() -> None:
-    assert notes(BODIES + "F := make_FORCE(v, CoM(B), A, B): newton_equations({A,B,F}):") == []
-    assert notes(BODIES + "F := make_FORCE(v, make_POINT(A[frame],l,0,0), A): newton_equations({A,F}):") == []
 
 
 def test_what_has_no_meaning_of_named_objects_stays_with_a_note() -> None:

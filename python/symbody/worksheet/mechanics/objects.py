@@ -270,16 +270,13 @@ class Reader:
             else:
                 name = item.name if isinstance(item, Reference) else "?"
                 self.session.lines.append(f"<{name}> {kind} is not valid: it must be applied to a BODY")
-        self._notice_left_places(bodies, loads)
-        return bodies, loads
-
-    def _notice_left_places(self, bodies: list[Body], loads: list[Load]) -> None:
         for force, where in left_place.left_places(bodies, loads):
-            body = force.on.name or "BODY"
             self.session.notice(
-                f"the FORCE {force.name} acts on {body} at {where}, from which {body} moves away; expected a point of "
-                f"{body}, such as make_POINT({body}[frame], x, y, z), or behind {body} the body that exerts the force"
+                f"{self.where}: the force {force.name or '?'} acts on {force.on.name or 'a body'} at {where}, from "
+                "which the body moves away; expected a point of the body: make_POINT with its frame; if the force "
+                "shall stay there, give the body that exerts it as the last argument of make_FORCE"
             )
+        return bodies, loads
 
     def _is(self, value: Value, kind: str) -> bool:
         return kind_of(self.session.resolve(value)) == kind
