@@ -19,6 +19,7 @@ from symbody.worksheet.convert.modes import mode_lines
 from symbody.worksheet.convert.names import Names, NoText, identifier
 from symbody.worksheet.convert.operations import grouped
 from symbody.worksheet.convert.operators import condition
+from symbody.worksheet.convert.picture_calls import PICTURES
 from symbody.worksheet.convert.selections import index, key
 from symbody.worksheet.convert.sequences import items
 from symbody.worksheet.convert.tyres import tyre_lines
@@ -271,13 +272,9 @@ def _acts(item: syntax.Expression) -> bool:
         case syntax.Call(
             function=syntax.Name(name=name) | syntax.Selection(indices=(syntax.Name(name=name),))
         ):
-            return (name in FILES and name != "Exists") or name in {
-                "plot",
-                "odeplot",
-                "logplot",
-                "semilogplot",
-                "loglogplot",
-            }
+            return (name in FILES and name != "Exists") or name in PICTURES
+        case syntax.SequenceDisplay(items=(_, *_) as items):
+            return all(map(_acts, items))
     return False
 
 
