@@ -1162,7 +1162,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     (
         errors.JointError,
         lambda: rolling("P", ground, A, radius=0),
-        "rolling P: radius = 0; expected the distance from the wheel's centre to the contact",
+        "rolling P: radius = 0; expected a positive constant, the distance from the wheel's centre to the contact",
     ),
     (
         errors.JointError,
@@ -1173,7 +1173,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         errors.JointError,
         lambda: point_on_curve("P", ground, A, curve=(1, 2, 3)),
         (
-            "point_on_curve P: the curve is (1, 2, 3); expected a function from the parameter to three "
+            "point_on_curve P: curve = (1, 2, 3) is a tuple; expected a function from the parameter to three "
             "coordinates, such as lambda s: (s, a*s**2, 0)"
         ),
     ),
@@ -1380,7 +1380,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         errors.ModelError,
         lambda: reaction(pendulum(), "rod"),
         (
-            "reaction: rod isn't a joint or a body of System(1 body, 0 loads, 1 coordinate); its bodies are A, its "
+            "reaction: 'rod' isn't a joint or a body of System(1 body, 0 loads, 1 coordinate); its bodies are A, its "
             "joints P"
         ),
     ),

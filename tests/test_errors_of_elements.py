@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import warnings
 from collections.abc import Callable, Mapping
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -48,7 +49,52 @@ TAKES_SYMBOLS = (
     "-C*symbody.atan(slip)), with atan of symbody, not of math or numpy"
 )
 
+NOTHING = "neither stiffness nor damping; expected at least one of them"
+center = block.center_of_mass
+
 MISTAKES: list[tuple[Callable[[], object], str]] = [
+    (
+        lambda: sb.contact(center, 0.1, 0, on=block),
+        "contact: stiffness = 0, which leaves no force; expected a positive number",
+    ),
+    (
+        lambda: sb.contact(center, 0.1, k, on=block, creep_speed=0.01),
+        "contact: creep_speed without friction, which acts by it alone; expected friction=mu, or neither",
+    ),
+    (
+        lambda: sb.friction(x, on=block, viscous=c, creep_speed=0.01),
+        (
+            "friction: creep_speed without dry friction, which acts by it alone; expected coulomb=Fc, or none of both"
+        ),
+    ),
+    (lambda: sb.spring(center, sb.Point(ground, 0, 1, 0), 0, on=block), f"spring: {NOTHING}"),
+    (lambda: sb.torsion_spring(x, 0, on=block), f"torsion_spring: {NOTHING}"),
+    (
+        lambda: sb.bushing(block.frame, ground, [0] * 6, damping=[0] * 6, on=block),
+        f"bushing: {NOTHING}",
+    ),
+    (
+        lambda: tire(sb.linear_tire(cornering=C), crown_radius=-0.1),
+        f"tire: crown_radius = -0.1; {NOT_NEGATIVE}",
+    ),
+    (
+        lambda: sb.tire_kinematics(wheel, R, crown_radius=-0.1, carrier=fork),
+        f"tire_kinematics: crown_radius = -0.1; {NOT_NEGATIVE}",
+    ),
+    (
+        lambda: sb.tire_kinematics(wheel, 0.3, crown_radius=0.5, carrier=fork),
+        (
+            "tire_kinematics: crown_radius = 0.5, more than radius = 0.3; expected a cross section within the wheel: "
+            "zero for a thin disc, the radius itself for a ball"
+        ),
+    ),
+    (
+        lambda: tire(sb.linear_tire(cornering=C), damping=c),
+        (
+            "tire: damping = c beside a load that is given; expected stiffness=k with it, or the damping within the "
+            "load"
+        ),
+    ),
     (
         lambda: sb.magic_formula(TIRE | {"QSY3": 0.1}),
         (
@@ -195,3 +241,32 @@ def test_sizes_of_displaced_and_substituted_elements_are_checked() -> None:
     assert isinstance(moved, Element)
     assert moved.sizes == {"damping": c}
     assert sb.subs(damped(c), {c: 2 * m}).sizes == {"damping": 2 * m}
+
+
+def notices_of_call(call: Callable[[], object]) -> list[str]:
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        call()
+    return [str(each.message) for each in caught]
+
+
+def test_coefficients_whose_effects_are_left_out_are_named(tmp_path: Path) -> None:
+    turning = (
+        "turn slip is left out (PDXP1, QDTP1): forces are those of a path that is wide beside the tyre, not those of "
+        "parking"
+    )
+    leaning = (
+        "factors of the camber, of sets before 5.2, are left out (LGAY); expected coefficients of camber that are "
+        "scaled already, such as PHY3 and PVY3"
+    )
+    more = {"PDXP1": 0.4, "QDTP1": 10, "PDYP1": 0, "LGAX": 1, "LGAY": 0.9}
+    assert notices_of_call(lambda: sb.magic_formula(TIRE | more)) == [f"magic_formula: {turning}; {leaning}"]
+    assert notices_of_call(lambda: sb.magic_formula(TIRE | {"QDTP1": 0, "LGAY": 1})) == []
+    path = tmp_path / "front.tir"
+    entries = "\n".join(f"{name} = {value}" for name, value in (TIRE | more).items())
+    path.write_text(f"[MODEL]\nFITTYP = 61\n{entries}\n", encoding="utf-8")
+    found: list[Any] = []
+    assert notices_of_call(lambda: found.append(sb.tire_file(path))) == [
+        f"tire_file front.tir: {turning}; {leaning}"
+    ]
+    assert notices_of_call(found[0].law) == []

@@ -9,11 +9,14 @@ from typing import Any
 import pytest
 
 from symbody import (
+    Body,
+    Force,
     Frame,
     Link,
     ModelNotice,
     Motion,
     SymbodyError,
+    System,
     Torque,
     assemble,
     consistent_state,
@@ -21,18 +24,22 @@ from symbody import (
     errors,
     fixed,
     free,
+    functions_of_time,
     gear,
     ground,
     newton_euler,
     pi,
+    planar,
     point_on_curve,
     prismatic,
     rack,
     reaction,
     revolute,
+    rolling,
     rotate,
     simulate,
     t,
+    time_derivative,
     translate,
     universal,
 )
@@ -88,7 +95,82 @@ def moving_four_bar(**options: Any) -> Motion:
     return simulate(newton_euler(four_bar.system()), {}, start, guess=guess, t=(0, 0.1), **options)
 
 
+FIXED = (
+    "which leave no motion; expected two different values, the least first; what can't move is fixed: expected a joint "
+    "without this freedom, such as fixed, turned or moved by its places"
+)
+s_, twin = (
+    functions_of_time("s_"),
+    [Body(translate(q, 0, 0), 1, name="twin") for q in functions_of_time("s1 s2")],
+)
+twins = System(twin, (), functions_of_time("s1 s2"))
+
 MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
+    (
+        errors.JointError,
+        lambda: revolute("J", ground, a, limits=(1, 1)),
+        f"revolute J: limits from 1 to 1, {FIXED}",
+    ),
+    (
+        errors.JointError,
+        lambda: free("J", ground, a, limits={"x": (0.5, "1/2")}),
+        "free J: limits of x = (0.5, '1/2') is a tuple; expected two values, such as (-1, 1), or None for no limit",
+    ),
+    (
+        errors.JointError,
+        lambda: planar("J", ground, a, limits={"phi": (pi, pi)}),
+        f"planar J: limits of phi from pi to pi, {FIXED}",
+    ),
+    (
+        errors.JointError,
+        lambda: rolling("J", ground, a, radius=-1),
+        "rolling J: radius = -1; expected a positive constant, the distance from the wheel's centre to the contact",
+    ),
+    (
+        errors.JointError,
+        lambda: rolling("J", ground, a, radius=0.3, crown=0.5),
+        (
+            "rolling J: crown = 0.5, more than radius = 0.3; expected a cross-section within the wheel: zero for a "
+            "disc, the radius itself for a ball"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: Link("cup", s_),
+        (
+            "Link cup: mass = s_ depends on time; expected a constant, such as symbols('m'): bodies are rigid and "
+            "neither gain nor lose mass; make several bodies of parts that move relative to each other"
+        ),
+    ),
+    (
+        errors.BodyError,
+        lambda: Body(ground, 1, Iz=s_, name="cup"),
+        (
+            "Body cup: Iz = s_ depends on time; expected a constant, such as symbols('m'): bodies are rigid and "
+            "neither gain nor lose mass; make several bodies of parts that move relative to each other"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: reaction(newton_euler(twins), "twin"),
+        (
+            "reaction: 2 bodies of System(2 bodies, 0 loads, 2 coordinates) are called twin; expected the body itself, "
+            "or names of their own"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: reaction(newton_euler(assemble([pin]).system()), ""),
+        (
+            "reaction: '' isn't a joint or a body of System(1 body, 0 loads, 1 coordinate); its bodies are a, its "
+            "joints A"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: reaction(newton_euler(assemble([pin]).system()), "A", on="b"),
+        "reaction: revolute A connects ground and a, not 'b'; expected on=one of the two",
+    ),
     (
         errors.JointError,
         lambda: assemble([*FOUR], tolerance=1),
@@ -334,3 +416,13 @@ def test_notice_of_a_mechanism_that_is_overconstrained_at_given_dimensions() -> 
         "System: 4 independent constraints on 4 coordinates leave no motion at almost every position; where it moves, "
         "the mechanism is overconstrained: constraints 1 (B1.x)"
     )
+
+
+def test_the_reaction_on_a_body_whose_name_is_anothers_is_that_on_itself() -> None:
+    loads = [Force(ground, 1, 0, 0, at=twin[1].center_of_mass, on=twin[1])]
+    equations = newton_euler(System(twin, loads, functions_of_time("s1 s2")))
+    forces = [reaction(equations, body).force.components[0] for body in twin]
+    assert forces == [
+        time_derivative(functions_of_time("s1"), 2),
+        time_derivative(functions_of_time("s2"), 2) - 1,
+    ]

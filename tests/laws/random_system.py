@@ -222,10 +222,12 @@ def random_constrained_system(seed: int, *, floats: bool = False) -> System:
 
 
 def _random_system(maker: Maker, frames: list[Frame], *, size: int, loads: int) -> System:
-    """Return a system with any inertias: the laws are algebra, which doesn't ask whether a body has them."""
+    """Return a system with any inertias and forces at any points: the laws are algebra, which doesn't ask for sense."""
     with warnings.catch_warnings():
         warnings.filterwarnings(
-            "ignore", ".*(no body has|make an impossible one|no body is joined)", ModelNotice
+            "ignore",
+            ".*(no body has|make an impossible one|no body is joined|from which the body moves away)",
+            ModelNotice,
         )
         return _drawn(maker, frames, size=size, loads=loads)
 

@@ -10,6 +10,7 @@ from symbody import (
     Body,
     Force,
     ModelNotice,
+    Point,
     System,
     Torque,
     Vector,
@@ -30,7 +31,7 @@ from symbody import (
 )
 from symbody.errors import ModelError
 
-x, phi, tau = functions_of_time("x phi tau")
+x, y, phi, tau = functions_of_time("x y phi tau")
 m, l, g, F = symbols("m l g F")
 cart = Body(translate(x, 0, 0), m, name="cart")
 bob = Body(translate(x, 0, 0) * rotate("Z", phi) * translate(0, -l, 0), m, name="bob")
@@ -72,6 +73,63 @@ def test_a_load_on_a_foreign_body_is_named_once(load: Force | Torque, message: s
         equations = formalism(system)
         assert equations.mass_matrix[0, 0] == m
         forward_dynamics(equations)
+
+
+THERE = (
+    "from which the body moves away; expected a point of the body, such as Point(body.frame, x, y, z); if the force "
+    "shall stay there, give what exerts it"
+)
+jet = Body(ground, 0, name="jet")
+
+
+def test_a_force_at_a_place_that_its_body_leaves_is_named() -> None:
+    """A force at rest in space acts on ever other points of a body; that may be meant, or another frame was."""
+    at = Point(ground, 0, l, 0)
+    _, found = notices_of([bob], [Force(ground, F, 0, 0, at=at, on=bob, name="push")], [x, phi])
+    assert found == [
+        (
+            f"System: push acts on bob at {at}, a place at rest, {THERE}: reaction=Body(ground, 0, name='jet'), which "
+            "is one of the bodies"
+        )
+    ]
+    held = Force(ground, F, 0, 0, at=at, on=bob, reaction=jet, name="push")
+    assert notices_of([bob, jet], [held], [x, phi])[1] == []
+    on_cart = cart.center_of_mass
+    _, found = notices_of([cart, bob], [Force(ground, F, 0, 0, at=on_cart, on=bob, name="push")], [x, phi, y])
+    assert found == []  # the pendulum's pin is a point of both
+    other = Body(translate(y, 0, 0), m, name="other")
+    _, found = notices_of(
+        [other, bob], [Force(ground, F, 0, 0, at=other.center_of_mass, on=bob, name="push")], [x, phi, y]
+    )
+    assert found == [
+        f"System: push acts on bob at {other.center_of_mass}, a place on other, {THERE}: reaction=that body"
+    ]
+
+
+def test_a_force_at_a_place_that_its_body_keeps_is_meant() -> None:
+    """The lowest point of a wheel, a place that moves by itself, and a body at rest."""
+    wheel = Body(translate(x, l, 0) * rotate("Z", phi), m, Iz=m, name="wheel")
+    rest = Body(rotate("Z", phi), m, Iz=m, name="rest")
+    for on, at in (
+        (wheel, Point(ground, x, 0, 0)),
+        (wheel, Point(translate(y, 0, 0), 0, 0, 0)),
+        (rest, Point(ground, l, 0, 0)),
+        (jet, Point(ground, l, 0, 0)),
+    ):
+        coordinates = [x, phi, y] if on is wheel else [phi, x, y]
+        assert notices_of([wheel, rest, jet], [Force(ground, F, 0, 0, at=at, on=on)], coordinates)[1] == []
+
+
+def test_a_constant_with_the_name_of_an_unknown_is_named() -> None:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        spring = Force(ground, -F * symbols("x"), 0, 0, at=cart.center_of_mass, on=cart, name="spring")
+    assert notices_of([cart], [spring], [x])[1] == [
+        (
+            "System: x is two different variables; the x in spring is symbols('x'), the x among the unknowns is "
+            "functions_of_time('x'): a symbol is not a function of time; use the same one in both places"
+        )
+    ]
 
 
 def test_a_foreign_load_does_no_work_on_the_system() -> None:

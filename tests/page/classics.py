@@ -5,10 +5,20 @@ from __future__ import annotations
 from .bicycle import BICYCLES
 from .carts import CARTS
 from .classic import Classic
+from .machines import MACHINES
 from .pendulums import PENDULUMS
 from .robots import ROBOTS
 from .rolling import ROLLING
 from .spatial import SPATIAL
 from .vehicles import VEHICLES
 
-CLASSICS: tuple[Classic, ...] = (*PENDULUMS, *CARTS, *ROBOTS, *VEHICLES, *ROLLING, *SPATIAL, *BICYCLES)
+CLASSICS: tuple[Classic, ...] = (
+    *PENDULUMS,
+    *MACHINES,
+    *CARTS,
+    *ROBOTS,
+    *VEHICLES,
+    *ROLLING,
+    *SPATIAL,
+    *BICYCLES,
+)

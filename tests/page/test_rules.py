@@ -531,3 +531,19 @@ def test_a_hundred_bodies_are_shown_by_their_sizes() -> None:
     assert f"{operations} operations in all" in equations.latex()
     assert len(equations.latex()) < 1000
     assert readable(equations.residuals[99]) == equations.residuals[99]
+
+
+def test_short_names_tell_families_of_angles_apart() -> None:
+    """Beside c1 = cos(theta1), cos(phi1 - phi2) is not c1_2."""
+    t1, p1, t2, p2 = functions_of_time("theta1 phi1 theta2 phi2")
+    l1, l2, m1, m2, g = symbols("l1 l2 m1 m2 g")
+    first = rotate("Z", p1) * rotate("Y", -t1) * translate(0, 0, -l1)
+    second = first * rotate("Y", t1) * rotate("Z", p2 - p1) * rotate("Y", -t2) * translate(0, 0, -l2)
+    bodies = [Body(first, m1), Body(second, m2)]
+    equations = newton_euler(
+        System(bodies, coordinates=[t1, p1, t2, p2], gravity=Vector(ground, 0, 0, -g), name="spherical")
+    )
+    text = equations.description()
+    assert "c1 := cos(theta1)" in text
+    assert "c_phi1_2 := cos(phi1 - phi2)" in text
+    assert r"c_{\phi_{1} - \phi_{2}} &= \cos(\phi_{1} - \phi_{2})" in equations.latex()

@@ -70,7 +70,7 @@ def arm(
 
 def friction(bodies: Sequence[Body]) -> Sequence[Load]:
     brake = -c * sign(time_derivative(q1)) - k * abs(q1) * q1 - F * tanh(time_derivative(q2))
-    force = Force(ground, 0, -k * sqrt(q1**2 + 1), 0, at=Point(ground, 0, 0, 0), on=bodies[1])
+    force = Force(ground, 0, -k * sqrt(q1**2 + 1), 0, at=Point(bodies[1].frame, -l, 0, 0), on=bodies[1])
     return Torque(ground, 0, 0, brake, on=bodies[0]), force
 
 

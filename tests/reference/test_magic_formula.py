@@ -57,6 +57,10 @@ def test_relaxation_lengths_are_those_of_mfeval() -> None:
     given, at = SETS["set 5.2"], rows("set 5.2")
     law = magic_formula(given["coefficients"])
     f = lambdify([N, camber], list(law.relaxation_lengths(N, camber)))
+    scaled = magic_formula(given["coefficients"] | {"LSGKP": 2, "LSGAL": 3}).relaxation_lengths(N, camber)
+    assert scaled == tuple(
+        k * each for k, each in zip((2, 3), law.relaxation_lengths(N, camber), strict=True)
+    )
     along, across = f(at["load"], at["camber"])
     np.testing.assert_allclose(along, at["sigma_x"], rtol=1e-12)
     np.testing.assert_allclose(across, at["sigma_y"], rtol=1e-12)

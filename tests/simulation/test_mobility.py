@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Callable
 
 import numpy as np
 import pytest
@@ -17,6 +18,7 @@ from symbody import (
     ModelNotice,
     System,
     assemble,
+    cylindrical,
     functions_of_time,
     ground,
     mobility,
@@ -24,11 +26,13 @@ from symbody import (
     revolute,
     rotate,
     simulate,
+    spherical,
     symbols,
     time_derivative,
     translate,
 )
 from symbody.errors import ConstraintError, ParameterError
+from symbody.multibody.joint.joint import Joint
 from tests.simulation.test_overconstraint import BRICARD, BRICARDS, VALUES, bricard, flat_cranks
 
 x, y, theta = functions_of_time("x y theta")
@@ -124,7 +128,9 @@ def test_messages() -> None:
         plate(Constraint(x**2 + k)).mobility({k: 1.0})
 
 
-def bennett(*, digits: int) -> Mechanism:
+def bennett(
+    *, digits: int, third: Callable[..., Joint] = revolute, last: Callable[..., Joint] = revolute
+) -> Mechanism:
     """Bennett's linkage: two lengths and two twists, ``b sin(alpha) = a sin(beta)``, rounded to some digits."""
     a, alpha, b = 1.0, 0.7, 1.5
     beta = math.asin(b / a * math.sin(alpha))
@@ -138,8 +144,8 @@ def bennett(*, digits: int) -> Mechanism:
         [
             revolute("A", ground, one),
             revolute("B", one, two, at=far(a, alpha)),
-            revolute("C", two, three, at=far(b, beta)),
-            revolute("D", three, ground, at=far(a, alpha), to=rotate("X", -beta) * translate(-b, 0, 0)),
+            third("C", two, three, at=far(b, beta)),
+            last("D", three, ground, at=far(a, alpha), to=rotate("X", -beta) * translate(-b, 0, 0)),
         ]
     )
 
@@ -165,9 +171,23 @@ def test_a_loop_that_closes_but_for_rounding_is_named() -> None:
         match=r"the loop nearly closes at t = 0 s: .* the sides of revolute D on three and ground stay \d.\d+e-\d+ "
         r"apart and are turned by \d.\d+e-\d+ rad; its constraints nearly depend on each other, so that it closes with "
         r"exact dimensions alone: give them with all digits, or as expressions such as pi/6, or let joints of the loop "
-        r"have more freedoms, such as spherical",
+        r"have 3 more freedoms in all, such as a cylindrical and a spherical joint in place of two revolute ones, "
+        r"which the motion hardly uses$",
     ):
         mobility(system, {}, {phi: 0.5})
+
+
+def test_a_rounded_loop_moves_with_the_freedoms_that_its_message_tells() -> None:
+    """``tan(A/2) tan(B/2) = sin((beta + alpha)/2)/sin((beta - alpha)/2)`` [Bennett, Engineering 76 (1903), p. 777]."""
+    made = bennett(digits=7, third=cylindrical, last=spherical)
+    A, B, C = (made.joint(name).joint.coordinates[0] for name in "ABC")
+    beta = math.asin(1.5 * math.sin(0.7))
+    ratio = math.sin((beta + 0.7) / 2) / math.sin((beta - 0.7) / 2)
+    start, guess = {A: 0.5, time_derivative(A): 1.0}, {B: 2 * math.atan(ratio / math.tan(0.25))}
+    motion = simulate(newton_euler(made.system()), {}, start, guess=guess, t=(0, 0.5))
+    np.testing.assert_allclose(np.tan(motion[A] / 2) * np.tan(motion[B] / 2), ratio, rtol=1e-5)
+    assert 0 < np.ptp(motion[C]) < 1e-5  # the slide
+    assert motion.energy_drift < 1e-8
 
 
 def test_cranks_in_a_row_that_close_but_for_rounding_are_named() -> None:

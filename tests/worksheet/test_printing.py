@@ -55,9 +55,9 @@ CASES = {
         "PDEtools[declare](x(t)): x(t)^2;",
         ["x(t) will now be displayed as x", "x^2"],
     ),
-    "a misspelt option is quiet": (
+    "a misspelt option is not quiet": (
         "PDEtools[declare]({x(t),y(t)},qiet): x(t);",
-        ["x"],
+        ["x(t) will now be displayed as x", "y(t) will now be displayed as y", "x"],
     ),
     "an alias": (
         "alias(c=cos): cos(x); c(0);",

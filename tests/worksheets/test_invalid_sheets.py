@@ -30,7 +30,7 @@ MESSAGES = {
     "point_of_two_coordinates": (2, 6, "make_POINT: 2 components; expected three"),
     "recursive_name": (1, 1, "recursive assignment"),
     "small_variables_that_are_none": (2, 1, "linear_modeling: x(t)^2 is not a variable"),
-    "sum_of_points": (2, 6, "the sum of two points has no meaning"),
+    "sum_of_points": (2, 6, "a POINT + a POINT has no meaning; expected a POINT + a VECTOR"),
     "system_commands": (1, 1, "a worksheet can't run commands of the system"),
     "too_few_equations": (2, 9, "state_space: 1 equation for the rates of 2 states"),
     "two_names": (1, 8, "found 'b', expected an operator"),

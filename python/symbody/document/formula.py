@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from itertools import islice
 
 from symbody.document.document import Block, Formula, Math, Prose, Words, prose
-from symbody.dynamics.display.row import printed
+from symbody.dynamics.display.row import printed, written
 from symbody.multibody import Variables
 from symbody.symbolic import Expr, cost, free_symbols, latex, listing, substitute, symbol
 from symbody.symbolic.expression.latex_layout import LINE, aligned, broken, width
@@ -27,14 +28,17 @@ def listed(expressions: Sequence[Expr]) -> Words:
 
 
 def equalities(
-    lead: Prose, names: Sequence[str], values: Sequence[Expr], system: Variables | None = None
+    lead: Prose,
+    names: Sequence[str],
+    values: Sequence[Expr | Sequence[Expr]],
+    system: Variables | None = None,
 ) -> list[Block]:
     r"""Return equations below each other, after their common parts; or the number of operations if they are too long.
 
     Args:
         lead: the beginning of the sentence that the formulas end.
         names: the left sides, in LaTeX.
-        values: the right sides.
+        values: the right sides; terms of a sum keep their order.
         system: gives the order of coordinates and speeds in products, as in the equations of motion.
 
     >>> from symbody import symbols
@@ -42,13 +46,16 @@ def equalities(
     >>> print(formula.latex)
     \begin{aligned} y &= x^{2} \end{aligned}
     """
-    radicands, values = named_radicands(values)
-    shown = [*radicands.values(), *values]
+    sums = [[value] if isinstance(value, Expr) else value for value in values]
+    radicands, terms = named_radicands([term for each in sums for term in each])
+    shown = [*radicands.values(), *terms]
     definitions, texts = listing(shown, "latex") if system is None else printed(shown, "latex", system)
-    pairs = [*definitions, *zip([*map(latex, radicands), *names], texts, strict=True)]
+    remaining = iter(texts)
+    sides = [written(islice(remaining, count)) for count in (*(1 for _ in radicands), *map(len, sums))]
+    pairs = [*definitions, *zip([*map(latex, radicands), *names], sides, strict=True)]
     rows = [row for left, right in pairs for row in broken(f"{left} &= ", right)]
     if sum(map(len, rows)) > READABLE or max(map(width, rows), default=0) > WIDEST:
-        operations = counted(cost([*radicands.values(), *values]).total, "operation")
+        operations = counted(cost(shown).total, "operation")
         return [prose(*lead.words, f" expressions of {operations}, too long to be read here.")]
     return [lead, Formula(aligned(rows))]
 

@@ -17,7 +17,7 @@ from symbody.multibody import (
     revolute,
     spring,
 )
-from symbody.symbolic import Expr, functions_of_time, symbols, time_derivative
+from symbody.symbolic import Expr, functions_of_time, number, symbols, time_derivative
 
 from .classic_system import ClassicSystem
 
@@ -77,7 +77,7 @@ def slider_crank() -> ClassicSystem:
         ]
     )
     on, other = linkage.body(rod), linkage.body(crank)
-    ends = linkage.point(rod, -1 / 2, 0, 0), linkage.point(crank, a / 2, 0, 0)
+    ends = linkage.point(rod, -number(1) / 2, 0, 0), linkage.point(crank, a / 2, 0, 0)
     loads = [
         spring(*ends, k, free_length=l0, damping=c, on=on, reaction=other, name="spring"),
         Force(ground, F, 0, 0, at=linkage.point(rod, 1, 0, 0), on=on, name="push"),

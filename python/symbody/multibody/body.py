@@ -28,6 +28,22 @@ Tensor: TypeAlias = Annotated[
 ]
 
 
+def varying_inertia(values: Sequence[Expr]) -> str | None:
+    """Return what is wrong with a mass or an inertia that changes: the momentum that it takes along is unknown.
+
+    Args:
+        values: the mass, the three moments and the three products of inertia.
+    """
+    names = ("mass", "Ix", "Iy", "Iz", "Cyz", "Cxz", "Cxy")
+    for name, value in zip(names, values, strict=True):
+        if value.depends_on_time:
+            return (
+                f"{name} = {brief(value)} depends on time; expected a constant, such as symbols('m'): bodies are rigid "
+                "and neither gain nor lose mass; make several bodies of parts that move relative to each other"
+            )
+    return None
+
+
 @final
 class Body:
     """A rigid body: a frame at its centre of mass, a mass, and the inertia about the centre of mass in that frame.
@@ -75,7 +91,8 @@ class Body:
         self.moments = triple(Ix, Iy, Iz)
         self.products = triple(Cyz, Cxz, Cxy)
         self.name = name
-        self._check_constant()
+        if (fault := varying_inertia((self.mass, *self.moments, *self.products))) is not None:
+            raise BodyError(f"Body{f' {name}' if name else ''}: {fault}")
         report_impossible_inertia(self)
 
     @classmethod
@@ -120,17 +137,6 @@ class Body:
                 [J[i][j] + m * (d[i] * d[j] - (square if i == j else 0)) for j in range(3)] for i in range(3)
             ]
         return cls(place, mass, J[0][0], J[1][1], J[2][2], -J[1][2], -J[0][2], -J[0][1], name=name)
-
-    def _check_constant(self) -> None:
-        """Raise an error for a mass or an inertia that changes: the momentum that it takes along is unknown."""
-        names = ("mass", "Ix", "Iy", "Iz", "Cyz", "Cxz", "Cxy")
-        for name, value in zip(names, (self.mass, *self.moments, *self.products), strict=True):
-            if value.depends_on_time:
-                raise BodyError(
-                    f"Body: {name} = {brief(value)} depends on time; expected a constant, such as symbols('m'): "
-                    "bodies are rigid and neither gain nor lose mass; make several bodies of parts that move "
-                    "relative to each other"
-                )
 
     @property
     def inertia(self) -> Matrix:

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Set
 
 from symbody.symbolic import Expr
+from symbody.symbolic.given.arguments import brief
 from symbody.symbolic.given.namesake import namesake_note
 
 from .body import Body
+from .left_place import left_places
 from .load import Load
 
 __all__ = ["notices", "unlisted_speeds"]
@@ -19,6 +21,7 @@ def notices(
     constraints: Iterable[Expr],
     known: Collection[Expr],
     rates: Iterable[Expr] = (),
+    unknown: Collection[Expr] = (),
 ) -> Iterator[str]:
     """Return notices for a user to check: loads on other bodies, reactions, motions that are not given, namesakes.
 
@@ -28,10 +31,13 @@ def notices(
         constraints: its constraints.
         known: the functions of time that are listed as unknown or given.
         rates: the rates of coordinates that were given.
+        unknown: the coordinates and speeds among those that are known.
     """
     yield from _foreign_loads({*bodies}, loads)
     yield from unlisted_speeds(rates, known)
     yield from _lost_reactions(loads, {*known})
+    yield from left_places(bodies, loads)
+    yield from _constant_namesakes(bodies, loads, unknown)
     yield from _given_motions(bodies, constraints, {*known})
 
 
@@ -116,6 +122,27 @@ def _namesakes(moving: Set[Expr], known: Set[Expr]) -> Iterator[str]:
         note = namesake_note([symbol], [other], ("in one place", "in another"))
         if note:
             yield f"different variables move bodies under the name {symbol.name}{note}"
+
+
+def _constant_namesakes(
+    bodies: Iterable[Body], loads: Iterable[Load], unknown: Iterable[Expr]
+) -> Iterator[str]:
+    """Return notices of constants in loads and inertias that have the name of a coordinate or a speed."""
+    functions = {function.name: function for function in unknown}
+    places = [(f"{load}", [*_values_of(load)]) for load in loads]
+    places += [(f"the inertia of {body}", [body.mass, *body.moments, *body.products]) for body in bodies]
+    for place, values in places:
+        leaves = {leaf for value in values for leaf in value.free_symbols if leaf.kind == "symbol"}
+        for leaf in sorted((leaf for leaf in leaves if leaf.name in functions), key=str):
+            note = namesake_note([leaf], [functions[leaf.name]], (f"in {brief(place)}", "among the unknowns"))
+            yield f"{leaf.name} is two different variables{note}"
+
+
+def _values_of(load: Load) -> Iterator[Expr]:
+    for action in load.actions:
+        yield from action.vector.components
+        if action.point is not None:
+            yield from action.point.coordinates
 
 
 def _named(functions: Iterable[Expr]) -> set[str]:

@@ -191,7 +191,8 @@ class System(Variables):
         report_impossible_differences(self.bodies)
         known = (*self.coordinates, *self.quasi_velocities, *self.inputs, *self.states)
         rates = [self.coordinate_rates[q] for q in self.chosen]
-        for notice in notices(self.bodies, self.loads, self.constraints, known, rates):
+        unknown = (*self.coordinates, *self.quasi_velocities)
+        for notice in notices(self.bodies, self.loads, self.constraints, known, rates, unknown):
             warnings.warn(f"System: {notice}", ModelNotice, stacklevel=4)
 
     def _check_states(self) -> None:

@@ -163,7 +163,7 @@ def _members(system: System, part: Any) -> list[Body]:
         raise ViewError(f"{_WHERE}: no body is cut off; give at least one")
     found = []
     for thing in things:
-        body = body_of(system, thing)
+        body = body_of(system, thing, _WHERE)
         if body is None:
             raise ViewError(
                 f"{_WHERE}: {brief(thing)} is not a body of the system; expected one of "

@@ -30,6 +30,8 @@ PACKAGES = r"""\usepackage[a4paper,margin=2cm]{geometry}
 \setlength{\parindent}{0pt}
 \setlength{\parskip}{6pt}"""
 
+ROOM = r"\par\penalty-100\ifdim\dimexpr\pagegoal-\pagetotal\relax<0.15\textheight\newpage\fi"
+"""Begins a page where a heading would stand near its end: a table that follows is not kept with its heading."""
 
 WIDE = 60
 """The characters from which a column of a table has a fixed width."""
@@ -69,7 +71,7 @@ def _encoding(strange: Sequence[str]) -> str:
 def _block(block: Block) -> str:
     match block:
         case Heading():
-            return rf"\section*{{{text(block.text)}}}"
+            return f"{ROOM}\n\\section*{{{text(block.text)}}}"
         case Prose():
             return _words(block.words)
         case Formula():

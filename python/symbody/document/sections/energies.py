@@ -25,19 +25,28 @@ def energies(subject: Subject) -> list[Block]:
         found["V"] = stored
         of = "of weight and loads" if potentials(system.loads, system.bodies) else "of weight"
         sentence = f"The kinetic energy, and the potential energy {of}, are"
-    values = list(found.values())
+    names = [*found]
+    values: list[Expr | Sequence[Expr]] = list(found.values())
     if not subject.is_large:
-        (T,) = system.by_speeds(values[:1])
-        values = [_quadratic(T, system.speeds, subject), *subject.read(values[1:])]
-    return [Heading("Energies"), *equalities(prose(sentence), [*found], values, system)]
+        (T,) = system.by_speeds([found.pop("T")])
+        values = [_quadratic(T, system.speeds, subject), *subject.read([*found.values()])]
+    return [Heading("Energies"), *equalities(prose(sentence), names, values, system)]
 
 
-def _quadratic(T: Expr, speeds: Sequence[Expr], subject: Subject) -> Expr:
-    """Return ``1/2 M_11 u_1^2 + M_12 u_1 u_2 + ...`` with each coefficient for the reader, and what is left."""
+def _quadratic(T: Expr, speeds: Sequence[Expr], subject: Subject) -> list[Expr]:
+    """Return the terms of ``1/2 M_11 u_1^2 + M_12 u_1 u_2 + ...``, each coefficient for the reader, and what is left.
+
+    Squares with one coefficient are one term: ``1/2 m (x'^2 + y'^2)``.
+    """
     M = jacobian(gradient(T, speeds), speeds)
-    half, n = number(1) / 2, range(len(speeds))
-    places = [(i, j) for i in n for j in n[i:]]
-    products = [speeds[i] * speeds[j] * (half if i == j else 1) for i, j in places]
-    rest = T - sum((M[p] * product for p, product in zip(places, products, strict=True)), start=number(0))
-    *coefficients, rest = subject.read([*(M[p] for p in places), rest])
-    return sum((c * product for c, product in zip(coefficients, products, strict=True)), start=rest)
+    n, products, squares = range(len(speeds)), list[tuple[Expr, Expr]](), set[Expr]()
+    for i in n:
+        if M[i, i] not in squares:
+            squares.add(M[i, i])
+            alike = (speeds[k] ** 2 for k in n if M[k, k] == M[i, i])
+            products.append((M[i, i], sum(alike, start=number(0)) / 2))
+        products += [(M[i, j], speeds[i] * speeds[j]) for j in n[i + 1 :]]
+    rest = T - sum((coefficient * product for coefficient, product in products), start=number(0))
+    *coefficients, rest = subject.read([*(coefficient for coefficient, _ in products), rest])
+    terms = [coefficient * product for coefficient, (_, product) in zip(coefficients, products, strict=True)]
+    return [term for term in (*terms, rest) if not term.is_zero] or [rest]

@@ -44,9 +44,9 @@ def _summary(subject: Subject, sentence: str) -> list[Block]:
         (("...",), ("...",)) if size is None else ((Math(latex(size[0])),), (str(size[1]),))
         for size in sizes_by_speed(found.system, found.residuals)
     )
+    operations = counted(subject.cost.total, "operation")
     summary = (
-        f"{sentence}. They have {counted(subject.cost.total, 'operation')}, too many to be printed: "
-        "equations.residuals contains them."
+        f"{sentence}, of {operations} altogether. They would fill pages: equations.residuals contains them."
     )
     return [prose(summary), Table(("equation of", "operations"), rows)]
 

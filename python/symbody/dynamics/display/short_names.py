@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -35,6 +36,11 @@ class _Notation:
     minus: str
     brackets: str
     definition: str
+
+    @property
+    def is_typeset(self) -> bool:
+        """Whether it is LaTeX."""
+        return self.brackets.startswith("\\")
 
 
 _NOTATIONS = {
@@ -120,8 +126,9 @@ def _with_waves(texts: Sequence[str], style: _Notation) -> tuple[list[Definition
     names = dict[tuple[str, str], str]()
     definitions = list[Definition]()
     waves = {(each["kind"], each["angle"]) for text in texts for each in style.wave.finditer(text)}
+    plain = _plain_stem(texts, style)
     for kind, angle in sorted(waves, key=lambda wave: _key(*wave)):
-        name = _name(kind, angle, style)
+        name = _name(kind, angle, style, plain)
         if name is not None and name not in names.values() and not _occurs(name, texts):
             names[kind, angle] = name
             definitions.append((name, _wave(kind, angle, style)))
@@ -138,7 +145,7 @@ def _key(kind: str, angle: str) -> tuple[int, str, str]:
 
 
 def _wave(kind: str, angle: str, style: _Notation) -> str:
-    start = "\\" if style.brackets.startswith("\\") else ""
+    start = "\\" if style.is_typeset else ""
     return f"{start}{kind}({angle})"
 
 
@@ -147,18 +154,32 @@ def _occurs(name: str, texts: Sequence[str]) -> bool:
     return any(pattern.search(text) for text in texts)
 
 
-def _name(kind: str, angle: str, style: _Notation) -> str | None:
-    """Return c12 for cos(q1 + q2), c_phi for cos(phi), c1_2 for cos(q1 - q2); None if the angle is no such sum."""
+def _name(kind: str, angle: str, style: _Notation, plain: str) -> str | None:
+    """Return c12 for cos(q1 + q2), c_phi for cos(phi), c1_2 for cos(q1 - q2); None if the angle is no such sum.
+
+    Numbers alone are indices of one family of angles, such as q1 and q2; the index of others has their stem, c_phi1_2.
+    """
+    parts = _parts(angle, style)
+    stems = {part["stem"] for part in parts}
+    if len(stems) != 1 or not (len(parts) == 1 or all(part["number"] for part in parts)):
+        return None
+    signs = [style.minus if (part["sign"] or "").startswith("-") else "" for part in parts]
+    numbers = "".join(sign + part["number"] for sign, part in zip(signs, parts, strict=True))
+    if numbers and stems == {plain}:
+        return kind[0] + style.number.format(numbers)
+    return kind[0] + style.word.format(angle if style.is_typeset else parts[0]["stem"] + numbers)
+
+
+def _plain_stem(texts: Sequence[str], style: _Notation) -> str:
+    """Return the stem of the numbered angles that stand most often in sines and cosines; of equals the first one."""
+    angles = (found["angle"] for text in texts for found in style.wave.finditer(text))
+    counts = Counter(part["stem"] for angle in angles for part in _parts(angle, style) if part["number"])
+    return max(sorted(counts), key=counts.__getitem__, default="")
+
+
+def _parts(angle: str, style: _Notation) -> list[re.Match[str]]:
+    """Return the terms of an angle; nothing if it is no sum of names."""
     terms = re.findall(r"(?:[+-] )?[^ ]+", angle)
     found = [style.part.fullmatch(term) for term in terms]
     parts = [part for part in found if part is not None]
-    if len(parts) < len(terms) or " ".join(terms) != angle or len({part["stem"] for part in parts}) != 1:
-        return None
-    if len(parts) == 1 and not parts[0]["number"]:
-        return kind[0] + style.word.format(parts[0]["stem"])
-    if not all(part["number"] for part in parts):
-        return None
-    signs = [style.minus if (part["sign"] or "").startswith("-") else "" for part in parts]
-    return kind[0] + style.number.format(
-        "".join(sign + part["number"] for sign, part in zip(signs, parts, strict=True))
-    )
+    return parts if len(parts) == len(terms) and " ".join(terms) == angle else []

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator
 from typing import Any
 
+from symbody.errors import ModelError
 from symbody.multibody import Body, Link, System
 from symbody.multibody.joint.placed_joint import PlacedJoint
+from symbody.symbolic.given.arguments import brief
 
 __all__ = ["body_of", "cut_joints", "things_of"]
 
@@ -16,12 +18,29 @@ def things_of(part: Any) -> list[Any]:
     return list(part) if isinstance(part, Iterable) and not isinstance(part, str) else [part]
 
 
-def body_of(system: System, thing: Any) -> Body | None:
-    """Return the body that is given by itself, by its link or by its name; None if the system has none."""
+def body_of(system: System, thing: Any, where: str) -> Body | None:
+    """Return the body that is given by itself, by its link or by its name; None if the system has none.
+
+    Args:
+        system: the system.
+        thing: what the user gave.
+        where: the function that the user called.
+
+    Raises:
+        ModelError: several bodies have this name.
+    """
     if not isinstance(thing, Body | Link | str):
         return None
+    if any(body is thing for body in system.bodies):
+        return thing if isinstance(thing, Body) else None
     name = thing if isinstance(thing, str) else thing.name
-    return next((body for body in system.bodies if body is thing or (name and body.name == name)), None)
+    found = [body for body in system.bodies if name and body.name == name]
+    if len(found) > 1:
+        raise ModelError(
+            f"{where}: {len(found)} bodies of {brief(system)} are called {name}; expected the body itself, or names of "
+            "their own"
+        )
+    return found[0] if found else None
 
 
 def cut_joints(system: System, names: Collection[str]) -> Iterator[tuple[PlacedJoint, bool]]:

@@ -208,13 +208,13 @@ def _placed(system: System, cut: Any) -> PlacedJoint | None:
 def _bodies(system: System, cut: Any) -> list[Body]:
     found = []
     for thing in things_of(cut):
-        body = body_of(system, thing)
+        body = body_of(system, thing, "reaction")
         if body is None:
             joints = ", ".join(joint.name for joint in system.joints)
             kind = "a joint or a body" if joints and isinstance(thing, str) else "a body"
             others = f", its joints {brief(joints)}" if joints else ""
             raise ModelError(
-                f"reaction: {brief(thing)} isn't {kind} of {brief(system)}; its bodies are "
+                f"reaction: {_quoted(thing)} isn't {kind} of {brief(system)}; its bodies are "
                 f"{brief(', '.join(map(str, system.bodies)))}{others}"
             )
         found.append(body)
@@ -361,8 +361,14 @@ def _on_side(found: Reaction, placed: PlacedJoint, on: Any) -> Reaction:
     if _is_part(on, parent):
         return Reaction(-found.force, -found.moment, found.at, _name(parent))
     raise ModelError(
-        f"reaction: {placed} connects {brief(parent)} and {brief(child)}, not {brief(on)}; expected on=one of the two"
+        f"reaction: {placed} connects {brief(parent)} and {brief(child)}, not {_quoted(on)}; expected on=one of the "
+        "two"
     )
+
+
+def _quoted(thing: object) -> str:
+    """Return a thing for a message; a text, which may be empty, in quotes."""
+    return brief(repr(thing) if isinstance(thing, str) else thing)
 
 
 def _is_part(on: Any, part: Link | Frame) -> bool:

@@ -46,6 +46,12 @@ def check_apart(where: str, to: Point, on: Body, reaction: Body | None) -> None:
         )
 
 
+def check_acts(where: str, *resisting: Expr) -> None:
+    """Raise an error for an element whose stiffness and damping are zero."""
+    if all(each.is_zero for each in resisting):
+        raise LoadError(f"{where}: neither stiffness nor damping; expected at least one of them")
+
+
 def is_fixed(place: Point | Frame, body: Body) -> bool:
     """Return whether a place doesn't move in a body."""
     return all(constant_form(value) is not None for value in _seen(place, body.frame))

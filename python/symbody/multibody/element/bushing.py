@@ -17,7 +17,7 @@ from symbody.multibody.constant_form import agree
 from symbody.symbolic import ENERGY, Expr, Matrix, derivation, dot3, number, scale3, sub3
 from symbody.symbolic.given.arguments import brief
 
-from .attachment import check_bodies, check_fixed, forces, not_negative, torques
+from .attachment import check_acts, check_bodies, check_fixed, forces, not_negative, torques
 from .element import Element
 
 if TYPE_CHECKING:
@@ -81,8 +81,9 @@ def bushing(
         effort = _product(K, place.values)
         potential = -sum((a * b for a, b in zip(effort, place.values, strict=True)), start=number(0)) / 2
         sizes: dict[str, Expr] = {}
-        if damping is not None:
-            resisting = _matrix(damping, "damping")
+        resisting = None if damping is None else _matrix(damping, "damping")
+        check_acts(_WHERE, *(entry for matrix in (K, resisting or []) for row in matrix for entry in row))
+        if resisting is not None:
             sizes = _resistances(resisting)
             drag = _product(resisting, rate(place.values))
             effort = [a + b for a, b in zip(effort, drag, strict=True)]

@@ -70,6 +70,8 @@ def contact(
         friction=friction,
         creep_speed=creep_speed,
     )
+    if expression(stiffness).is_zero:
+        raise LoadError(f"{_WHERE}: stiffness = 0, which leaves no force; expected a positive number")
     _check_plane(plane, on)
     mu, n = expression(friction), _exponent(exponent)
     _check_friction(mu, creep_speed)
@@ -118,6 +120,10 @@ def _exponent(given: Scalar | None) -> Expr:
 
 def _check_friction(mu: Expr, creep_speed: Scalar | None) -> None:
     if mu.is_zero:
+        if creep_speed is not None:
+            raise LoadError(
+                f"{_WHERE}: creep_speed without friction, which acts by it alone; expected friction=mu, or neither"
+            )
         return
     if creep_speed is None or expression(creep_speed).is_zero:
         raise LoadError(

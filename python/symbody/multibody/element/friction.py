@@ -92,6 +92,10 @@ def _check(dry: Expr, static: Scalar | None, stribeck: Scalar | None, creep: Sca
             f"{_WHERE}: dry friction without creep_speed; expected the speed below which a joint counts as sticking, "
             "such as a hundredth of its usual speed: friction by sign(v) jumps, and no integrator passes the jump"
         )
+    if creep is not None and static is None and dry.is_zero:
+        raise LoadError(
+            f"{_WHERE}: creep_speed without dry friction, which acts by it alone; expected coulomb=Fc, or none of both"
+        )
     if (static is None) != (stribeck is None):
         missing, given = ("stribeck_speed", "static") if stribeck is None else ("static", "stribeck_speed")
         raise LoadError(

@@ -16,7 +16,7 @@ from difflib import get_close_matches
 from functools import cached_property
 from typing import Annotated, NamedTuple, TypeAlias, final
 
-from symbody.errors import LoadError
+from symbody.errors import LoadError, notify
 from symbody.geometry import Scalar
 from symbody.geometry.component.triple import expression
 from symbody.geometry.given.argument import accepts, checked
@@ -50,6 +50,7 @@ from .tire_coefficient import (
     POSITIVE,
     SCALES,
     at_pressure,
+    left_out,
 )
 from .tire_force import TireForce, pressing
 
@@ -143,7 +144,7 @@ class MagicFormula:
             across = p["PTY1"] * sin(2 * atan(N / (p["PTY2"] * forces.F0)))
             across *= 1 - p["PKY3"] * Abs(expression(camber))
             R0 = p["UNLOADED_RADIUS"]
-            return along * R0 * N / p["FNOMIN"], across * R0 * p["LFZO"]
+            return p["LSGKP"] * along * R0 * N / p["FNOMIN"], p["LSGAL"] * across * R0 * p["LFZO"]
 
     @property
     def sizes(self) -> dict[str, Expr]:
@@ -404,7 +405,7 @@ def magic_formula(
     Args:
         coefficients: numbers, or symbols, by the names of tyre property files; those left out have no effect. Needed
             are FNOMIN, UNLOADED_RADIUS, and PCX1, PDX1 and PKX1 for longitudinal forces, or PCY1, PDY1, PKY1 and PKY2
-            for lateral ones. Turn slip is not part of the law; its coefficients are ignored. QSY3, QSY4 and LMUV need
+            for lateral ones. A notice tells of coefficients of turn slip, which is left out. QSY3, QSY4 and LMUV need
             LONGVL.
         version: "5.2", or "6.1" for its effect of camber (PKY6, PKY7) and its aligning moment.
         pressure: the inflation pressure, in the unit of NOMPRES; the nominal one by default.
@@ -421,6 +422,8 @@ def magic_formula(
     given = {name: _scalar(name, value) for name, value in coefficients.items() if name not in IGNORED}
     _check_names(given)
     _check_values(given)
+    if (effects := left_out(coefficients)) != "":
+        notify(f"magic_formula: {effects}")
     known = DEFAULTS | given
     if pressure is not None and expression(pressure).is_constant and float(expression(pressure)) <= 0:
         raise LoadError(

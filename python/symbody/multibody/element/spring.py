@@ -9,7 +9,7 @@ from symbody.geometry.given.argument import checked
 from symbody.multibody.body import Body
 from symbody.symbolic import ENERGY, Expr, derivation
 
-from .attachment import check_apart, check_bodies, check_fixed, forces, not_negative
+from .attachment import check_acts, check_apart, check_bodies, check_fixed, forces, not_negative
 from .element import Element
 from .line import Line, line_between
 
@@ -61,6 +61,7 @@ def spring(
     check_fixed(_WHERE, "to", to, reaction)
     sizes = not_negative(_WHERE, free_length=free_length, damping=damping)
     k, l0, c = (expression(each) for each in (stiffness, free_length, damping))
+    check_acts(_WHERE, k, c)
     with derivation(order=ENERGY):
         line = line_between(at, to, _WHERE)
         check_apart(_WHERE, to, on, reaction)

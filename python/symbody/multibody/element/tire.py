@@ -112,6 +112,11 @@ def tire(
     check_bodies(_WHERE, wheel, reaction)
     check_fixed(_WHERE, "road", road, reaction)
     _check_load(load, stiffness, acts=load_acts)
+    if stiffness is None and not expression(damping).is_zero:
+        raise LoadError(
+            f"{_WHERE}: damping = {brief(damping)} beside a load that is given; expected stiffness=k with it, or the "
+            "damping within the load"
+        )
     sizes = not_negative(
         _WHERE,
         load=load,

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
+from symbody.geometry import Scalar
 from symbody.symbolic import Expr, number
+from symbody.symbolic.given.arguments import brief
 
 __all__ = [
     "BY_SPEED",
@@ -15,6 +19,7 @@ __all__ = [
     "POSITIVE",
     "SCALES",
     "at_pressure",
+    "left_out",
 ]
 
 
@@ -53,7 +58,7 @@ SCALES = frozenset(
             "LVY",
             "LKYC",
         ),
-        *("LTR", "LRES", "LXAL", "LYKA", "LVYKA", "LS", "LKZC", "LMX", "LVMX", "LMY"),
+        *("LSGKP", "LSGAL", "LTR", "LRES", "LXAL", "LYKA", "LVYKA", "LS", "LKZC", "LMX", "LVMX", "LMY"),
     }
 )
 """Factors that scale the effects of coefficients; one by default."""
@@ -62,12 +67,44 @@ DEFAULTS: dict[str, Expr] = {name: number(0) for name in COEFFICIENTS}
 """The values of coefficients that are left out. Set 5.2 has no PKY4, which is 2 there, and no QSY7, which is 1."""
 DEFAULTS |= {name: number(1) for name in (*SCALES, "NOMPRES", "LONGVL", "QSY7")} | {"PKY4": number(2)}
 
-IGNORED = _series(PDXP=3, PKYP=1, PDYP=4, PHYP=4, PECP=2, QDTP=1, QCRP=2, QBRP=1, QDRP=2) | {
-    *("INFLPRES", "VXLOW", "WIDTH", "ASPECT_RATIO", "RIM_RADIUS", "RIM_WIDTH"),
-    *("VERTICAL_STIFFNESS", "VERTICAL_DAMPING", "BREFF", "DREFF", "FREFF"),
-    *("LGAX", "LGAY", "LGAZ", "LSGKP", "LSGAL"),
-}
+TURN_SLIP = _series(PDXP=3, PKYP=1, PDYP=4, PHYP=4, PECP=2, QDTP=1, QCRP=2, QBRP=1, QDRP=2)
+"""The coefficients of turn slip, which is no part of the law: they matter where a tyre turns about a point nearby."""
+
+_CAMBER_SCALES = frozenset({"LGAX", "LGAY", "LGAZ"})
+"""The factors of the camber in sets before 5.2; one has no effect."""
+
+IGNORED = (
+    TURN_SLIP
+    | _CAMBER_SCALES
+    | {
+        *("INFLPRES", "VXLOW", "WIDTH", "ASPECT_RATIO", "RIM_RADIUS", "RIM_WIDTH"),
+        *("VERTICAL_STIFFNESS", "VERTICAL_DAMPING", "BREFF", "DREFF", "FREFF"),
+    }
+)
 """What tyre property files hold beside the law: turn slip, sizes, stiffness."""
+
+
+def left_out(given: Mapping[str, Scalar]) -> str:
+    """Return in words which coefficients have effects that are no part of the law; the empty text if none has.
+
+    Args:
+        given: coefficients by their names.
+    """
+    turning = sorted(name for name in TURN_SLIP & given.keys() if given[name] != 0)
+    leaning = sorted(name for name in _CAMBER_SCALES & given.keys() if given[name] != 1)
+    parts = []
+    if turning:
+        parts.append(
+            f"turn slip is left out ({brief(', '.join(turning))}): forces are those of a path that is wide beside the "
+            "tyre, not those of parking"
+        )
+    if leaning:
+        parts.append(
+            f"factors of the camber, of sets before 5.2, are left out ({', '.join(leaning)}); expected coefficients of "
+            "camber that are scaled already, such as PHY3 and PVY3"
+        )
+    return "; ".join(parts)
+
 
 NEEDED = {
     "always": ("FNOMIN", "UNLOADED_RADIUS"),

@@ -15,7 +15,7 @@ from symbody.geometry.given.argument import checked
 from symbody.symbolic.given.arguments import brief
 
 from .magic_formula import MagicFormula, magic_formula
-from .tire_coefficient import COEFFICIENTS, EXCLUDED, IGNORED, SCALES
+from .tire_coefficient import COEFFICIENTS, EXCLUDED, IGNORED, SCALES, left_out
 from .tire_unit import DIMENSIONS, factor_of, unit_factors
 
 __all__ = ["TireFile", "tire_file"]
@@ -89,7 +89,7 @@ def tire_file(path: FilePath) -> TireFile:
     r"""Read a tyre property file of the Magic Formula, sets 5.2, 6.1 and 6.2 (FITTYP 6, 21, 51, 52, 60 to 62).
 
     Sizes are converted to SI units by the section UNITS. Coefficients that the law does not know are told by a notice.
-    Those of turn slip are read, and have no effect. Empty values count as missing, and comments begin with $ or !.
+    A notice tells of those of turn slip, too. Empty values count as missing, and comments begin with $ or !.
 
     Args:
         path: the file.
@@ -121,6 +121,8 @@ def tire_file(path: FilePath) -> TireFile:
         known = {name: value for name, value in known.items() if name not in ("PKY4", "QSY7") or value}
     law = COEFFICIENTS | SCALES | EXCLUDED
     _report_unknown(where, entries, law)
+    if (effects := left_out(known)) != "":
+        notify(f"{where}: {effects}")
     side = entries["TYRESIDE"].value.lower() if "TYRESIDE" in entries else ""
     return TireFile(
         file,

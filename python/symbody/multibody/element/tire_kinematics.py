@@ -46,6 +46,7 @@ from symbody.symbolic import (
 )
 from symbody.symbolic.given.arguments import brief
 
+from .attachment import not_negative
 from .tire_shape import TireShape
 
 _WHERE = "tire_kinematics"
@@ -194,6 +195,7 @@ def _section(center: Triple, radius: ExprLike | TireShape, rho: Expr, axes: _Axe
     upright = dot3(axes.spin, axes.left)
     if not isinstance(radius, TireShape):
         R = _positive("radius", radius)
+        _check_crown(R, rho)
         crown = sub3(center, scale3(R - rho, axes.up))
         return _Section(crown, R - rho + crown[2] * upright, rho - crown[2], NULL, number(0))
     if not rho.is_zero:
@@ -205,6 +207,16 @@ def _section(center: Triple, radius: ExprLike | TireShape, rho: Expr, axes: _Axe
     place = add3(center, sub3(scale3(shape.y, axes.spin), scale3(shape.z, axes.up)))
     tread = sub3(scale3(shape.y_rate, axes.spin), scale3(shape.z_rate, axes.up))
     return _Section(place, shape.z + place[2] * upright, -place[2], tread, shape.spin_rate)
+
+
+def _check_crown(radius: Expr, rho: Expr) -> None:
+    not_negative(_WHERE, crown_radius=rho)
+    beyond = rho - radius
+    if beyond.is_constant and float(beyond) > 0:
+        raise LoadError(
+            f"{_WHERE}: crown_radius = {brief(rho)}, more than radius = {brief(radius)}; expected a cross section "
+            "within the wheel: zero for a thin disc, the radius itself for a ball"
+        )
 
 
 def _positive(name: str, given: Scalar) -> Expr:

@@ -12,7 +12,7 @@ from symbody.multibody.body import Body
 from symbody.multibody.joint.freedom import Freedom
 from symbody.symbolic import ENERGY, Expr, atan2, cos, derivation, functions_of_time, sin
 
-from .attachment import not_negative
+from .attachment import check_acts, not_negative
 from .element import Element
 from .joint_motion import Along, joint_motion
 
@@ -58,6 +58,7 @@ def torsion_spring(
     """
     sizes = not_negative(_WHERE, damping=damping)
     k, c = expression(stiffness), expression(damping)
+    check_acts(_WHERE, k, c)
     with derivation(order=ENERGY):
         joint = joint_motion(angle, on, reaction, _WHERE)
         turned = _turned(angle, joint.rate, name) if all_turns else _Turned(angle, {})

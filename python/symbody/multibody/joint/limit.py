@@ -145,6 +145,18 @@ def _limit(where: str, name: str, given: Sequence[Scalar | None], of: str) -> Li
             f"{where}: limits{of} of {counted(len(given), 'value')}; expected two, the least and the largest"
         )
     low, high = (None if value is None else expression(value) for value in given)
-    if low is not None and high is not None and (high - low).is_constant and float(high - low) <= 0:
-        raise JointError(f"{where}: limits{of} from {low} to {high}; expected the least value first")
+    if low is not None and high is not None and (high - low).is_constant:
+        _check_order(f"{where}: limits{of}", low, high)
     return Limit(name, low, high)
+
+
+def _check_order(where: str, low: Expr, high: Expr) -> None:
+    span = float(high - low)
+    if span < 0:
+        raise JointError(f"{where} from {low} to {high}; expected the least value first")
+    if span == 0:
+        raise JointError(
+            f"{where} from {low} to {high}, which leave no motion; expected two different values, the least first; "
+            "what can't move is fixed: expected a joint without this freedom, such as fixed, turned or moved by its "
+            "places"
+        )

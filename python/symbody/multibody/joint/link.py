@@ -9,7 +9,7 @@ from symbody.errors import JointError
 from symbody.geometry import Frame, Scalar, translate
 from symbody.geometry.component.triple import expression, triple
 from symbody.geometry.given.argument import checked
-from symbody.multibody.body import Body
+from symbody.multibody.body import Body, varying_inertia
 from symbody.symbolic.given.arguments import brief, counted
 
 Place: TypeAlias = Annotated[
@@ -77,6 +77,8 @@ class Link:
         self.name = name
         self.mass = expression(mass)
         self.moments, self.products = triple(Ix, Iy, Iz), triple(Cyz, Cxz, Cxy)
+        if (fault := varying_inertia((self.mass, *self.moments, *self.products))) is not None:
+            raise JointError(f"Link {name}: {fault}")
         self.center = fixed_place(f"Link {name}: center", center)
 
     def body(self, frame: Frame) -> Body:

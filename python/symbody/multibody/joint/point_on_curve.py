@@ -12,7 +12,7 @@ from symbody.geometry import Frame, Scalar, rotate, translate
 from symbody.geometry.component.triple import NULL, Triple, triple
 from symbody.geometry.given.argument import checked
 from symbody.symbolic import Expr, diff
-from symbody.symbolic.given.arguments import brief
+from symbody.symbolic.given.arguments import brief, described
 
 from .axis import Axes
 from .closure import AXES, Closure, Sides
@@ -79,9 +79,10 @@ def point_on_curve(
     given: object = curve
     place = _point_of(where, given, parameter) if callable(given) else given
     if not callable(given) or not isinstance(place, Sequence) or len(place) != 3:
+        found = f"the curve gives {brief(place)}" if callable(given) else f"curve = {described(place)}"
         raise JointError(
-            f"{where}: the curve {'gives' if callable(given) else 'is'} {brief(place)}; expected a function from the "
-            "parameter to three coordinates, such as lambda s: (s, a*s**2, 0)"
+            f"{where}: {found}; expected a function from the parameter to three coordinates, such as "
+            "lambda s: (s, a*s**2, 0)"
         )
     track = Track(letters, triple(*place), parameter)
     if all(diff(each, parameter).is_zero for each in track.place):

@@ -63,13 +63,25 @@ def rolling(
     """
     where = f"rolling {name}"
     sizes = expression(radius), expression(crown)
-    for word, size in zip(("radius", "crown"), sizes, strict=True):
-        if size.depends_on_time or (size.is_number and float(size) < 0):
-            raise JointError(f"{where}: {word} = {size}; expected a constant that isn't negative")
-    if sizes[0].is_zero:
-        raise JointError(f"{where}: radius = 0; expected the distance from the wheel's centre to the contact")
+    _check_sizes(where, *sizes)
     mounting = mounted("rolling", name, (parent, child), at, to, loop=loop)
     return joined("rolling", mounting, Contact(sizes[0] - sizes[1], sizes[1]), coordinates, limits)
+
+
+def _check_sizes(where: str, radius: Expr, crown: Expr) -> None:
+    if radius.depends_on_time or (radius.is_constant and float(radius) <= 0):
+        raise JointError(
+            f"{where}: radius = {radius}; expected a positive constant, the distance from the wheel's centre to the "
+            "contact"
+        )
+    if crown.depends_on_time or (crown.is_constant and float(crown) < 0):
+        raise JointError(f"{where}: crown = {crown}; expected a constant that isn't negative")
+    beyond = crown - radius
+    if beyond.is_constant and float(beyond) > 0:
+        raise JointError(
+            f"{where}: crown = {crown}, more than radius = {radius}; expected a cross-section within the wheel: zero "
+            "for a disc, the radius itself for a ball"
+        )
 
 
 @final

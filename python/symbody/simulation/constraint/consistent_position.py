@@ -40,6 +40,12 @@ ROUNDED = 1e-6
 """The relative violation, as of numbers with seven digits, up to which given values are corrected as well."""
 _PRINTED = 1e-4
 """The relative violation that rounded dimensions explain."""
+_FREER = {
+    1: "a cylindrical joint in place of a revolute one",
+    2: "a spherical joint in place of a revolute one",
+    3: "a cylindrical and a spherical joint in place of two revolute ones",
+}
+"""How joints of a loop get as many freedoms more."""
 APPROACHES = 60
 """The most steps to the position nearest to the guess."""
 _NAMED = 4
@@ -234,12 +240,14 @@ def _unsatisfied(kinematics: Kinematics, p: Array, t: float, q: Array, fixed: Ma
             f"values that do: {near}; give these, or the coordinates as a guess, so that they are solved for"
         )
     opened = _open_loop(system, phi, sizes)
-    if opened and _nearly_closes(q, phi, phi_q, sizes) and _are_nearly_dependent(phi_q):
+    missing = _nearly_dependent(phi_q) if opened and _nearly_closes(q, phi, phi_q, sizes) else 0
+    if missing:
         nearest = listed_values(system.coordinates, dict(zip(system.coordinates, q, strict=True)))
         return (
             f"the loop nearly closes at t = {t:g} s: at the nearest position, {nearest}, {opened}; its constraints "
             "nearly depend on each other, so that it closes with exact dimensions alone: give them with all digits, "
-            "or as expressions such as pi/6, or let joints of the loop have more freedoms, such as spherical"
+            f"or as expressions such as pi/6, or let joints of the loop have {missing} more freedoms in all, such as "
+            f"{_FREER.get(missing, 'spherical joints in place of revolute ones')}, which the motion hardly uses"
         )
     if opened and (against or not named):
         nearest = listed_values(system.coordinates, dict(zip(system.coordinates, q, strict=True)))
@@ -279,16 +287,14 @@ def _nearly_closes(q: Array, phi: Array, phi_q: Array, sizes: Array) -> bool:
     return bool(np.all(np.abs(phi) <= _PRINTED * term_sizes(q, phi_q, sizes)))
 
 
-def _are_nearly_dependent(phi_q: Array) -> bool:
-    """Return whether gradients depend on each other up to what dimensions lose when they are printed."""
+def _nearly_dependent(phi_q: Array) -> int:
+    """Return how many gradients depend on others up to what dimensions lose when they are printed."""
     rows, columns = phi_q.shape
-    if rows > columns:
-        return True
     directions = phi_q / np.maximum(np.linalg.norm(phi_q, axis=1, keepdims=True), np.finfo(float).tiny)
     if not np.isfinite(directions).all():
-        return False
+        return max(int(rows) - int(columns), 0)
     values = np.linalg.svd(directions, compute_uv=False)
-    return bool(values[-1] <= _PRINTED * values[0])
+    return int(rows) - int(np.count_nonzero(values > _PRINTED * values[0]))
 
 
 def _open_loop(system: Variables, phi: Array, sizes: Array) -> str:

@@ -96,6 +96,8 @@ def command(session: Session, name: str) -> Command | None:
     """Return the command that a name stands for, or None."""
     if name in session.packages:
         return session.packages[name]
+    if (place := structural.mapped_place(name)) is not None:
+        return structural.mapped_at(place)
     return KERNEL.get(name) or mbsymba.COMMANDS.get(name)
 
 

@@ -30,7 +30,7 @@ from symbody.worksheet.values.value import (
     Value,
 )
 
-__all__ = ["COMMANDS", "equations_of", "mapping_of"]
+__all__ = ["COMMANDS", "mapping_of"]
 
 
 # --- substitution -----------------------------------------------------------------------------------------------------
@@ -114,40 +114,38 @@ def _simple(session: Session, value: Expr) -> Expr:
 
 
 def simplify(session: Session, value: Value, *options: Value) -> Value:
-    """simplify(e), simplify(e, trig), simplify(e, equations, unknowns)."""
-    relations = [
-        each for each in options if isinstance(each, Listed | MapleSet) and equations_of(session, each)
-    ]
-    if relations:
-        unknowns = next((each for each in options[options.index(relations[0]) + 1 :]), None)
-        return _with_relations(session, value, relations[0], unknowns)
+    """simplify(e), simplify(e, trig), simplify(e, relations, unknowns); a relation e stands for e = 0."""
+    place = next((i for i, each in enumerate(options) if side_relations(session, each)), None)
+    if place is not None:
+        unknowns = options[place + 1] if place + 1 < len(options) else None
+        return _with_relations(session, value, side_relations(session, options[place]), unknowns)
     return entrywise(session, value, partial(_simple, session), keeps_value=True)
 
 
-def equations_of(session: Session, value: Value) -> list[Relation]:
-    """Return the equations of a list or set, or none if it holds something else."""
+def side_relations(session: Session, value: Value) -> list[tuple[Expr, Expr]]:
+    """Return the two sides of each relation of a list or set; those of an expression e are e and 0."""
     items = value.items if isinstance(value, Listed | MapleSet) else ()
-    found = [each for each in items if isinstance(each, Relation)]
-    return found if len(found) == len(items) else []
+    sides = ((each.left, each.right) if isinstance(each, Relation) else (each, number(0)) for each in items)
+    return [(scalar(session, left), scalar(session, right)) for left, right in sides]
 
 
-def _with_relations(session: Session, value: Value, relations: Value, unknowns: Value | None) -> Value:
+def _with_relations(
+    session: Session, value: Value, relations: list[tuple[Expr, Expr]], unknowns: Value | None
+) -> Value:
     """Relations that are linear in the unknowns are solved for them; others reduce polynomials."""
-    equations = equations_of(session, relations)
     names = (
         unknowns.items if isinstance(unknowns, Listed | MapleSet) else () if unknowns is None else (unknowns,)
     )
     wanted = [scalar(session, each) for each in names]
-    residuals = [scalar(session, each.left) - scalar(session, each.right) for each in equations]
+    residuals = [left - right for left, right in relations]
     if wanted:
         solution = eliminated(residuals, wanted) if is_linear(residuals, wanted) else None
         if solution is not None:
             changed = {old: new for old, new in solution.items() if new != old}
             return entrywise(session, value, lambda each: _simple(session, each.subs(changed)))
-    pairs = [(scalar(session, each.left), scalar(session, each.right)) for each in equations]
 
     def reduce(each: Expr) -> Expr:
-        for left, right in pairs:
+        for left, right in relations:
             each = reduced(each, left, right, wanted)
         return _simple(session, each)
 

@@ -88,6 +88,12 @@ def _matrix_command(kind: str) -> Command:
     def command(session: Session, *arguments: Value) -> Value:
         settings = [each for each in arguments if isinstance(each, Relation) and each.operator == "="]
         attributes = _attributes(settings)
+        shape = next((_word(each.right) for each in settings if _option(each) == "shape"), "")
+        if shape not in ("", "identity", "diagonal", "rectangular"):
+            session.notices.append(
+                f"{kind}: the shape {shape} is not kept; each entry holds what is assigned to it"
+            )
+        fill = next((each.right for each in settings if _option(each) == "fill"), None)
         arguments = tuple(each for each in arguments if not isinstance(each, Relation))
         arguments += tuple(_entries_of(session, each.right) for each in settings if _option(each) == "symbol")
         found = [session.resolve(each) for each in arguments]
@@ -98,11 +104,54 @@ def _matrix_command(kind: str) -> Command:
         if not rest:
             rows = sizes[0] if sizes else 0
             columns = sizes[1] if len(sizes) > 1 else rows
-            return filled(session, rows, columns, None, kind)
-        made = _from_content(session, sizes, rest[0], kind)
-        return replace(made, attributes=attributes) if attributes and isinstance(made, Array) else made
+            made = filled(session, rows, columns, None, kind)
+            made = made if fill is None else replace(made, entries=[fill] * len(made.entries))
+            return _shaped(made, shape, fill)
+        made = _shaped(_from_content(session, sizes, rest[0], kind), shape, fill)
+        return replace(made, attributes=attributes) if attributes else made
 
     return command
+
+
+def _word(value: Value) -> str:
+    return getattr(value, "name", "") if isinstance(value, Expr | Reference) else ""
+
+
+def _shaped(array: Array, shape: str, fill: Value | None) -> Array:
+    """Return a matrix of shape ``identity`` or ``diagonal``; other shapes only tell how Maple stores it."""
+    if shape not in ("identity", "diagonal"):
+        return array
+    diagonal = number(1) if shape == "identity" else fill
+    entries = list(array.entries)
+    for place in range(len(entries)):
+        row, column = divmod(place, array.columns)
+        if row != column:
+            entries[place] = number(0)
+        elif diagonal is not None:
+            entries[place] = diagonal
+    return replace(array, entries=entries)
+
+
+def _placed(session: Session, sizes: list[int], content: MapleSet, kind: str) -> Array:
+    """Return a matrix of zeros and the entries that equations name: ``{(1, 2) = a, (2, 2) = b}``."""
+    rows, columns = (*sizes, *sizes)[:2] if sizes else (0, 0)
+    array = filled(session, rows, columns, None, kind)
+    for each in content.items:
+        if not isinstance(each, Relation) or (place := _place(each.left)) is None:
+            raise WorksheetError(f"{kind}: the entry {session.text(each)}; expected one such as (1, 2) = a")
+        row, column = place
+        if not (1 <= row <= rows and 1 <= column <= columns):
+            raise WorksheetError(f"{kind}: the place ({row}, {column}) is outside of {rows} x {columns}")
+        array.entries[(row - 1) * columns + column - 1] = each.right
+    return array
+
+
+def _place(value: Value) -> tuple[int, int] | None:
+    items = value.items if isinstance(value, Sequence) else ()
+    if len(items) != 2:
+        return None
+    row, column = as_integer(items[0]), as_integer(items[1])
+    return None if row is None or column is None else (row, column)
 
 
 def _attributes(settings: list[Relation]) -> tuple[Value, ...]:
@@ -121,8 +170,10 @@ def _entries_of(session: Session, name: Value) -> Value:
     return Builtin("entries", lambda session, *places: session.select(name, places))
 
 
-def _from_content(session: Session, sizes: list[int], content: Value, kind: str) -> Value:
+def _from_content(session: Session, sizes: list[int], content: Value, kind: str) -> Array:
     found = session.resolve(content)
+    if isinstance(found, MapleSet):
+        return _placed(session, sizes, found, kind)
     if isinstance(found, Listed) and any(isinstance(each, Listed) for each in found.items):
         return _sized(_of_rows(session, found, kind), sizes, kind)
     if isinstance(found, Array):
@@ -194,7 +245,9 @@ def _vector_command(kind: str) -> Command:
                 and argument.name in ("row", "column")
             ):
                 shape = "RowVector" if argument.name == "row" else kind
-            elif not isinstance(argument, Relation):
+            elif isinstance(argument, Relation):
+                content = _content_of_option(session, argument, content)
+            else:
                 content = argument
         if items is None:
             made = filled(session, size or 0, 1, content, shape)
@@ -206,6 +259,14 @@ def _vector_command(kind: str) -> Command:
         )
 
     return command
+
+
+def _content_of_option(session: Session, option: Relation, content: Value | None) -> Value | None:
+    if _option(option) == "symbol":
+        return _entries_of(session, option.right)
+    if _option(option) == "fill":
+        return Builtin("fill", lambda session, *places: option.right)
+    return content
 
 
 def array_command(session: Session, *arguments: Value) -> Value:

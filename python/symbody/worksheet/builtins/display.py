@@ -75,25 +75,28 @@ def interface(session: Session, *options: Value) -> Value:
 def declare(session: Session, *arguments: Value) -> Value:
     """declare(x(t), .., prime = t, quiet): functions print without their argument, derivatives as primes."""
     functions: list[Expr] = []
-    quiet = False
+    quiet, primes = False, ""
     for argument in _flat(arguments):
         if isinstance(argument, Relation):
             if unparsed(session, argument.left) == "prime":
-                session.options.primes = unparsed(session, argument.right)
+                session.options.primes = primes = unparsed(session, argument.right)
         elif isinstance(argument, Expr) and argument.kind in ("time_function", "application"):
             functions.append(argument)
+        elif (word := unparsed(session, argument)) == "quiet":
+            quiet = True
         else:
-            quiet = True  # quiet, however it is spelt
+            session.notices.append(
+                f"declare: the option {word} is not known; expected quiet, prime = t or x(t)"
+            )
     for function in functions:
         if function.kind == "time_function":
             session.options.declared.add(function.name)
         if not quiet:
             text = text_of(function, PLAIN)
             session.print(f"{text} will now be displayed as {text.partition('(')[0]}")
-    if session.options.primes and not quiet and not functions:
+    if primes and not quiet:
         session.print(
-            f"derivatives with respect to {session.options.primes} of functions of one variable will now be displayed "
-            "with '"
+            f"derivatives with respect to {primes} of functions of one variable will now be displayed with '"
         )
     return NULL
 

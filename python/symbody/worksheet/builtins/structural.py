@@ -230,6 +230,42 @@ def mapped_second(session: Session, function: Value, first: Value, value: Value,
     return _mapped(session, value, lambda each: session.call(function, (first, each, *rest)))
 
 
+def mapped_place(name: str) -> int | None:
+    """Return n of ``map[n]``; None for another name."""
+    inner = name[4:-1] if name.startswith("map[") and name.endswith("]") else ""
+    return int(inner) if inner.isdecimal() and 0 < int(inner) < 100 else None
+
+
+def mapped_at(place: int) -> Command:
+    """Return ``map[n](f, a, ..)``: f with each operand of its n-th argument."""
+
+    def command(session: Session, function: Value, *arguments: Value) -> Value:
+        if len(arguments) < place:
+            raise WorksheetError(
+                f"map[{place}]: {len(arguments)} arguments behind the function; expected {place} or more"
+            )
+        before, after = arguments[: place - 1], arguments[place:]
+        return _mapped(
+            session, arguments[place - 1], lambda each: session.call(function, (*before, each, *after))
+        )
+
+    return command
+
+
+def folded(session: Session, function: Value, first: Value, *rest: Value) -> Value:
+    """foldl(f, a, b, c): f(f(a, b), c)."""
+    for each in rest:
+        first = session.call(function, (first, each))
+    return first
+
+
+def folded_from_right(session: Session, function: Value, first: Value, *rest: Value) -> Value:
+    """foldr(f, a, b, c): f(b, f(c, a))."""
+    for each in reversed(rest):
+        first = session.call(function, (each, first))
+    return first
+
+
 def zipped(session: Session, function: Value, first: Value, second: Value) -> Value:
     """zip(f, a, b): f of pairs of items."""
     a, b = session.resolve(first), session.resolve(second)
@@ -395,6 +431,8 @@ COMMANDS: dict[str, Command] = {
     "indets": indets,
     "map": mapped,
     "map2": mapped_second,
+    "foldl": folded,
+    "foldr": folded_from_right,
     "zip": zipped,
     "select": select,
     "remove": remove,

@@ -11,7 +11,7 @@ from symbody.worksheet.mechanics import frame_face
 from symbody.worksheet.mechanics.modes import mechanics
 from symbody.worksheet.mechanics.objects import Reader, fields_of, get, kind_of, written
 from symbody.worksheet.mechanics.small_variables import entered, left
-from symbody.worksheet.values.value import Array, Table, Value
+from symbody.worksheet.values.value import Array, Reference, Table, Value
 
 __all__ = ["negated", "overloaded"]
 
@@ -24,9 +24,17 @@ def overloaded(session: Session, operator: str, left_value: Value, right_value: 
     a, b = session.resolve(left_value), session.resolve(right_value)
     if frame_face.is_frame(a) and operator in {"*", ".", "&*", "^"}:
         return _of_frames(session, operator, a, b)
-    kinds = kind_of(a), kind_of(b)
-    if not any(kinds):
+    if not (kind_of(a) or kind_of(b)):
         return None
+    made = _of_objects(session, operator, left_value, right_value)
+    if made is None and operator != "&*":
+        _left_as_it_stands(session, operator, left_value, right_value)
+    return made
+
+
+def _of_objects(session: Session, operator: str, left_value: Value, right_value: Value) -> Value | None:
+    a, b = session.resolve(left_value), session.resolve(right_value)
+    kinds = kind_of(a), kind_of(b)
     if operator in {"+", "-"}:
         return _sum(session, operator, left_value, right_value)
     if operator in _PRODUCTS and all(kind in _VECTORS for kind in kinds):
@@ -38,6 +46,29 @@ def overloaded(session: Session, operator: str, left_value: Value, right_value: 
     if operator == "/" and kinds[0] in _VECTORS and isinstance(b, Expr):
         return _multiple(session, a, 1 / b)
     return None
+
+
+def _left_as_it_stands(session: Session, operator: str, left_value: Value, right_value: Value) -> None:
+    """Tell what has no meaning: of names, it comes back as it was written, as in Maple.
+
+    Raises:
+        WorksheetError: an object has no name by which it could come back.
+    """
+    operands = left_value, right_value
+    kinds = [kind_of(session.resolve(each)) for each in operands]
+    what = f"{_operand(session, left_value)} {operator} {_operand(session, right_value)}"
+    expected = "a POINT + a VECTOR, two VECTORs, or a number times a VECTOR"
+    if any(kind and not isinstance(each, Reference) for kind, each in zip(kinds, operands, strict=True)):
+        raise WorksheetError(f"{what} has no meaning; expected {expected}")
+    session.notices.append(f"{what} has no meaning and stays as it is; expected {expected}")
+
+
+def _operand(session: Session, value: Value) -> str:
+    """Return how a message names an operand: what it is, and its name."""
+    kind = kind_of(session.resolve(value))
+    if isinstance(value, Reference):
+        return f"{kind} {value.name}".strip()
+    return f"a {kind}" if kind else session.text(value)
 
 
 def negated(session: Session, value: Value) -> Value | None:
@@ -88,10 +119,6 @@ def _sum(session: Session, operator: str, left_value: Value, right_value: Value)
         return left_value
     if operator == "-" and kinds == ("POINT", "POINT"):
         return join_points(session, right_value, left_value)
-    if operator == "+" and kinds == ("POINT", "POINT"):
-        raise WorksheetError(
-            "the sum of two points has no meaning; expected a POINT and a VECTOR, or two vectors"
-        )
     if operator == "+" and kinds[0] in _VECTORS and kinds[1] == "POINT":
         a, b, kinds = b, a, (kinds[1], kinds[0])
     if kinds[1] not in _VECTORS or kinds[0] not in {*_VECTORS, "POINT"} or not isinstance(a, Table):

@@ -385,6 +385,8 @@ class Evaluator:
     def _other_call(self, function: Value, arguments: tuple[Value, ...]) -> Value:
         if isinstance(function, Listed):
             return Listed(tuple(self.call(item, arguments) for item in function.items))
+        if isinstance(function, Array):  # A(1, 2) is the entry A[1, 2]
+            return self.session.select(function, arguments)
         if isinstance(function, Quoted):
             return self.call(self.evaluate(function.body), arguments)
         if isinstance(function, Expr):

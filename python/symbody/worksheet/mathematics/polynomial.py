@@ -59,14 +59,15 @@ def degree(value: Expr, variable: Expr) -> int:
 
 
 def reduced(value: Expr, left: Expr, right: Expr, variables: list[Expr]) -> Expr:
-    """Return a value in which the polynomial ``left`` is replaced by ``right``: the remainder of a division."""
+    """Return a value in which the polynomial ``left`` is replaced by ``right``: the remainder of a division.
+
+    The given variables are eliminated first.
+    """
     if left.kind in _LEAVES:
         return value.subs({left: right})
-    candidates = variables or sorted(
-        left.free_symbols, key=lambda each: (-degree_or_zero(left, each), str(each))
-    )
+    others = sorted(left.free_symbols, key=lambda each: (-degree_or_zero(left, each), str(each)))
     functions = sorted({n.value for n in walk(tree_of(left)) if n.kind == "function"}, key=str)
-    for variable in [*functions, *candidates]:
+    for variable in [*variables, *functions, *others]:
         try:
             own = coefficients(expand(left), variable)
             if max(own, default=0) < 1:

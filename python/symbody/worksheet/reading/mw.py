@@ -98,7 +98,7 @@ def mw_cells(text: str) -> tuple[Cell, ...]:
     Raises:
         WorksheetError: the text is not XML.
     """
-    parser = expat.ParserCreate()
+    parser = expat.ParserCreate("utf-8")  # the text is decoded, whatever encoding its head declares
     reader = _Reader(parser)
     parser.StartElementHandler = reader.begin
     parser.EndElementHandler = reader.end

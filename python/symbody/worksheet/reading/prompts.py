@@ -22,6 +22,9 @@ __all__ = [
 _PROMPTS = re.compile(r"\s*(?:>\s*)+")
 _PROMPT_WITHIN = re.compile(r"(?<=[;:])\s*>\s")
 _PROMPT_IN_PROSE = re.compile(r"(?<=\s)> (?=\s*[^\W\d]\w*\s*(?::=|[(:;]))")
+_GLUED = re.compile(
+    r"(?<=[;:])>(?=\s*[^\s=])|(?<=\.\.\.)>\s|(?<=[^\s<>=-])>(?=\s*[^\W\d]\w*(?:\[[^\]]*\]|\([^)]*\))?\s*:=)"
+)
 _PICTURE = re.compile(r"\[Maple [\w ]+\]|!\[.*\]\(.*\)")
 _DECLARATION = re.compile(r"\s*\w+\(\s*\w+::")
 _MESSAGE = re.compile(r"(Warning|Error),|MBSymba(_| release)")
@@ -46,13 +49,25 @@ def inputs(line: Line, begin: int) -> Iterator[Line]:
 
 
 def split_at_prompt(line: Line) -> Iterator[Line]:
-    """Return a line as prose and code, where a prompt stands behind prose: ``by N. N. > restart: with(plots):``."""
-    found = None if prompt_of(line) else _PROMPT_IN_PROSE.search(line.text)
-    if found and _has_words(Line(line.text[: found.start()], line.line)):
-        yield Line(line.text[: found.start()], line.line, line.column)
-        yield Line(line.text[found.start() :], line.line, line.column + found.start())
-    else:
+    """Return a line as prose and code, where a prompt stands behind prose: ``by N. N. > restart: with(plots):``.
+
+    A prompt may be glued to the line before it, where cells are appended to a text without an end of line.
+    """
+    place = _glued_prompt(line)
+    if place is None and not prompt_of(line) and (found := _PROMPT_IN_PROSE.search(line.text)):
+        place = found.start() if _has_words(Line(line.text[: found.start()], line.line)) else None
+    if place is None:
         yield line
+    else:
+        yield Line(line.text[:place], line.line, line.column)
+        yield from split_at_prompt(Line(line.text[place:], line.line, line.column + place))
+
+
+def _glued_prompt(line: Line) -> int | None:
+    """Return the place of a prompt right behind other text, outside of strings; None if there is none."""
+    begin = prompt_of(line)
+    places = (found.start() for found in _GLUED.finditer(line.text, begin))
+    return next((place for place in places if line.text.count('"', begin, place) % 2 == 0), None)
 
 
 def _has_words(line: Line) -> bool:

@@ -228,11 +228,11 @@ def product_of(parts: Iterable[Tree], value: Expr | None = None) -> Tree:
 
 
 def _powers_joined(factors: list[Tree]) -> tuple[list[Tree], Expr]:
-    """Return factors with powers of one base joined, and the number that this leaves."""
+    """Return factors with numeric powers of one base joined, and the number that this leaves."""
     groups: dict[Expr, list[Tree]] = {}
     for factor in factors:
-        base = factor.parts[0] if factor.kind == "power" else factor
-        groups.setdefault(base.value, []).append(factor)
+        numeric = factor.kind == "power" and factor.parts[1].value.is_number
+        groups.setdefault((factor.parts[0] if numeric else factor).value, []).append(factor)
     content = number(1)
     if len(groups) == len(factors):
         return factors, content
