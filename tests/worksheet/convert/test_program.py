@@ -236,7 +236,8 @@ def test_pictures_are_those_of_matplotlib() -> None:
     assert curve.lines[0].get_data_3d()[1].tolist() == np.linspace(0, 4, 200).tolist()
     assert surface.get_zlim()[1] > 0.99
     assert mesh.get_xlim()[1] >= 1
-    assert max(abs(np.hypot(*level.collections[0].get_paths()[0].vertices.T) - 1)) < 0.01
+    circle = np.vstack([path.vertices for each in level.collections for path in each.get_paths()])
+    assert max(abs(np.hypot(*circle.T) - 1)) < 0.01
     assert len(points.lines[0].get_data_3d()[0]) == 2
     plt.close("all")
 

@@ -192,7 +192,7 @@ def _evaluation(text: PythonText, node: syntax.Expression, *, shown: bool, keeps
         return lines
     items = node.items if isinstance(node, syntax.SequenceDisplay) else (node,)
     needed = [keeps or mentions(items[k + 1 :], syntax.Ditto) for k in range(len(items))]
-    if len(items) > 1 and not any(needed) and not any(_is_display(item) for item in items):
+    if len(items) > 1 and not any(needed) and not any(_is_display(item) or _acts(item) for item in items):
         written = [text.text(item) for item in items]
         text.shown += written
         return [f"print({', '.join(written)})"] if shown else []
@@ -273,8 +273,6 @@ def _acts(item: syntax.Expression) -> bool:
             function=syntax.Name(name=name) | syntax.Selection(indices=(syntax.Name(name=name),))
         ):
             return (name in FILES and name != "Exists") or name in PICTURES
-        case syntax.SequenceDisplay(items=(_, *_) as items):
-            return all(map(_acts, items))
     return False
 
 
