@@ -64,8 +64,13 @@ lint: lint-rust lint-python  ## formats, lints, types and layers
 lint-rust: $(STAMPS)/tools-lint
 	$(call say,Rust lints)
 	$(call cargo-lint,rustfmt,fmt --all --check)
+ifdef CI    # with the crates of others that the build has compiled, instead of reading them all anew
+	PATH="$(abspath $(BIN)):$$PATH" RUSTC_WORKSPACE_WRAPPER=$(abspath scripts/lint_crate.py) \
+	  cargo build --release --config crates/lint.toml --workspace --all-targets $(LOCKED)
+else
 	$(call cargo-lint,clippy,clippy --release --workspace --all-targets $(LOCKED) -- --deny warnings)
 	cargo --config 'build.rustdocflags="--deny warnings"' doc --release --no-deps --document-private-items --workspace $(LOCKED)
+endif
 
 lint-python: $(STAMPS)/build $(STAMPS)/develop
 	$(call say,Python lints: format$(,) lint$(,) types$(,) layers)
@@ -104,15 +109,18 @@ clean:  ## remove all that was made
 
 # --- the order -------------------------------------------------------------------------------------------------------
 
-# `CI=true make test` does two steps at a time: the compiler of Rust is beside what downloads, and beside the types of
-# Python. Rust, pip and the system's package manager have one step at a time each, and the tests of Python are alone.
+# `CI=true make test` does two steps at a time: Rust is compiled beside what downloads, then its lints and tests are
+# beside the lints of Python. Rust, pip and the system's package manager have one step at a time each, and the tests of
+# Python are alone. The lints of Rust follow the build, whose crates of others they take.
 ifneq ($(and $(CI),$(filter test,$(MAKECMDGOALS))),)
 MAKEFLAGS += --jobs=2
 unexport MAKEFLAGS MFLAGS  # not for the tests: they run make, cargo and compilers, whose words they read
+$(STAMPS)/extension: | $(STAMPS)/tools-lint
 $(STAMPS)/bench: | $(STAMPS)/develop
-$(STAMPS)/build: | lint-rust $(STAMPS)/bench
-test-rust: | $(STAMPS)/build
+$(STAMPS)/build: | $(STAMPS)/extension $(STAMPS)/bench
 $(STAMPS)/tools-test: | $(STAMPS)/tools-lint
+lint-rust: | $(STAMPS)/build
+test-rust: | lint-rust
 test-python: | lint-python test-rust
 else
 .NOTPARALLEL:
@@ -128,6 +136,12 @@ $(STAMPS)/venv: scripts/environment.py
 	@$(SYSTEM_PYTHON) $< $(VENV)
 	$(BIN)/pip install --quiet "maturin>=1.9.4,<2"
 	@mkdir -p $(STAMPS) && touch $@
+
+# In CI, the compiler runs beside pip, and this installs the package afterwards.
+$(STAMPS)/extension: $(STAMPS)/venv $(RUST) pyproject.toml
+	$(call say,Building the Rust extension)
+	VIRTUAL_ENV=$(abspath $(VENV)) $(BIN)/maturin develop --release --skip-install $(LOCKED)
+	@touch $@
 
 $(STAMPS)/build: $(STAMPS)/venv $(RUST) pyproject.toml
 	$(call say,Building the Rust extension and installing the package (some two minutes the first time))

@@ -7,10 +7,12 @@ skipped. Tests marked `repeated` run with SYMBODY_FUZZ=all in the environment, a
 
 from __future__ import annotations
 
+import gc
 import os
 import shutil
 import signal
 from collections import Counter
+from collections.abc import Generator
 
 import pytest
 
@@ -33,6 +35,17 @@ def pytest_configure() -> None:
     os.environ["SYMBODY_CACHE"] = "off"
     if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:
         signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collection() -> Generator[None, object, object]:
+    """Make a million objects that stay, without looking for garbage among them, now or in any test."""
+    gc.disable()
+    try:
+        return (yield)
+    finally:
+        gc.freeze()
+        gc.enable()
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
