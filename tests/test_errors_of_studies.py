@@ -105,6 +105,58 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     ),
     (
         errors.ParameterError,
+        lambda: sample({k: {1.0: 0.5, 2.0: 0.2}}, 4),
+        (
+            "sample: the probabilities of k are [0.5, 0.2] and sum to 0.7; expected a sum of 1, or whole numbers in "
+            "proportion to the probabilities"
+        ),
+    ),
+    (
+        errors.ArgumentError,
+        lambda: measures.time_above(x, [1, 2]),  # type: ignore[arg-type]
+        (
+            "measures.time_above, level: [1, 2] is a list; expected an expression or a number (int, float, Fraction, "
+            "NumPy scalar)"
+        ),
+    ),
+    (
+        errors.ArgumentError,
+        lambda: measures.settling_time(x, -0.1),
+        "measures.settling_time: band=-0.1 is a float; expected a positive distance",
+    ),
+    (
+        errors.ArgumentError,
+        lambda: studied(statistics=[statistics.moments()]),
+        (
+            "study: statistics=[Moments()] is a list, but there are no outputs over time; give outputs={'x': x}. "
+            "Study.summary has the statistics of measures"
+        ),
+    ),
+    (
+        errors.ArgumentError,
+        lambda: studied(units={"ent": "m"}),
+        (
+            "study, units: 'ent'; expected names of measures, outputs, parameters and initial values: end, m, k, c, x, "
+            "initial_x; did you mean end?"
+        ),
+    ),
+    (
+        errors.ArgumentError,
+        lambda: studied(threads=True),
+        "study: threads=True is a bool; expected a whole number from 1",
+    ),
+    (
+        errors.ArgumentError,
+        lambda: studied().probability("end", above="0"),  # type: ignore[arg-type]
+        "study.probability: above='0' is a str; expected a number, the level of 'end'",
+    ),
+    (
+        errors.ArgumentError,
+        lambda: studied().probability("end", above=0, confidence=95),
+        ("study.probability: confidence=95 is an int; expected a probability between 0 and 1, such as 0.95"),
+    ),
+    (
+        errors.ParameterError,
         lambda: sample({k: stats.norm(0, -1)}, 4),
         (
             "sample: the distribution of k, norm(0, -1), has quantiles that are not finite numbers; expected "

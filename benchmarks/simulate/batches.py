@@ -11,7 +11,17 @@ from . import by_diffrax, by_jax, by_mujoco
 from .panda import arm, panda
 from .panda import starts as arm_starts
 from .problem import Array, Problem
-from .throughput import TOLERANCES, Batch, Manner, by_simulate_many, loop_of_simulate, native, solve_ivp
+from .throughput import (
+    FINER,
+    TOLERANCES,
+    Batch,
+    Manner,
+    by_simulate_many,
+    loop_of_simulate,
+    native,
+    one_at_a_time,
+    solve_ivp,
+)
 
 ERROR = 1e-6
 """What each contender may miss at the end of a pendulum or a linkage, in rad or in lengths."""
@@ -52,17 +62,27 @@ def pendulums(problem: Problem, side: int) -> Batch:
         problem: the pendulum.
         side: the number of angles of each rod.
     """
-    manners = [*by_simulate_many(problem), native(problem), loop_of_simulate(problem)]
+    manners = [
+        *by_simulate_many(problem),
+        native(problem),
+        *one_at_a_time(problem),
+        loop_of_simulate(problem),
+    ]
     manners += [solve_ivp(problem, method) for method in ("DOP853", "LSODA")]
     if not by_jax.missing():
-        steps = tuple(float(round(8 * problem.duration * 1.1**k) * 10) for k in range(12))
+        steps = tuple(float(round(80 * problem.duration * FINER**k)) for k in range(12))
         manners += [
-            Manner("JAX, vmap of odeint", by_jax.by_odeint(problem), TOLERANCES[4:]),
+            Manner("JAX, vmap of odeint", by_jax.by_odeint(problem), _from(1e-7)),
             Manner("JAX, vmap of RK4 in lax.scan", by_jax.by_runge_kutta(problem), steps, "steps"),
         ]
     if not by_diffrax.missing():
-        manners.append(Manner("JAX, vmap of diffrax's Tsit5", by_diffrax.by_tsit5(problem), TOLERANCES[2:]))
+        manners.append(Manner("JAX, vmap of diffrax's Tsit5", by_diffrax.by_tsit5(problem), _from(1e-6)))
     return Batch(problem, starts(side), tuple(manners), ERROR, PENDULUMS)
+
+
+def _from(loosest: float) -> tuple[float, ...]:
+    """Return the tolerances from one on: what compiles for each should not try those that are far too loose."""
+    return tuple(tolerance for tolerance in TOLERANCES if tolerance <= loosest)
 
 
 def linkages(count: int, duration: float = 5.0) -> Batch:
@@ -70,7 +90,8 @@ def linkages(count: int, duration: float = 5.0) -> Batch:
     model = slider_crank()
     problem = Problem("slider-crank", newton_euler(model.system), model.parameters, model.initial, duration)
     states = _closed(problem, np.linspace(*CRANKS, count))
-    manners = [*by_simulate_many(problem, given=1), loop_of_simulate(problem), solve_ivp(problem, "DOP853")]
+    manners = [*by_simulate_many(problem, given=1), *one_at_a_time(problem, given=1)]
+    manners += [loop_of_simulate(problem), solve_ivp(problem, "DOP853")]
     return Batch(problem, states, tuple(manners), ERROR, LINKAGES)
 
 
@@ -89,7 +110,7 @@ def arms(count: int, duration: float = 1.0) -> Batch:
     problem = panda(duration)
     manners = [*by_simulate_many(problem), loop_of_simulate(problem)]
     if not by_mujoco.missing():
-        steps = tuple(float(round(100 * duration * 1.25**k)) for k in range(24))
+        steps = tuple(float(round(1500 * duration * FINER**k)) for k in range(24))
         manners += [
             Manner(f"MuJoCo, rollout, {threads} thread{'s' * (threads > 1)}", many, steps, "steps")
             for threads in (1, 2)

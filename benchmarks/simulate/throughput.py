@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import partial
 from statistics import median
@@ -13,13 +14,19 @@ import numpy as np
 
 from symbody import simulate, simulate_many
 from symbody.simulation.given.options import Options
+from symbody.simulation.integrate import native as native_integrator
 from symbody.simulation.integrate.native import problem_of, run_many
 
 from . import by_scipy
 from .problem import Array, Problem
 
-TOLERANCES = tuple(float(f"{digit}e-{k}") for k in range(5, 13) for digit in (3, 1))
-"""The tolerances to try."""
+TOLERANCES = tuple(float(f"{digit}e-{k}") for k in range(6, 14) for digit in (63, 40, 25, 16, 10))
+"""The tolerances to try: a method of order 5 takes a tenth more steps from one to the next, as settings of steps do."""
+
+FINER = 1.1
+"""The number of equal steps is increased by this factor."""
+
+WITHOUT_LANES = "one motion at a time: simulate_many"
 
 Many = Callable[[Array, float], Array]
 """Takes a row for each initial state and a setting; returns a row for each end."""
@@ -165,6 +172,37 @@ def solve_ivp(problem: Problem, method: str) -> Manner:
 def loop_of_simulate(problem: Problem) -> Manner:
     """Return a loop of `simulate`."""
     return Manner("Python loop of simulate", partial(_simulate, problem), TOLERANCES, is_loop=True)
+
+
+def one_at_a_time(problem: Problem, *, given: int | None = None) -> list[Manner]:
+    """Return `simulate_many` as it is without lanes, which is what their gain is measured by.
+
+    Args:
+        problem: the system.
+        given: how many coordinates are given, as in `by_simulate_many`.
+    """
+    return [
+        Manner(f"{WITHOUT_LANES}, dop853, {threads} thread{'s' * (threads > 1)}", many, TOLERANCES)
+        for threads in (1, 2)
+        for many in [_without_lanes(partial(_simulate_many, problem, "dop853", threads, given))]
+    ]
+
+
+def _without_lanes(many: Many) -> Many:
+    @contextmanager
+    def alone() -> Iterator[None]:
+        before = native_integrator.WORTH_LANES
+        native_integrator.WORTH_LANES = sys.maxsize
+        try:
+            yield
+        finally:
+            native_integrator.WORTH_LANES = before
+
+    def run(states: Array, tolerance: float) -> Array:
+        with alone():
+            return many(states, tolerance)
+
+    return run
 
 
 def native(problem: Problem) -> Manner:

@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from math import inf
 from random import Random
 from typing import Any
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 from symbody import (
     Body,
     Event,
     Expr,
     Force,
+    Max,
     ModelNotice,
     Point,
     System,
@@ -25,6 +28,7 @@ from symbody import (
     lagrange_equations,
     models,
     newton_euler,
+    number,
     rotate,
     simulate,
     simulate_many,
@@ -38,10 +42,12 @@ from symbody.codegen.llvm.jit import lanes
 from symbody.models import ClassicSystem
 from symbody.simulation.batch.runs import Runs
 from symbody.simulation.integrate import native
-from tests.laws.test_energy_drift import tree
+from tests.laws.test_energy_drift import loop, skate, start, tree
 from tests.repeated import repeated
 
 pytestmark = pytest.mark.skipif(lanes() < 4, reason="a vector of this processor holds two numbers")
+
+Array = NDArray[np.float64]
 
 CASES = 21
 """More than two crews of eight lanes, and not a multiple of their number."""
@@ -118,17 +124,79 @@ def test_initial_states_are_those_of_motions_alone(name: str) -> None:
             np.testing.assert_array_equal(runs.states[case], alone.states)
 
 
-@pytest.mark.parametrize("seed", range(3))
-def test_random_trees_with_events(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+def table(x: Expr, places: Array, values: Array) -> Expr:
+    """Return the polygon through points, an input given as a table."""
+    slopes = np.diff(values) / np.diff(places)
+    bends = zip(np.diff(slopes, prepend=0.0), places[:-1], strict=True)
+    return sum((bend * Max(x - place, 0) for bend, place in bends), start=number(values[0]))
+
+
+def forced(random: Random) -> tuple[System, dict[str, Any]]:
+    """Return a tree that a force moves, which is given as a table, and the force in every case."""
+    free, (f, size) = tree(random), (functions_of_time("f"), symbols("size"))
+    end = free.bodies[-1]
+    load = Force(ground, f, -f, 0.3 * f, at=center_of_mass(end), on=end)
+    system = System(free.bodies, [load], free.coordinates, gravity=free.gravity)
+    instants = np.linspace(0, 2, random.randint(3, 12))
+    values = np.array([random.uniform(-3, 3) for _ in instants])
+    sizes = np.array([random.uniform(0.5, 1) for _ in range(CASES)])
+    return system, {"parameters": {size: sizes}, "inputs": {f: size * table(t, instants, values)}}
+
+
+def closed(random: Random) -> tuple[System, dict[str, Any]]:
+    """Return a loop; its first angle is given, and the others are solved for."""
+    system = loop(random)
+    first, *others = system.coordinates
+    near = start(system)
+    starts = np.array([near[first] + random.uniform(-0.05, 0.05) for _ in range(CASES)])
+    return system, {"initial": {first: starts}, "guess": {q: near[q] for q in others}}
+
+
+SYSTEMS: dict[str, Callable[[Random], tuple[System, dict[str, Any]]]] = {
+    "tree": lambda random: (tree(random), {}),
+    "forced": forced,
+    "loop": closed,
+    "skate": lambda random: (skate(random), {}),
+}
+
+
+def random_options(q: Sequence[Expr], random: Random) -> dict[str, Any]:
+    """Return a method, tolerances, instants, events that end some of the motions, and outputs."""
+    rate = time_derivative(q[-1])
+    events = [
+        Event(q[0] - random.uniform(0.1, 0.4), direction=random.choice([-1, 0, 1]), terminal=True),
+        Event(rate, direction=random.choice([-1, 0, 1])),
+        Event(time_derivative(rate) - rate),
+    ]
+    tolerance = 10 ** random.uniform(-9, -5)
+    options = {"method": random.choice(["dop853", "tsit5"]), "rtol": tolerance, "atol": tolerance / 100}
+    options |= {"t": np.linspace(0, random.uniform(0.5, 1), random.choice([3, 9, 40]))}
+    options |= {"events": random.sample(events, 2), "threads": random.choice([1, 2])}
+    options |= {"max_step": random.choice([inf, inf, 0.05])}
+    return options | random.choice([{}, {"outputs": {"power": time_derivative(q[0], 2) * rate}}])
+
+
+@pytest.mark.parametrize("kind", SYSTEMS)
+@pytest.mark.parametrize("seed", [2, *repeated(range(3, 12))])
+def test_random_systems(seed: int, kind: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Some motions end at an event, each at an instant of its own, and their lanes take the next ones."""
-    system = tree(Random(seed))
+    random = Random(seed)
+    system, given = SYSTEMS[kind](random)
     q = system.coordinates
-    starts = np.random.default_rng(seed).uniform(-0.5, 0.5, (len(q), CASES))
-    events = [Event(q[0] - 0.3, direction=1, terminal=True), Event(q[1])]
-    given = newton_euler(system), {}, dict(zip(q, starts, strict=True)), np.linspace(0, 2, 9)
-    alone, together = in_both_ways(monkeypatch, *given, events=events, rtol=1e-7, threads=2)
+    starts = np.random.default_rng(seed).uniform(-0.6, 0.6, (len(q), CASES))
+    given = {"initial": dict(zip(q, starts, strict=True))} | given | random_options(q, random)
+    alone, together = in_both_ways(monkeypatch, newton_euler(system), **given)
     assert_same(alone, together)
-    assert alone.results.status.min() < alone.results.status.max()
+    np.testing.assert_array_equal(alone.results.outputs, together.results.outputs)
+    assert seed > 2 or len(together.results.occurrences.table) > 0
+    some = np.random.default_rng(seed).permutation(CASES)[:9]
+    values = {**given.get("parameters", {}), **given["initial"]}
+    chosen = {name: value[some] for name, value in values.items()}
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ModelNotice)
+        others = {key: value for key, value in given.items() if key not in ("parameters", "initial")}
+        few = simulate_many(newton_euler(system), cases=chosen, progress=False, **others)
+    np.testing.assert_array_equal(few.states, together.states[some])
 
 
 def test_one_that_fails_fails_alone(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -189,7 +257,7 @@ def test_outputs_are_those_of_motions_alone(points: int) -> None:
     given |= {"events": [Event(q[0] - 0.3, direction=1, terminal=True)]}
     given |= {"outputs": {"rate": time_derivative(q[0], 2)}}
     runs = simulate_many(equations, {}, dict(zip(q, starts, strict=True)), **given)
-    for case, start in enumerate(starts.T):
-        alone = simulate_many(equations, {}, dict(zip(q, start, strict=True)), **given)
+    for case, own in enumerate(starts.T):
+        alone = simulate_many(equations, {}, dict(zip(q, own, strict=True)), **given)
         np.testing.assert_array_equal(runs.outputs["rate"][case], alone.outputs["rate"][0])
     assert np.isnan(runs.outputs["rate"][:, -1]).sum() in range(1, CASES)

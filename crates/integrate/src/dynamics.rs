@@ -34,6 +34,8 @@ pub struct Dynamics<F = BoundCode> {
 impl Dynamics<MachineCode> {
     /// The number of the rates among all functions.
     pub(crate) const RATES: usize = 0;
+    /// The number of the functions of the events.
+    pub(crate) const EVENTS: usize = 6;
 
     /// All functions, each at its own number.
     pub(crate) fn functions(&self) -> [Option<&MachineCode>; 7] {

@@ -2,6 +2,7 @@
 
 use crate::dynamics::Dynamics;
 use crate::machine_code::BoundCode;
+use crate::thinned::Thinned;
 use crate::tolerances::Tolerances;
 
 /// The number of steps between two checks of the energy, and of checks between two updates of the effect of errors.
@@ -38,9 +39,13 @@ pub struct Balance<'a> {
     /// The largest change of the energy by errors of one tolerance in each entry of the state.
     spread: f64,
     /// The changes by errors of one absolute tolerance.
-    spreads: Vec<f64>,
-    /// The violations of the balance, and their instants.
-    seen: Vec<(f64, f64)>,
+    spreads: Thinned<f64>,
+    /// How many states were checked.
+    checked: usize,
+    /// The largest violation of the balance so far.
+    most: f64,
+    /// The instants of violations that were larger than all before, and these violations.
+    records: Thinned<(f64, f64)>,
     /// Instants and states whose energies are not evaluated yet, one after another: several at a time are quicker.
     pending: Vec<f64>,
 }
@@ -55,8 +60,10 @@ impl<'a> Balance<'a> {
             moving: 0.0,
             largest: 0.0,
             spread: 0.0,
-            spreads: Vec::new(),
-            seen: Vec::new(),
+            spreads: Thinned::new(),
+            checked: 0,
+            most: 0.0,
+            records: Thinned::new(),
             pending: Vec::new(),
         };
         new.look(t, state);
@@ -96,10 +103,15 @@ impl<'a> Balance<'a> {
                 self.moving = self.moving.max(energy.abs());
             }
             self.largest = self.largest.max(kinetic.abs() + potential.abs());
-            if self.seen.len() % LOOK.1 == 0 {
+            if self.checked % LOOK.1 == 0 {
                 self.widen(t, state, kinetic + potential);
             }
-            self.seen.push((t, (kinetic + potential - work - self.first).abs()));
+            self.checked += 1;
+            let off = (kinetic + potential - work - self.first).abs();
+            if off > self.most {
+                self.most = off;
+                self.records.push((t, off));
+            }
         }
         self.pending = rows;
         self.pending.clear();
@@ -121,9 +133,13 @@ impl<'a> Balance<'a> {
         let least = self.usual_spread() + by_work;
         let most = MOST.0.max(MOST.1 * relative) * self.moving + MARGIN * least;
         let explained = (MARGIN * (1.0 + errors) * each).min(most) + ROUNDING * self.largest;
-        let &(t, _) = self.seen.iter().find(|(_, off)| *off > explained)?;
-        let most = self.seen.iter().fold(0.0, |most: f64, (_, off)| most.max(*off));
-        Some(Imbalance { t, part: most / self.moving.max(f64::MIN_POSITIVE) })
+        if self.most <= explained {
+            return None;
+        }
+        let first = self.records.kept().iter().find(|(_, off)| *off > explained);
+        // The largest of all is thinned out of a very long motion if it came last.
+        let t = first.map_or(t, |(t, _)| *t);
+        Some(Imbalance { t, part: self.most / self.moving.max(f64::MIN_POSITIVE) })
     }
 
     /// The work, if there is any, is the entry after those that are controlled.
@@ -173,8 +189,9 @@ impl<'a> Balance<'a> {
     }
 
     /// The median of the changes by errors of one absolute tolerance.
-    fn usual_spread(&mut self) -> f64 {
-        self.spreads.sort_by(f64::total_cmp);
-        self.spreads.get(self.spreads.len() / 2).copied().unwrap_or(0.0)
+    fn usual_spread(&self) -> f64 {
+        let mut spreads = self.spreads.kept().to_vec();
+        spreads.sort_by(f64::total_cmp);
+        spreads.get(spreads.len() / 2).copied().unwrap_or(0.0)
     }
 }

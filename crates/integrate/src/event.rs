@@ -4,10 +4,10 @@ use crate::dynamics::{Dynamics, EventKind};
 use crate::failure::Failure;
 use crate::machine_code::BoundCode;
 use crate::projection::Projection;
-use crate::stepper::Stepper;
+use crate::stepper::{Sight, Stepper};
 
 /// The number of parts of a step at whose ends signs are compared, because a long step may contain many zeros.
-const PARTS: u32 = 10;
+pub const PARTS: u32 = 10;
 
 /// An event that happened.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,9 +23,11 @@ pub struct Occurrence {
 /// Looks for events, step by step.
 pub struct Watch<'a> {
     functions: Option<(&'a BoundCode, &'a [EventKind])>,
+    /// The instant up to which it has looked, and the values there, unless the stepper has looked as well.
     t: f64,
     values: Vec<f64>,
-    state: Vec<f64>,
+    /// An instant, and the state there.
+    place: Vec<f64>,
     /// The instants and states at the ends of the parts of a step, and the values there, one after another.
     rows: Vec<f64>,
     ends: Vec<f64>,
@@ -34,13 +36,15 @@ pub struct Watch<'a> {
 impl<'a> Watch<'a> {
     pub fn new(dynamics: &'a Dynamics, t: f64, state: &[f64]) -> Self {
         let functions = dynamics.events.as_ref().map(|(f, kinds)| (f, kinds.as_slice()));
-        let mut values = vec![0.0; functions.map_or(0, |(f, _)| f.outputs())];
-        if let Some((f, _)) = functions {
-            f.call(t, state, &mut values);
-        }
+        let values = vec![0.0; functions.map_or(0, |(f, _)| f.outputs())];
         let parts = if functions.is_some() { PARTS as usize } else { 0 };
-        let (rows, ends) = (vec![0.0; parts * (1 + state.len())], vec![0.0; parts * values.len()]);
-        Self { functions, t, values, state: state.to_vec(), rows, ends }
+        let place: Vec<f64> = std::iter::once(t).chain(state.iter().copied()).collect();
+        let (rows, ends) = (vec![0.0; parts * place.len()], vec![0.0; parts * values.len()]);
+        let mut new = Self { functions, t, values, place, rows, ends };
+        if let Some((function, _)) = functions {
+            function.call_rows(&new.place, &mut new.values);
+        }
+        new
     }
 
     /// Whether there are events.
@@ -60,21 +64,31 @@ impl<'a> Watch<'a> {
         projection: &mut Projection<'_>,
     ) -> Result<Vec<Occurrence>, Failure> {
         let Some((function, kinds)) = self.functions else { return Ok(Vec::new()) };
-        let (start, end) = (self.t, stepper.t());
         // A step that was repeated may end at an instant that was already checked.
-        if end <= start {
+        let end = stepper.t();
+        if end <= self.t {
             return Ok(Vec::new());
         }
-        let mut found: Vec<Occurrence> = Vec::new();
-        self.evaluate_parts(function, (stepper, projection), end)?;
-        for part in 0..PARTS as usize {
-            let (t, first) = (self.rows[part * (1 + self.state.len())], part * self.values.len());
+        match stepper.sight() {
+            Sight::Unknown => self.evaluate_parts(function, (stepper, projection), end)?,
+            Sight::Nothing => {
+                self.t = end;
+                return Ok(Vec::new());
+            }
+            Sight::Crossing { t } => {
+                self.t = t;
+                stepper.read_event_values(&mut self.values, &mut self.ends);
+            }
+        }
+        let (start, mut found) = (self.t, Vec::<Occurrence>::new());
+        for part in 1..=PARTS {
+            let (t, first) = (end_of_part(part, start, end), (part as usize - 1) * self.values.len());
             for (event, kind) in kinds.iter().enumerate() {
                 let after = self.ends[first + event];
                 if crosses(self.values[event], after, kind.direction) {
                     let bracket = (t, self.values[event], after);
                     let zero = self.locate(function, (stepper, projection), event, bracket)?;
-                    found.push(Occurrence { event, t: zero, state: self.state.clone() });
+                    found.push(Occurrence { event, t: zero, state: self.place[1..].to_vec() });
                 }
             }
             // A zero at the end of a part belongs to that part: the next part starts with the sign after it.
@@ -82,17 +96,7 @@ impl<'a> Watch<'a> {
             self.values.copy_from_slice(&self.ends[next]);
             self.t = t;
         }
-        // Of events at one instant, those that end the motion come last, so that the others are recorded.
-        let is_terminal = |occurrence: &Occurrence| kinds[occurrence.event].terminal;
-        found.sort_by(|a, b| {
-            let order = a.t.total_cmp(&b.t).then(is_terminal(a).cmp(&is_terminal(b)));
-            order.then(a.event.cmp(&b.event))
-        });
-        if let Some(last) = found.iter().position(is_terminal) {
-            let t = found[last].t;
-            found.retain(|occurrence| occurrence.t <= t);
-        }
-        Ok(found)
+        Ok(until_terminal(found, kinds))
     }
 
     /// Write the values at the ends of the parts of the last step, all at once.
@@ -102,10 +106,8 @@ impl<'a> Watch<'a> {
         (stepper, projection): (&mut dyn Stepper, &mut Projection<'_>),
         end: f64,
     ) -> Result<(), Failure> {
-        let (start, width) = (self.t, 1 + self.state.len());
-        for (part, row) in (1..=PARTS).zip(self.rows.chunks_mut(width)) {
-            row[0] =
-                if part == PARTS { end } else { start + (end - start) * f64::from(part) / f64::from(PARTS) };
+        for (part, row) in (1..=PARTS).zip(self.rows.chunks_mut(self.place.len())) {
+            row[0] = end_of_part(part, self.t, end);
             projection.read(stepper, row[0], &mut row[1..])?;
         }
         function.call_rows(&self.rows, &mut self.ends);
@@ -113,7 +115,7 @@ impl<'a> Watch<'a> {
     }
 
     /// Find a zero between the last checked instant and `t` by the Illinois method, secants that keep the bracket.
-    /// Leave the state at the zero in `self.state`.
+    /// Leave the state at the zero in `self.place`.
     fn locate(
         &mut self,
         function: &BoundCode,
@@ -131,7 +133,9 @@ impl<'a> Watch<'a> {
                 break;
             }
             zero = (b - at_b * width / (at_b - at_a)).clamp(a + 0.001 * width, b - 0.001 * width);
-            self.evaluate(function, (stepper, projection), zero, &mut values)?;
+            self.place[0] = zero;
+            projection.read(stepper, zero, &mut self.place[1..])?;
+            function.call_rows(&self.place, &mut values);
             let value = values[event];
             if (value > 0.0) == (at_b > 0.0) && value != 0.0 {
                 (b, at_b, at_a) = (zero, value, at_a / 2.0);
@@ -141,27 +145,36 @@ impl<'a> Watch<'a> {
                 (a, at_a, at_b) = (zero, value, at_b / 2.0);
             }
         }
-        self.evaluate(function, (stepper, projection), zero, &mut values)?;
+        projection.read(stepper, zero, &mut self.place[1..])?;
         Ok(zero)
     }
+}
 
-    /// Write the values of the functions at an instant of the last step, and keep the state at that instant.
-    fn evaluate(
-        &mut self,
-        function: &BoundCode,
-        (stepper, projection): (&mut dyn Stepper, &mut Projection<'_>),
-        t: f64,
-        out: &mut [f64],
-    ) -> Result<(), Failure> {
-        projection.read(stepper, t, &mut self.state)?;
-        function.call(t, &self.state, out);
-        Ok(())
+/// The events in order of time, up to the first that ends the motion.
+fn until_terminal(mut found: Vec<Occurrence>, kinds: &[EventKind]) -> Vec<Occurrence> {
+    // Of events at one instant, those that end the motion come last, so that the others are recorded.
+    let is_terminal = |occurrence: &Occurrence| kinds[occurrence.event].terminal;
+    found.sort_by(|a, b| {
+        let order = a.t.total_cmp(&b.t).then(is_terminal(a).cmp(&is_terminal(b)));
+        order.then(a.event.cmp(&b.event))
+    });
+    if let Some(last) = found.iter().position(is_terminal) {
+        let t = found[last].t;
+        found.retain(|occurrence| occurrence.t <= t);
     }
+    found
+}
+
+/// The instant at which a part of a step ends.
+pub fn end_of_part(part: u32, start: f64, end: f64) -> f64 {
+    if part == PARTS { end } else { start + (end - start) * f64::from(part) / f64::from(PARTS) }
 }
 
 /// Whether a function that changes from one value to another passes zero in a direction; a start at zero does not
 /// count.
-fn crosses(before: f64, after: f64, direction: i32) -> bool {
+#[allow(clippy::inline_always, reason = "loops over lanes are compiled for the vectors of their caller")]
+#[inline(always)]
+pub fn crosses(before: f64, after: f64, direction: i32) -> bool {
     let rises = before < 0.0 && after >= 0.0;
     let falls = before > 0.0 && after <= 0.0;
     (rises && direction >= 0) || (falls && direction <= 0)

@@ -153,14 +153,15 @@ impl Course<'_> {
         Ok(())
     }
 
-    /// Take a step, or several if nothing happens between them; return how many.
+    /// Take a step, or several if nothing happens in those before the last; return how many.
     fn step(
         &mut self,
         stepper: &mut dyn Stepper,
         (step, end): (usize, f64),
         run: &mut Run,
     ) -> Result<usize, Failure> {
-        if self.projection.is_needed() || self.watch.is_needed() || self.record.trail > 0 {
+        let has_events = self.watch.is_needed() && !stepper.looks_for_events();
+        if self.projection.is_needed() || has_events || self.record.trail > 0 {
             self.step_and_land(stepper, end, run)?;
             return Ok(1);
         }

@@ -52,6 +52,8 @@ pub(crate) struct Arrival {
     /// Its end.
     pub t: f64,
     pub statistics: Statistics,
+    /// Whether an event may happen in it, if the crew looks for events.
+    pub has_crossing: Option<bool>,
     /// Why there is no further step.
     pub failure: Option<Failure>,
 }
@@ -131,6 +133,21 @@ impl Lane {
         self.crew.has_dense_stages()
     }
 
+    /// Whether the crew looks for events in the steps of [`Self::advance`].
+    pub(crate) fn looks_for_events(&self) -> bool {
+        self.crew.looks_for_events()
+    }
+
+    /// Read the values of the functions of the events in the last step, where the crew looks for them.
+    pub(crate) fn read_event_values(&self, start: &mut [f64], ends: &mut [f64]) {
+        self.crew.read_event_values(self.number, start, ends);
+    }
+
+    /// Read the terms of the dense output of the last step, where the crew looks for events.
+    pub(crate) fn read_terms(&self, terms: &mut [Vec<f64>]) {
+        self.crew.read_terms(self.number, terms);
+    }
+
     /// Read the results of the last step.
     pub(crate) fn read_step(&self, results: StepResults<'_>) {
         self.crew.read_step(self.number, results);
@@ -160,4 +177,7 @@ pub(crate) trait Desk {
     fn put_stretch(&self, lane: usize, stretch: Stretch, statistics: Statistics);
     fn read_arrival(&self, lane: usize, before: &mut [f64], after: &mut [f64]) -> Arrival;
     fn has_dense_stages(&self) -> bool;
+    fn looks_for_events(&self) -> bool;
+    fn read_event_values(&self, lane: usize, start: &mut [f64], ends: &mut [f64]);
+    fn read_terms(&self, lane: usize, terms: &mut [Vec<f64>]);
 }

@@ -24,6 +24,7 @@ mod projection;
 mod runge_kutta;
 mod start;
 mod stepper;
+mod thinned;
 mod tolerances;
 mod trail;
 

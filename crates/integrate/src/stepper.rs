@@ -31,6 +31,17 @@ pub struct Stretch {
     pub steps: usize,
 }
 
+/// What is known of events in the last step.
+#[derive(Clone, Copy, Debug)]
+pub enum Sight {
+    /// Nobody has looked.
+    Unknown,
+    /// No function passes zero in it, nor in those that were taken with it.
+    Nothing,
+    /// Some function passes zero in it, and in none of those that were taken with it; it starts here.
+    Crossing { t: f64 },
+}
+
 /// A method of integration, with the state that it has reached.
 pub trait Stepper {
     /// Whether a step can start at the state: its rates agree with those of a neighbouring state.
@@ -55,6 +66,20 @@ pub trait Stepper {
     fn advance(&mut self, end: f64, _stretch: Stretch) -> Result<(), Failure> {
         self.step(end)
     }
+
+    /// Whether the steps of [`Self::advance`] end at the first in which an event may happen.
+    fn looks_for_events(&self) -> bool {
+        false
+    }
+
+    /// What is known of events in the last step.
+    fn sight(&self) -> Sight {
+        Sight::Unknown
+    }
+
+    /// Write the values of the functions of the events at the start of the last step and at the ends of its parts, if
+    /// some function passes zero in it.
+    fn read_event_values(&self, _start: &mut [f64], _ends: &mut [f64]) {}
 
     /// The instant of the state.
     fn t(&self) -> f64;

@@ -13,11 +13,11 @@ from .body import Body
 from .constant_form import constant_form
 from .load import Force, Load
 
-__all__ = ["left_places"]
+__all__ = ["left_place_notice", "left_places"]
 
 
-def left_places(bodies: Collection[Body], loads: Iterable[Load]) -> Iterator[str]:
-    """Return notices of forces whose point is at rest or on another body, and moves away from the body that they push.
+def left_places(bodies: Collection[Body], loads: Iterable[Load]) -> Iterator[tuple[Force, str]]:
+    """Return the forces whose point is at rest or on another body, from which their body moves away; and where it is.
 
     A force may act on ever other material points of its body, as that of a jet at rest does. Then what exerts it is
     known, and the point is fixed in the body that reacts. A point that stays at one distance from the centre of mass
@@ -31,7 +31,7 @@ def left_places(bodies: Collection[Body], loads: Iterable[Load]) -> Iterator[str
         if isinstance(load, Force) and load.on in bodies and not _is_held(load):
             where = _carrier(load, bodies)
             if where is not None and _leaves(load.on, load.at):
-                yield _notice(load, where)
+                yield load, where
 
 
 def _is_held(force: Force) -> bool:
@@ -64,7 +64,8 @@ def _leaves(body: Body, point: Point) -> bool:
     return constant_form(dot3(arm, arm)) is None
 
 
-def _notice(force: Force, where: str) -> str:
+def left_place_notice(force: Force, where: str) -> str:
+    """Return the notice of a force that its body leaves, at a place in words."""
     body, exerting = force.on, "reaction=that body"
     if where == "a place at rest":
         exerting = "reaction=Body(ground, 0, name='jet'), which is one of the bodies"

@@ -211,6 +211,10 @@ class Force(_Vectorial):
     The power of the force is that on the material point of the body that is at the point at the instant. The reaction
     acts at the same place on the reaction body.
 
+    A `System` tells of a point at rest, or on another body, from which the body moves away: either the frame of the
+    point is the wrong one, or the force acts on ever other points, as that of a jet. What exerts it is then given as
+    `reaction`.
+
     Args:
         what: the force as a vector, or the frame of its components.
         components: three, if a frame is given.

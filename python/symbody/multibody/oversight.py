@@ -9,7 +9,7 @@ from symbody.symbolic.given.arguments import brief
 from symbody.symbolic.given.namesake import namesake_note
 
 from .body import Body
-from .left_place import left_places
+from .left_place import left_place_notice, left_places
 from .load import Load
 
 __all__ = ["notices", "unlisted_speeds"]
@@ -36,7 +36,7 @@ def notices(
     yield from _foreign_loads({*bodies}, loads)
     yield from unlisted_speeds(rates, known)
     yield from _lost_reactions(loads, {*known})
-    yield from left_places(bodies, loads)
+    yield from (left_place_notice(force, where) for force, where in left_places(bodies, loads))
     yield from _constant_namesakes(bodies, loads, unknown)
     yield from _given_motions(bodies, constraints, {*known})
 

@@ -10,6 +10,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+import matplotlib.pyplot as plt
+import numpy as np
 import pytest
 
 import symbody as sb
@@ -216,6 +218,28 @@ def test_what_has_no_text_is_written_as_its_value(tmp_path: Path, monkeypatch: p
     assert "# left out, line 2: plot(y, b = 0..1);" in text
     a, b, x = sb.symbols("a b x")
     assert run(text)["y"] == {x: -b / a}
+
+
+def test_pictures_are_those_of_matplotlib() -> None:
+    text = program(
+        "spacecurve([cos(s), s, s/5], s = 0..4):\n"
+        "plot3d(sin(x)*y, x = 0..Pi, y = 0..1), plot3d([x, y, x*y], x = 0..1, y = 0..1):\n"
+        "implicitplot(x^2 + y^2 = 1, x = -2..2, y = -2..2):\n"
+        "pointplot([[0, 0], [1, 1/2]]): pointplot3d([[0, 0, 0], [1, 1, 1]]):\n",
+        "pictures",
+    )
+    assert "left out" not in text
+    assert "print(" not in text
+    plt.close("all")  # writing a program evaluates its texts
+    run(text)
+    curve, surface, mesh, level, _, points = (plt.figure(k).axes[0] for k in plt.get_fignums())
+    assert curve.lines[0].get_data_3d()[1].tolist() == np.linspace(0, 4, 200).tolist()
+    assert surface.get_zlim()[1] > 0.99
+    assert mesh.get_xlim()[1] >= 1
+    circle = np.vstack([path.vertices for each in level.collections for path in each.get_paths()])
+    assert max(abs(np.hypot(*circle.T) - 1)) < 0.01
+    assert len(points.lines[0].get_data_3d()[0]) == 2
+    plt.close("all")
 
 
 def test_quotients_of_integers_are_exact() -> None:

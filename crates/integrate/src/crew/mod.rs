@@ -9,6 +9,7 @@
 
 mod columns;
 mod control;
+mod crossings;
 mod norms;
 mod stages;
 mod stretch;
@@ -27,6 +28,7 @@ use crate::runge_kutta::Tableau;
 use crate::stepper::{Statistics, Stretch};
 use crate::tolerances::Tolerances;
 use columns::{Columns, Waiting, read, write};
+use crossings::Crossings;
 use stages::StepColumns;
 use stretch::Stretches;
 
@@ -50,12 +52,14 @@ impl<const W: usize> Crew<W> {
         let columns =
             || dynamics.functions().iter().map(|code| RefCell::new(code.and_then(Columns::of))).collect();
         let entries = dynamics.rates.outputs();
+        let events = dynamics.events.as_ref().filter(|(code, _)| code.conditions().is_some());
+        let crossings = events.map(|(_, kinds)| Crossings::new(tableau, kinds, entries));
         Self {
             tableau,
             functions: columns(),
             of_rows: columns(),
             step: RefCell::new(StepColumns::new(tableau, entries)),
-            stretches: RefCell::new(Stretches::new(tableau, tolerances, entries)),
+            stretches: RefCell::new(Stretches::new(tableau, tolerances, entries, crossings)),
             can_have_noted: Cell::new(false),
         }
     }
@@ -83,7 +87,9 @@ impl<const W: usize> Crew<W> {
         self.columns(Dynamics::<MachineCode>::RATES, |rates| {
             let (mut step, mut waiting) = (self.step.borrow_mut(), Waiting { lanes, noted });
             if requests.contains(&Some(Request::Stretch)) {
-                is_done = self.stretches.borrow_mut().take(&mut step, rates, &mut waiting);
+                let mut events = self.functions[Dynamics::<MachineCode>::EVENTS].borrow_mut();
+                let functions = (rates, events.as_mut());
+                is_done = self.stretches.borrow_mut().take(&mut step, functions, &mut waiting);
             } else {
                 step.take_first(rates, &mut waiting);
                 step.take(self.tableau, rates, &mut waiting);
@@ -159,6 +165,22 @@ impl<const W: usize> Desk for Crew<W> {
 
     fn has_dense_stages(&self) -> bool {
         self.stretches.borrow().has_dense_stages()
+    }
+
+    fn looks_for_events(&self) -> bool {
+        self.stretches.borrow().crossings().is_some()
+    }
+
+    fn read_event_values(&self, lane: usize, start: &mut [f64], ends: &mut [f64]) {
+        if let Some(crossings) = self.stretches.borrow().crossings() {
+            crossings.read_values(lane, start, ends);
+        }
+    }
+
+    fn read_terms(&self, lane: usize, terms: &mut [Vec<f64>]) {
+        if let Some(crossings) = self.stretches.borrow().crossings() {
+            crossings.read_terms(lane, terms);
+        }
     }
 }
 

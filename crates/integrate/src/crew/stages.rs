@@ -94,7 +94,7 @@ impl<const W: usize> StepColumns<W> {
 
 /// Write `base + h * sum of weights times rows`, or the sum alone. Nothing is fused: the numbers are those of a motion
 /// that is integrated alone.
-fn combine<const W: usize>(
+pub(super) fn combine<const W: usize>(
     out: &mut [[f64; W]],
     base: Option<(&[[f64; W]], &[f64; W])>,
     rows: &[[f64; W]],

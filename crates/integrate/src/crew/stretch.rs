@@ -9,6 +9,7 @@ use crate::tolerances::Tolerances;
 
 use super::columns::{Columns, Waiting, read, write};
 use super::control::Control;
+use super::crossings::Crossings;
 use super::norms::{Distances, Squares};
 use super::stages::StepColumns;
 use super::vectors::{Loop, in_vectors};
@@ -27,10 +28,16 @@ pub(super) struct Stretches<const W: usize> {
     last_stage: Vec<[f64; W]>,
     last_rates: Vec<[f64; W]>,
     has_dense_stages: bool,
+    crossings: Option<Crossings<W>>,
 }
 
 impl<const W: usize> Stretches<W> {
-    pub fn new(tableau: &'static Tableau, tolerances: Tolerances, entries: usize) -> Self {
+    pub fn new(
+        tableau: &'static Tableau,
+        tolerances: Tolerances,
+        entries: usize,
+        crossings: Option<Crossings<W>>,
+    ) -> Self {
         let zeros = || vec![[0.0; W]; entries];
         Self {
             tableau,
@@ -42,6 +49,7 @@ impl<const W: usize> Stretches<W> {
             last_stage: zeros(),
             last_rates: zeros(),
             has_dense_stages: false,
+            crossings,
         }
     }
 
@@ -54,6 +62,9 @@ impl<const W: usize> Stretches<W> {
             sizes[lane] = x.abs();
         }
         self.lanes[lane] = Some(Control::new(beginning));
+        if let Some(crossings) = &mut self.crossings {
+            crossings.begin(lane);
+        }
     }
 
     pub fn put(&mut self, lane: usize, stretch: Stretch, statistics: Statistics) {
@@ -76,6 +87,7 @@ impl<const W: usize> Stretches<W> {
             last: control.last,
             t: control.t,
             statistics: control.statistics,
+            has_crossing: self.crossings.as_ref().map(|crossings| crossings.found[lane]),
             failure: control.failure.clone(),
         }
     }
@@ -84,11 +96,16 @@ impl<const W: usize> Stretches<W> {
         self.has_dense_stages
     }
 
+    /// What is known of events in the steps; each stretch ends with the first in which one may happen.
+    pub fn crossings(&self) -> Option<&Crossings<W>> {
+        self.crossings.as_ref()
+    }
+
     /// Try a step of each lane that is not waiting for its motion, and return which lanes now do.
     pub fn take(
         &mut self,
         step: &mut StepColumns<W>,
-        function: &mut Columns<W>,
+        (function, events): (&mut Columns<W>, Option<&mut Columns<W>>),
         waiting: &mut Waiting<'_, W>,
     ) -> [bool; W] {
         self.take_first(step, function, waiting);
@@ -97,10 +114,15 @@ impl<const W: usize> Stretches<W> {
         step.take(self.tableau, function, waiting);
         let errors = self.errors(step);
         let accepted = self.decide(&errors, step, waiting);
-        let is_over: [bool; W] = std::array::from_fn(|lane| {
-            waiting.lanes[lane] && self.lanes[lane].as_ref().is_none_or(Control::is_over)
-        });
         self.add_dense_stages(&accepted, step, function, waiting);
+        if let Some(events) = events {
+            self.look_for_events(&accepted, step, events, waiting);
+        }
+        let has_crossing = self.crossings.as_ref().map_or([false; W], |crossings| crossings.found);
+        let is_over: [bool; W] = std::array::from_fn(|lane| {
+            let is_over = self.lanes[lane].as_ref().is_none_or(Control::is_over);
+            waiting.lanes[lane] && (is_over || has_crossing[lane])
+        });
         self.move_on(accepted, step);
         is_over
     }
@@ -211,7 +233,9 @@ impl<const W: usize> Stretches<W> {
         function: &mut Columns<W>,
         waiting: &mut Waiting<'_, W>,
     ) {
-        let looks_into = |control: &Control| control.last.0 + control.last.1 > control.stretch.until;
+        let is_watched = self.crossings.is_some();
+        let looks_into =
+            |control: &Control| is_watched || control.last.0 + control.last.1 > control.stretch.until;
         self.has_dense_stages = self
             .lanes
             .iter()
@@ -219,6 +243,28 @@ impl<const W: usize> Stretches<W> {
             .any(|(control, is_accepted)| *is_accepted && control.as_ref().is_some_and(looks_into));
         if self.has_dense_stages {
             step.take_dense(self.tableau, function, waiting);
+        }
+    }
+
+    /// Note the steps in which an event may happen: their motions look at them.
+    fn look_for_events(
+        &mut self,
+        accepted: &[bool; W],
+        step: &StepColumns<W>,
+        function: &mut Columns<W>,
+        waiting: &mut Waiting<'_, W>,
+    ) {
+        let Some(crossings) = &mut self.crossings else { return };
+        if !accepted.contains(&true) {
+            crossings.found = [false; W];
+            return;
+        }
+        let ends = std::array::from_fn(|lane| self.lanes[lane].as_ref().map_or(0.0, |control| control.t));
+        crossings.find((accepted, &ends), step, function, waiting);
+        for (control, is_accepted) in self.lanes.iter_mut().zip(accepted) {
+            if let Some(control) = control.as_mut().filter(|_| *is_accepted) {
+                control.statistics.evaluations += self.tableau.c.len() - self.tableau.stages;
+            }
         }
     }
 
@@ -262,7 +308,7 @@ impl<const W: usize> Loop for Moves<'_, W> {
 /// Replace the numbers of some lanes.
 #[allow(clippy::inline_always, reason = "what isn't inlined there isn't compiled for those vectors")]
 #[inline(always)]
-fn blend<const W: usize>(old: &mut [f64; W], new: &[f64; W], chosen: &[bool; W]) {
+pub(super) fn blend<const W: usize>(old: &mut [f64; W], new: &[f64; W], chosen: &[bool; W]) {
     let mut both = *old;
     for lane in 0..W {
         both[lane] = if chosen[lane] { new[lane] } else { both[lane] };

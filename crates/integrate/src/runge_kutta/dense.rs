@@ -12,8 +12,27 @@ use super::{RungeKutta, is_finite};
 const HERMITE: usize = 3;
 
 /// The number of terms of the dense output of a method.
-pub(super) fn terms(tableau: &Tableau) -> usize {
+pub(crate) fn terms(tableau: &Tableau) -> usize {
     HERMITE + tableau.dense.len()
+}
+
+/// The terms of the cubic Hermite polynomial of an entry, for its values and its rates at the ends of a step.
+#[allow(clippy::inline_always, reason = "loops over lanes are compiled for the vectors of their caller")]
+#[inline(always)]
+pub(crate) fn hermite_terms(
+    h: f64,
+    (before, after): (f64, f64),
+    (first, last): (f64, f64),
+) -> (f64, f64, f64) {
+    let (start, end, change) = (h * first, h * last, after - before);
+    (change, start - change, 2.0 * change - start - end)
+}
+
+/// Add term number k to the sum of the later terms, at a fraction of the step.
+#[allow(clippy::inline_always, reason = "loops over lanes are compiled for the vectors of their caller")]
+#[inline(always)]
+pub(crate) fn between(sum: f64, term: f64, k: usize, x: f64) -> f64 {
+    (sum + term) * if k % 2 == 0 { x } else { 1.0 - x }
 }
 
 impl RungeKutta<'_> {
@@ -37,6 +56,11 @@ impl RungeKutta<'_> {
 
     /// Compute the terms of the dense output of the last step.
     pub(super) fn prepare_dense(&mut self) {
+        if let Some(lane) = self.lane_of_stretches().filter(Lane::looks_for_events) {
+            lane.read_terms(&mut self.dense);
+            self.is_dense = true;
+            return;
+        }
         self.fetch_rates();
         self.is_careful = self.projection.is_needed();
         self.add_stages();
@@ -49,10 +73,8 @@ impl RungeKutta<'_> {
         let (hermite, higher) = self.dense.split_at_mut(HERMITE);
         let [change, first, second] = hermite else { unreachable!("there are three terms") };
         for i in 0..self.after.len() {
-            let (start, end) = (h * self.stages.row(0)[i], h * self.stages.row(stages)[i]);
-            change[i] = self.after[i] - self.before[i];
-            first[i] = start - change[i];
-            second[i] = 2.0 * change[i] - start - end;
+            let slopes = (self.stages.row(0)[i], self.stages.row(stages)[i]);
+            (change[i], first[i], second[i]) = hermite_terms(h, (self.before[i], self.after[i]), slopes);
         }
         for (terms, weights) in higher.iter_mut().zip(self.tableau.dense) {
             self.stages.sum(terms, weights);
@@ -67,8 +89,7 @@ impl RungeKutta<'_> {
     pub(super) fn value(&self, x: f64, out: &mut [f64]) {
         for (i, y) in out.iter_mut().enumerate() {
             let terms = self.dense.iter().enumerate().rev();
-            let sum =
-                terms.fold(0.0, |sum, (k, terms)| (sum + terms[i]) * if k % 2 == 0 { x } else { 1.0 - x });
+            let sum = terms.fold(0.0, |sum, (k, terms)| between(sum, terms[i], k, x));
             *y = self.before[i] + sum;
         }
     }

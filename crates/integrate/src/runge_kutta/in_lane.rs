@@ -63,6 +63,7 @@ impl RungeKutta<'_> {
         self.state.copy_from_slice(&self.after);
         (self.t, self.last, self.statistics) = (arrival.t, arrival.last, arrival.statistics);
         (self.is_dense, self.are_rates_here) = (false, false);
+        self.has_crossing = arrival.has_crossing;
         match arrival.failure {
             Some(failure) if self.statistics.steps == steps => Err(failure),
             later => {

@@ -19,12 +19,13 @@ use crate::failure::Failure;
 use crate::lane::Beginning;
 use crate::machine_code::BoundCode;
 use crate::projection::{Projection, Tangent};
-use crate::stepper::{Statistics, Stepper, Stretch};
+use crate::stepper::{Sight, Statistics, Stepper, Stretch};
 use crate::tolerances::Tolerances;
 pub(crate) use control::{
     LEAST_ERROR, error_of_step, factor_after, factor_after_rejection, is_last, is_too_short, note_stiffness,
     steepness, tolerance_of_integral, weight,
 };
+pub(crate) use dense::{between, hermite_terms, terms};
 pub use dop853::DOP853;
 pub use stages::Stages;
 pub use tableau::{Row, Tableau};
@@ -92,6 +93,8 @@ pub struct RungeKutta<'a> {
     statistics: Statistics,
     /// Why the step after the last one failed, if several were taken at once.
     failure: Option<Failure>,
+    /// Whether an event may happen in the last step, if the crew looks for events.
+    has_crossing: Option<bool>,
 }
 
 impl<'a> RungeKutta<'a> {
@@ -127,7 +130,7 @@ impl<'a> RungeKutta<'a> {
             last: (t, 0.0),
             before: state.to_vec(),
             after: state.to_vec(),
-            dense: vec![vec![0.0; n]; dense::terms(tableau)],
+            dense: vec![vec![0.0; n]; terms(tableau)],
             is_dense: false,
             scratch: vec![0.0; n],
             errors: vec![vec![0.0; n]; tableau.errors.len()],
@@ -136,6 +139,7 @@ impl<'a> RungeKutta<'a> {
             stiff_steps: 0,
             statistics: Statistics::default(),
             failure: None,
+            has_crossing: None,
         };
         new.step = new.first_step(end);
         if let Some(lane) = new.lane_of_stretches() {
@@ -309,6 +313,24 @@ impl Stepper for RungeKutta<'_> {
         match self.lane_of_stretches() {
             Some(lane) => self.advance_in_lane(&lane, stretch),
             None => self.step(end),
+        }
+    }
+
+    fn looks_for_events(&self) -> bool {
+        self.lane_of_stretches().is_some_and(|lane| lane.looks_for_events())
+    }
+
+    fn sight(&self) -> Sight {
+        match self.has_crossing {
+            None => Sight::Unknown,
+            Some(false) => Sight::Nothing,
+            Some(true) => Sight::Crossing { t: self.last.0 },
+        }
+    }
+
+    fn read_event_values(&self, start: &mut [f64], ends: &mut [f64]) {
+        if let Some(lane) = self.lane_of_stretches() {
+            lane.read_event_values(start, ends);
         }
     }
 

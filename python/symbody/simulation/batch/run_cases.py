@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +28,9 @@ Array = NDArray[np.float64]
 LOOK = 32
 """The number of initial states between two checks for Ctrl-C."""
 
+WORTH_THREADS = 2048
+"""The number of cases from which it pays that several threads solve for their initial states."""
+
 
 def empty_results(task: Task, cases: int) -> Results:
     """Return results of cases that were not run."""
@@ -46,7 +50,7 @@ def run_cases(task: Task, cases: Cases, threads: int = 1, keep_going: KeepGoing 
         keep_going: called from time to time with the number of finished cases; False ends all of them.
     """
     results = empty_results(task, cases.count)
-    tasks, states, slopes = _begun(task, cases, results, keep_going)
+    tasks, states, slopes = _begun(task, cases, results, threads, keep_going)
     finished = 0
 
     def goes_on(done: float) -> bool:
@@ -76,10 +80,18 @@ def _grouped(tasks: Mapping[int, Task]) -> dict[Task, list[int]]:
 
 
 def _begun(
-    task: Task, cases: Cases, results: Results, keep_going: KeepGoing
+    task: Task, cases: Cases, results: Results, threads: int, keep_going: KeepGoing
 ) -> tuple[dict[int, Task], Array, dict[int, Array]]:
-    """Return the tasks of the cases that can start, all initial states, and derivatives; record why others fail."""
-    states = _initial_states(task, cases)
+    """Return the tasks of the cases that can start, all initial states, and derivatives; record why others fail.
+
+    Args:
+        task: what the cases share.
+        cases: the cases.
+        results: where to record it.
+        threads: how many states are solved for at a time.
+        keep_going: called from time to time; False ends the search.
+    """
+    states = _initial_states(task, cases, threads)
     tasks = dict.fromkeys(np.flatnonzero(np.isfinite(states).all(axis=1)).tolist(), task)
     slopes = {case: initial_slopes(task, {}, {}, states[case]) for case in tasks} if task.by else {}
     reduced: dict[tuple[int, ...], Task] = {}
@@ -101,9 +113,24 @@ def _begun(
     return tasks, states, slopes
 
 
-def _initial_states(task: Task, cases: Cases) -> Array:
-    """Return the initial states that need no further look, one row each; NaN where `initial_state` solves for them."""
+def _initial_states(task: Task, cases: Cases, threads: int) -> Array:
+    """Return the initial states that need no further look, one row each; NaN where `initial_state` solves for them.
+
+    A state does not depend on the other cases, so each thread solves for a part of them. The first case goes ahead:
+    what it compiles is there for all.
+    """
     model = task.model
-    if task.by and (model.constraints or model.system.has_quasi_velocities):
+    is_constrained = bool(model.constraints) or model.system.has_quasi_velocities
+    if task.by and is_constrained:
         return np.full((cases.count, model.width), np.nan)
+    if threads == 1 or cases.count < WORTH_THREADS or not is_constrained:
+        return _states_of(task, cases)
+    parts = [np.arange(1), *np.array_split(np.arange(1, cases.count), threads)]
+    first, *others = (cases.subset(part) for part in parts)
+    begun = _states_of(task, first)
+    with ThreadPoolExecutor(threads) as pool:
+        return np.concatenate([begun, *pool.map(lambda part: _states_of(task, part), others)])
+
+
+def _states_of(task: Task, cases: Cases) -> Array:
     return initial_states(task, cases.parameters, cases.initial, cases.count)

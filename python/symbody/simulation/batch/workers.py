@@ -72,7 +72,7 @@ def checked_workforce(
         )
     if not isinstance(path, str | PathLike | None):
         raise ArgumentError(f"{place}: path={described(path)}; expected a path, such as {example!r}")
-    if not isinstance(threads, int) or threads < 1:
+    if isinstance(threads, bool) or not isinstance(threads, int) or threads < 1:
         raise ArgumentError(f"{place}: threads={described(threads)}; expected a whole number from 1")
     return executor, threads
 

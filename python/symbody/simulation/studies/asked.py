@@ -11,6 +11,7 @@ from symbody.simulation.given.event import Event
 from symbody.simulation.integrate.outputs_and_events import given_events, given_outputs
 from symbody.symbolic import Expr, ExprLike
 from symbody.symbolic.given.arguments import described
+from symbody.symbolic.given.similar_name import did_you_mean
 
 from .measures.measure import Measure
 from .plan import PLACE, Plan, checked_measures, checked_statistics
@@ -66,6 +67,11 @@ def asked_of(
     own = tuple(given_events(events, PLACE))
     kinds = checked_statistics((moments(), extremes()) if statistics is None else statistics)
     _check_kept(named, given, histories=histories, path=path)
+    if statistics is not None and kinds and not given:
+        raise ArgumentError(
+            f"{PLACE}: statistics={described(statistics)}, but there are no outputs over time; "
+            "give outputs={'x': x}. Study.summary has the statistics of measures"
+        )
     return Asked(named, given, kinds if given else (), own, histories)
 
 
@@ -93,6 +99,8 @@ def check_names(plan: Plan, cases: Cases, units: object) -> None:
         raise ArgumentError(
             f"{PLACE}, units: {described(units)}; expected names and units, such as {{'peak': 'm/s'}}"
         )
+    if isinstance(units, Mapping):
+        _check_units(plan, cases, units)
     given = [*map(str, cases.parameters), *(f"initial_{name}" for name in cases.initial)]
     taken = [*given, "case", "t", "status", "t_reached", "message", "progress"]
     for name in (*plan.columns, *plan.outputs):
@@ -101,3 +109,16 @@ def check_names(plan: Plan, cases: Cases, units: object) -> None:
                 f"{PLACE}: the name {name!r} of a measure or an output is taken, or contains '/'; rename it"
             )
         taken.append(name)
+
+
+def _check_units(plan: Plan, cases: Cases, units: Mapping[str, str]) -> None:
+    """Check that each unit belongs to something: one with a wrong name would be missing in files and plots."""
+    own = [*plan.columns, *plan.outputs, *map(str, cases.parameters)]
+    own += [text for name in cases.initial for text in (str(name), f"initial_{name}")]
+    for name in units:
+        if name not in own:
+            meant = did_you_mean([name], own)
+            raise ArgumentError(
+                f"{PLACE}, units: {name!r}; expected names of measures, outputs, parameters and initial values: "
+                f"{', '.join(own)}{meant and f'; {meant}'}"
+            )

@@ -6,7 +6,6 @@ import json
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
-from io import BytesIO
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +13,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.errors import ResultsError
-from symbody.simulation.batch.case_arrays import Status
 from symbody.simulation.batch.cases import Cases
 from symbody.simulation.batch.problem_digest import problem_digest
 from symbody.simulation.batch.results_file import digest
@@ -26,14 +24,13 @@ from symbody.symbolic.given.arguments import brief
 from .chunk import Chunk
 from .plan import PLACE, Plan
 from .statistics.statistic import Partial
+from .stored_parts import partials_in, put_partials, put_text
+from .study_arrays import MESSAGE, StudyArrays
 
 __all__ = ["StudyFile", "opened_file"]
 
 FORMAT = "symbody study 2"
 """The number increases when the meaning of the arrays changes."""
-
-MESSAGE = 500
-"""The most bytes of a message."""
 
 TALLY = "tally_"
 """The names of the arrays of what chunks have found begin with this."""
@@ -115,77 +112,12 @@ class StudyFile:
         """Make all arrays, empty; mark the store as made at the end."""
         group = zarr.open_group(self.path, mode="w")
         group.attrs.update({"format": FORMAT, "problem": dict(self.problem)})
-        self._make_coordinates(group)
-        k, n = self.cases.count, len(self.plan.task.instants)
-        meaning = {
-            "flag_values": [*map(int, Status)],
-            "flag_meanings": " ".join(s.name.lower() for s in Status),
-        }
-        self._array(group, "status", (k,), "i1", 0, ("case",), meaning)
-        self._array(group, "t_reached", (k,), "f8", np.nan, ("case",), {"units": "s"})
-        self._array(group, "message", (k, MESSAGE), "u1", 0, ("case", "byte"), {"encoding": "utf-8"})
-        for name in self.plan.columns:
-            self._array(group, name, (k,), "f8", np.nan, ("case",), self._unit(name))
-        if self.plan.keeps_histories:
-            for name in self.plan.outputs:
-                self._array(group, name, (k, n), "f8", np.nan, ("case", "t"), self._unit(name))
+        self._arrays(group).make()
         group.create_group("progress")
         group.attrs["is_made"] = True
 
-    def _make_coordinates(self, group: Any) -> None:
-        """Write the instants, and the values in which cases differ; values that all share are attributes."""
-        cases, given, varied = self.cases, {}, []
-        self._array(group, "case", (cases.count,), "i8", 0, ("case",), {})[:] = np.arange(cases.count)
-        instants = self.plan.task.instants
-        self._array(group, "t", instants.shape, "f8", np.nan, ("t",), {"units": "s"})[:] = instants
-        for prefix, columns in (("", cases.parameters), ("initial_", cases.initial)):
-            for each in columns:
-                name, column = f"{prefix}{each}", columns[each]
-                if np.any(column != column[0]):
-                    varied.append(name)
-                    unit = self._unit(name)
-                    self._array(group, name, column.shape, "f8", np.nan, ("case",), unit)[:] = column
-                else:
-                    given[name] = float(column[0])
-        group.attrs["given"] = given
-        group.attrs["coordinates"] = " ".join(["case", *varied])
-
-    def _unit(self, name: str) -> dict[str, str]:
-        unit = self.units.get(name, "s" if name.endswith(" instant") else "")
-        return {"long_name": name} | ({"units": unit} if unit else {})
-
-    def _array(
-        self,
-        group: Any,
-        name: str,
-        shape: tuple[int, ...],
-        dtype: str,
-        empty: float,
-        dims: tuple[str, ...],
-        attributes: Mapping[str, Any],
-    ) -> Any:
-        """Make an array, and return it.
-
-        Args:
-            group: the group of the store.
-            name: the name of the array.
-            shape: its shape.
-            dtype: the type of its numbers.
-            empty: what it is filled with.
-            dims: the names of its dimensions.
-            attributes: its attributes.
-        """
-        chunks = (self.size, *shape[1:]) if dims[0] == "case" else shape
-        return group.create_array(
-            name,
-            shape=shape,
-            dtype=dtype,
-            chunks=chunks,
-            fill_value=empty,
-            dimension_names=dims,
-            attributes=dict(attributes),
-            overwrite=True,
-        )
+    def _arrays(self, group: Any) -> StudyArrays:
+        return StudyArrays(group, self.plan, self.cases, self.size, self.units)
 
     @contextmanager
     def reading(self) -> Iterator[None]:
@@ -249,9 +181,9 @@ class StudyFile:
                     texts[case, : len(data)] = np.frombuffer(data, dtype=np.uint8)
                 group["message"][rows] = texts
             if chunk.partials:
-                _put(group, f"chunk_{number}", chunk.partials)
+                put_partials(group, f"chunk_{number}", chunk.partials)
             if len(chunk.tally):
-                _put_text(group, f"{TALLY}{number}", json.dumps(chunk.tally.rows()))
+                put_text(group, f"{TALLY}{number}", json.dumps(chunk.tally.rows()))
             group["t_reached"][rows] = chunk.t_reached
             group["status"][rows] = chunk.status
 
@@ -259,11 +191,11 @@ class StudyFile:
         """Return the number of chunks whose statistics are merged, and these."""
         group = self._group
         upto = int(group.attrs.get("merged", 0))
-        return upto, _got(group, f"merged_{upto}") if upto else []
+        return upto, partials_in(group, f"merged_{upto}") if upto else []
 
     def partials(self, number: int) -> list[Partial]:
         """Return the partial statistics of a finished chunk."""
-        return _got(self._group, f"chunk_{number}") if self.plan.statistics else []
+        return partials_in(self._group, f"chunk_{number}") if self.plan.statistics else []
 
     def tallies(self) -> Iterator[tuple[int, Tally]]:
         """Yield what chunks have found, with their numbers."""
@@ -280,7 +212,7 @@ class StudyFile:
             before = int(group.attrs.get("merged", 0))
             if upto == before or not self.plan.statistics:
                 return
-            _put(group, f"merged_{upto}", merged)
+            put_partials(group, f"merged_{upto}", merged)
             group.attrs["merged"] = upto
             for name in [f"merged_{before}", *(f"chunk_{number}" for number in range(before, upto))]:
                 if name in group["progress"]:
@@ -296,18 +228,7 @@ class StudyFile:
         with self._writing():
             group = self._group
             group.attrs["notices"] = [*notices]
-            for output, columns in over_time.items():
-                for column, values in columns.items():
-                    has_unit = column not in {"count", "variance"} and " case" not in column
-                    unit = (
-                        self._unit(output)
-                        if has_unit and "with" not in column and "probab" not in column
-                        else {}
-                    )
-                    attributes = unit | {"long_name": f"{column} of {output}"}
-                    self._array(group, f"{output} {column}", values.shape, "f8", np.nan, ("t",), attributes)[
-                        :
-                    ] = values
+            self._arrays(group).add_over_time(over_time)
             group.attrs["is_finished"] = True
 
 
@@ -328,27 +249,3 @@ def opened_file(path: Path, plan: Plan, cases: Cases, size: int, units: Mapping[
     file = StudyFile(path, plan, cases, size, problem, units)
     file.open()
     return file
-
-
-def _put(group: Any, name: str, partials: Sequence[Partial]) -> None:
-    """Write partial results as one array of bytes, which are a file ``.npz``."""
-    content = BytesIO()
-    arrays = {f"{k}/{key}": each for k, partial in enumerate(partials) for key, each in partial.items()}
-    np.savez(content, allow_pickle=False, **arrays)
-    data = np.frombuffer(content.getvalue(), dtype=np.uint8)
-    group["progress"].create_array(name, data=data, chunks=data.shape, overwrite=True)
-
-
-def _put_text(group: Any, name: str, text: str) -> None:
-    data = np.frombuffer(text.encode(), dtype=np.uint8)
-    group["progress"].create_array(name, data=data, chunks=data.shape, overwrite=True)
-
-
-def _got(group: Any, name: str) -> list[Partial]:
-    """Return partial results as `_put` wrote them."""
-    found: dict[int, dict[str, NDArray[Any]]] = {}
-    with np.load(BytesIO(np.asarray(group["progress"][name][:]).tobytes()), allow_pickle=False) as stored:
-        for place, values in stored.items():
-            k, key = place.split("/")
-            found.setdefault(int(k), {})[key] = values
-    return [found[k] for k in sorted(found)]

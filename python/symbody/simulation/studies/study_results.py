@@ -6,7 +6,7 @@ import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,30 +26,16 @@ from symbody.symbolic.given.arguments import counted, described, with_known_name
 from symbody.symbolic.given.similar_name import did_you_mean
 
 from .accumulation import Accumulation
+from .measure_summary import COLUMNS, summary_of
 from .plan import PLACE, Plan
+from .proportion import Proportion, proportion_above
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["Proportion", "Study"]
+__all__ = ["Study"]
 
 Array = NDArray[np.float64]
-
-_COLUMNS = ("mean", "standard deviation", "minimum", "5 %", "median", "95 %", "maximum", "unknown")
-
-
-class Proportion(NamedTuple):
-    """A probability, estimated by the share of cases.
-
-    Attributes:
-        value: the share.
-        low: the lower end of its confidence interval.
-        high: the upper end.
-    """
-
-    value: float
-    low: float
-    high: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -148,7 +134,7 @@ class Study:
         ``unknown`` counts the cases without a value: those that failed, were not run, or have none, such as motions
         that never settle.
         """
-        return {name: _summary(values) for name, values in self.found.values.items()}
+        return {name: summary_of(values) for name, values in self.found.values.items()}
 
     @with_known_names
     def probability(self, measure: str, above: float, *, confidence: float = 0.95) -> Proportion:
@@ -163,16 +149,10 @@ class Study:
             confidence: the probability that the interval contains the true value.
 
         Raises:
-            ArgumentError: there is no such measure, or no case has a value.
+            ArgumentError: there is no such measure, no case has a value, the level is no number, or the confidence is
+                not between 0 and 1.
         """
-        from scipy import stats  # noqa: PLC0415 - slow to load
-
-        known = _known(self._values(measure, "study.probability"))
-        if not known.size:
-            raise ArgumentError(f"study.probability: no case has a value of {measure!r}")
-        test = stats.binomtest(int(np.count_nonzero(known > above)), known.size)
-        interval = test.proportion_ci(confidence, method="wilson")
-        return Proportion(float(test.statistic), float(interval.low), float(interval.high))
+        return proportion_above(self._values(measure, "study.probability"), measure, above, confidence)
 
     def covariance(self) -> Array:
         """Return the covariance matrix of all measures, in the order of `measures`, over cases that have them all."""
@@ -282,35 +262,7 @@ class Study:
 
     def _repr_html_(self) -> str:
         rows = [
-            [name, self.units.get(name, ""), *(f"{values[column]:.6g}" for column in _COLUMNS)]
+            [name, self.units.get(name, ""), *(f"{values[column]:.6g}" for column in COLUMNS)]
             for name, values in self.summary().items()
         ]
-        return html_table(repr(self), ["measure", "unit", *_COLUMNS], rows)
-
-
-def _known(values: Array) -> Array:
-    return values[np.isfinite(values)]
-
-
-def _summary(values: Array) -> dict[str, float]:
-    known = _known(values)
-    unknown = float(len(values) - len(known))
-    if not known.size:
-        return dict.fromkeys(("count", *_COLUMNS, "minimum case", "maximum case"), np.nan) | {
-            "count": 0.0,
-            "unknown": unknown,
-        }
-    low, median, high = np.quantile(known, (0.05, 0.5, 0.95))
-    return {
-        "count": float(len(known)),
-        "mean": float(known.mean()),
-        "standard deviation": float(known.std(ddof=1)) if len(known) > 1 else np.nan,
-        "minimum": float(known.min()),
-        "minimum case": float(np.nanargmin(np.where(np.isfinite(values), values, np.nan))),
-        "5 %": float(low),
-        "median": float(median),
-        "95 %": float(high),
-        "maximum": float(known.max()),
-        "maximum case": float(np.nanargmax(np.where(np.isfinite(values), values, np.nan))),
-        "unknown": unknown,
-    }
+        return html_table(repr(self), ["measure", "unit", *COLUMNS], rows)

@@ -10,6 +10,7 @@ from symbody.worksheet.convert.mechanics_calls import MECHANICS
 from symbody.worksheet.convert.name_text import concatenation
 from symbody.worksheet.convert.names import NoText, identifier
 from symbody.worksheet.convert.numbers_calls import NUMBERS
+from symbody.worksheet.convert.picture_calls import PICTURES
 from symbody.worksheet.convert.selections import indexed
 from symbody.worksheet.convert.sequences import item
 from symbody.worksheet.convert.writer import Writer
@@ -17,7 +18,7 @@ from symbody.worksheet.sheet import syntax
 
 __all__ = ["arrow", "call"]
 
-_TABLES = (MECHANICS, JOINTS, MAPLE, NUMBERS, FILES)
+_TABLES = (MECHANICS, JOINTS, MAPLE, NUMBERS, PICTURES, FILES)
 
 
 def call(to: Writer, node: syntax.Call) -> str:

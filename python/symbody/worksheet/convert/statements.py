@@ -19,6 +19,7 @@ from symbody.worksheet.convert.modes import mode_lines
 from symbody.worksheet.convert.names import Names, NoText, identifier
 from symbody.worksheet.convert.operations import grouped
 from symbody.worksheet.convert.operators import condition
+from symbody.worksheet.convert.picture_calls import PICTURES
 from symbody.worksheet.convert.selections import index, key
 from symbody.worksheet.convert.sequences import items
 from symbody.worksheet.convert.tyres import tyre_lines
@@ -191,7 +192,7 @@ def _evaluation(text: PythonText, node: syntax.Expression, *, shown: bool, keeps
         return lines
     items = node.items if isinstance(node, syntax.SequenceDisplay) else (node,)
     needed = [keeps or mentions(items[k + 1 :], syntax.Ditto) for k in range(len(items))]
-    if len(items) > 1 and not any(needed) and not any(_is_display(item) for item in items):
+    if len(items) > 1 and not any(needed) and not any(_is_display(item) or _acts(item) for item in items):
         written = [text.text(item) for item in items]
         text.shown += written
         return [f"print({', '.join(written)})"] if shown else []
@@ -271,13 +272,7 @@ def _acts(item: syntax.Expression) -> bool:
         case syntax.Call(
             function=syntax.Name(name=name) | syntax.Selection(indices=(syntax.Name(name=name),))
         ):
-            return (name in FILES and name != "Exists") or name in {
-                "plot",
-                "odeplot",
-                "logplot",
-                "semilogplot",
-                "loglogplot",
-            }
+            return (name in FILES and name != "Exists") or name in PICTURES
     return False
 
 

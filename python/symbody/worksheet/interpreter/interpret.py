@@ -1,4 +1,4 @@
-"""Statements: assignments, loops, conditions, and what they print."""
+"""Statements: loops, conditions, files, and what statements print."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from dataclasses import replace
 from typing import Any
 
 from symbody.errors import SymbodyError, WorksheetError
-from symbody.symbolic import Expr, UndefinedFunction, number, time_limit
+from symbody.symbolic import Expr, number, time_limit
 from symbody.worksheet import builtins
 from symbody.worksheet.builtins.files import read_file, save_file
 from symbody.worksheet.commands import mbsymba, operators
 from symbody.worksheet.evaluation.condition import truth
-from symbody.worksheet.evaluation.select import assigned_entry, key_of
 from symbody.worksheet.evaluation.session import Session
+from symbody.worksheet.interpreter.assignment import Assignments
 from symbody.worksheet.interpreter.evaluate import Evaluator
 from symbody.worksheet.interpreter.procedure import Leave, Returned
 from symbody.worksheet.mechanics import frame_face
@@ -27,12 +27,10 @@ from symbody.worksheet.values.numeric import as_float
 from symbody.worksheet.values.value import (
     NULL,
     Array,
-    Listed,
     Quoted,
     Reference,
     Sequence,
     String,
-    Table,
     Unevaluated,
     Value,
 )
@@ -58,6 +56,7 @@ class Interpreter:
     def __init__(self, session: Session | None = None) -> None:
         self.session = session or Session()
         self.evaluator = Evaluator(self.session)
+        self._assignments = Assignments(self.session, self.evaluator)
         self.evaluator.execute = self._body
         self.session.run = self.run
         self.session.parsed = self.parsed
@@ -67,7 +66,7 @@ class Interpreter:
         self._level = 0
         self._quiet = 0
         self._methods: dict[type, Callable[[Any], Value]] = {
-            syntax.Assignment: self._assignment,
+            syntax.Assignment: self._assignments.execute,
             syntax.Evaluation: lambda node: self._evaluate(node.expression),
             syntax.If: self._if,
             syntax.For: self._for,
@@ -192,140 +191,6 @@ class Interpreter:
             return NULL
         return self.evaluator.evaluate(node)
 
-    # --- assignment ---------------------------------------------------------------------------------------------------
-
-    def _assignment(self, node: syntax.Assignment) -> Value:
-        value = self.evaluator.evaluate(node.value)
-        if len(node.targets) == 1:
-            self._assign(node.targets[0], value)
-            return value
-        values = value.items if isinstance(value, Sequence) else (value,)
-        if len(values) != len(node.targets):
-            raise WorksheetError(
-                f"ambiguous multiple assignment: {len(node.targets)} names for {len(values)} values",
-                node.place,
-            )
-        for target, each in zip(node.targets, values, strict=True):
-            self._assign(target, each)
-        return value
-
-    def _assign(self, target: syntax.Expression, value: Value) -> None:
-        if isinstance(target, syntax.Delayed):
-            target = target.body
-        if isinstance(target, syntax.Name | syntax.Concatenation):
-            self._assign_name(self.evaluator.concatenation(target), value, target)
-        elif isinstance(target, syntax.Selection):
-            self._assign_entry(target, value)
-        elif isinstance(target, syntax.Call) and isinstance(
-            target.function, syntax.Name | syntax.Concatenation | syntax.Selection
-        ):
-            self._assign_call(target, value)
-        elif isinstance(target, syntax.Infix) and target.operator == "::":
-            self._assign(target.left, value)
-        else:
-            raise WorksheetError(
-                "invalid left side of an assignment; expected a name, an entry such as a[1], or x(t)",
-                target.place,
-            )
-
-    def _assign_name(self, name: str, value: Value, target: syntax.Expression) -> None:
-        session = self.session
-        if name in _PROTECTED:
-            raise WorksheetError(f"attempting to assign to {name} which is protected", target.place)
-        scope = session.scope
-        while scope is not None:
-            if name in scope.names or name in scope.local:
-                scope.names[name] = value
-                return
-            scope = scope.parent
-        if name in ("Digits", "printlevel") and isinstance(value, Expr) and (amount := as_float(value)):
-            self._set_option(name, int(amount))
-        if isinstance(value, Expr) and value.kind == "symbol" and value.name == name:
-            session.unassign(name)
-            return
-        if isinstance(value, Reference) and value.name == name:
-            return  # of the table that it is already
-        session.assign(name, self._without_cycle(name, value, target))
-
-    def _set_option(self, name: str, amount: int) -> None:
-        if name == "Digits":
-            self.session.options.digits = min(max(amount, 1), 1000)
-        else:
-            self.session.options.printlevel = amount
-
-    def _without_cycle(self, name: str, value: Value, target: syntax.Expression) -> Value:
-        """A value that holds its own name uses the old value; there is none of a name that had no value."""
-        if not isinstance(value, Expr):
-            return value
-        own = [each for each in value.free_symbols if each.kind == "symbol" and each.name == name]
-        if not own:
-            return value
-        old = self.session.names.get(name)
-        if isinstance(old, Expr):
-            return value.subs({own[0]: old})
-        raise WorksheetError(
-            f"recursive assignment: {name} has no value that its new value could use", target.place
-        )
-
-    def _assign_entry(self, target: syntax.Selection, value: Value) -> None:
-        session = self.session
-        indices = self.evaluator.arguments(target.indices)
-        if isinstance(target.whole, syntax.Name | syntax.Concatenation):
-            name = self.evaluator.concatenation(target.whole)
-            held = session.value(name)
-        elif isinstance(target.whole, syntax.Selection):
-            name, held = "", self.evaluator.evaluate(target.whole)
-        else:
-            name, held = "", self.evaluator.evaluate(target.whole)
-        holder = session.resolve(held)
-        if isinstance(holder, Table | Array):
-            assigned_entry(session, holder, indices, value)
-        elif isinstance(holder, Listed) and name:
-            self._assign_name(name, _with_item(session, holder, indices, value), target)
-        elif isinstance(holder, Expr) and holder.kind == "symbol":
-            self._new_table(holder.name, indices, value)
-        else:
-            raise WorksheetError(
-                f"{session.text(held)[:60]} has no entries that could be assigned", target.place
-            )
-        base = held.name if isinstance(held, Reference) else name
-        if base:
-            session.touch(base)
-
-    def _new_table(self, name: str, indices: tuple[Value, ...], value: Value) -> None:
-        session = self.session
-        table = Table({key_of(session, indices): value})
-        if name in session.indexed:
-            base, own = session.indexed[name]
-            holder = session.resolve(session.value(base))
-            if isinstance(holder, Table):
-                holder.entries[own] = table
-                session.touch(base)
-                return
-        scope = session.scope
-        while scope is not None:
-            if name in scope.names or name in scope.local:
-                scope.names[name] = table
-                return
-            scope = scope.parent
-        session.assign(name, table)
-
-    def _assign_call(self, target: syntax.Call, value: Value) -> None:
-        session = self.session
-        if isinstance(target.function, syntax.Selection):
-            head = self.evaluator.unevaluated(target.function)
-            name = head.name if isinstance(head, Expr) else ""
-        else:
-            name = self.evaluator.concatenation(target.function)
-        arguments = self.evaluator.arguments(target.arguments)
-        scalars = [each for each in arguments if isinstance(each, Expr)]
-        plain = UndefinedFunction(name)(*scalars) if scalars and len(scalars) == len(arguments) else None
-        if plain is not None and value == plain:
-            session.remembered.get(name, {}).pop(arguments, None)
-            session.touch(name)
-            return
-        session.remember(name, arguments, value)
-
     # --- control ------------------------------------------------------------------------------------------------------
 
     def _if(self, node: syntax.If) -> Value:
@@ -346,7 +211,7 @@ class Interpreter:
         for item in self._passes(node):
             self.session.limits.check()
             if node.variable is not None:
-                self._assign_name(node.variable, item, syntax.Name(node.variable, place=node.place))
+                self._assignments.name(node.variable, item, syntax.Name(node.variable, place=node.place))
             if node.condition is not None and not truth(
                 self.session, self.evaluator.evaluate(node.condition)
             ):
@@ -368,7 +233,7 @@ class Interpreter:
             yield at
             at = at + step
         if node.variable is not None:
-            self._assign_name(node.variable, at, syntax.Name(node.variable, place=node.place))
+            self._assignments.name(node.variable, at, syntax.Name(node.variable, place=node.place))
 
     def _bound(self, node: syntax.Expression) -> Expr:
         value = self.evaluator.evaluate(node)
@@ -437,7 +302,7 @@ class Interpreter:
     def _declaration(self, node: syntax.Declaration) -> Value:
         for each in node.variables:
             if each.default is not None:
-                self._assign_name(
+                self._assignments.name(
                     each.name, self.evaluator.evaluate(each.default), syntax.Name(each.name, place=node.place)
                 )
         return NULL
@@ -472,10 +337,6 @@ _FAULTS: tuple[type[Exception], ...] = (
 )
 """What a value that a command doesn't expect may raise in it; the next statement runs."""
 
-_PROTECTED = frozenset(
-    {"Pi", "I", "true", "false", "FAIL", "infinity", "NULL", "sin", "cos", "tan", "diff", "D"}
-)
-
 
 def _beyond(at: Expr, stop: Expr, step: Expr) -> bool:
     a, b, c = as_float(at), as_float(stop), as_float(step)
@@ -484,11 +345,3 @@ def _beyond(at: Expr, stop: Expr, step: Expr) -> bool:
     if c == 0:
         raise WorksheetError("the step of a loop is zero")
     return a > b if c > 0 else a < b
-
-
-def _with_item(session: Session, whole: Listed, indices: tuple[Value, ...], value: Value) -> Value:
-    array = Array(len(whole.items), 1, list(whole.items), "Vector")
-    if len(indices) == 1 and as_float(indices[0]) == len(whole.items) + 1:  # type: ignore[arg-type]
-        return Listed((*whole.items, value))
-    assigned_entry(session, array, indices, value)
-    return Listed(tuple(array.entries))

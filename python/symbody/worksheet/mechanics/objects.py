@@ -20,9 +20,10 @@ from symbody.worksheet.values.value import Sequence as Several
 
 if TYPE_CHECKING:
     from symbody import multibody
-    from symbody.multibody import Body, Load
+    from symbody.multibody import Body, Load, left_place
 else:
     multibody = Deferred("symbody.multibody")
+    left_place = Deferred("symbody.multibody.left_place")
 
 __all__ = [
     "Reader",
@@ -269,6 +270,12 @@ class Reader:
             else:
                 name = item.name if isinstance(item, Reference) else "?"
                 self.session.lines.append(f"<{name}> {kind} is not valid: it must be applied to a BODY")
+        for force, where in left_place.left_places(bodies, loads):
+            self.session.notice(
+                f"{self.where}: the force {force.name or '?'} acts on {force.on.name or 'a body'} at {where}, from "
+                "which the body moves away; expected a point of the body: make_POINT with its frame; if the force "
+                "shall stay there, give the body that exerts it as the last argument of make_FORCE"
+            )
         return bodies, loads
 
     def _is(self, value: Value, kind: str) -> bool:

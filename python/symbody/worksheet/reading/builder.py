@@ -8,9 +8,9 @@ from typing import Any, TypeVar
 
 from lark import Token
 
+from symbody.worksheet.reading.digits import MOST_DIGITS, integer_of
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.sheet.syntax import Expression, Parameter, Place, Statement
-from symbody.worksheet.values.integers import MOST_DIGITS, integer_of
 
 __all__ = ["Builder", "Mistake", "one_place", "unquoted"]
 

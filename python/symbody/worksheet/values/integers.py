@@ -1,13 +1,11 @@
-"""Integers of many digits: their text, and the number that a text is."""
+"""The texts of integers of many digits."""
 
 from __future__ import annotations
 
 from symbody.symbolic import Expr
 
-__all__ = ["MOST_BITS", "MOST_DIGITS", "integer_of", "number_text", "shown_number"]
+__all__ = ["MOST_BITS", "number_text", "shown_number"]
 
-MOST_DIGITS = 1_000_000
-"""Integers of more digits are not read; powers of more are not computed."""
 _DIRECT = 4000
 """Digits that Python converts without being told to."""
 MOST_BITS = 3 * _DIRECT
@@ -15,19 +13,6 @@ MOST_BITS = 3 * _DIRECT
 _SHOWN = 10_000
 _ENDS = 100
 """Maple's ``elisiondigitsthreshold``, and the digits that it shows before and behind what it leaves out."""
-
-
-def integer_of(digits: str) -> int:
-    """Return the integer that digits are, half by half where there are many.
-
-    >>> integer_of("1" + "0" * 5000) == 10**5000
-    True
-    """
-    if len(digits) <= _DIRECT:
-        return int(digits)
-    behind = len(digits) // 2
-    power: int = 10**behind
-    return integer_of(digits[:-behind]) * power + integer_of(digits[-behind:])
 
 
 def number_text(value: Expr) -> str:

@@ -13,8 +13,9 @@ from symbody.errors import ArgumentError
 from symbody.simulation.given.event import Event
 from symbody.symbolic import Expr
 from symbody.symbolic.given.arguments import comparison_note, described
+from symbody.symbolic.given.arguments import expression as given_expression
 
-__all__ = ["Course", "Crossings", "Measure", "checked_expression"]
+__all__ = ["Course", "Crossings", "Measure", "checked_expression", "checked_number"]
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.intp]
@@ -110,3 +111,16 @@ def checked_expression(value: object, where: str) -> Expr:
             f"{comparison_note(value)}"
         )
     return value
+
+
+def checked_number(value: object, where: str) -> Expr:
+    """Return an argument of a measure that is a number or an expression.
+
+    Args:
+        value: what the user gave.
+        where: the function and the argument, such as ``time_above, level``.
+
+    Raises:
+        ArgumentError: it is something else.
+    """
+    return given_expression(value, f"measures.{where}")

@@ -7,10 +7,12 @@ from typing import final
 import numpy as np
 from numpy.typing import NDArray
 
+from symbody.errors import ArgumentError
 from symbody.simulation.given.event import Event
 from symbody.symbolic import Abs, Expr, ExprLike
+from symbody.symbolic.given.arguments import described
 
-from .measure import Array, Course, Indices, Measure, checked_expression
+from .measure import Array, Course, Indices, Measure, checked_expression, checked_number
 
 __all__ = ["settling_time", "time_above"]
 
@@ -84,7 +86,9 @@ def time_above(expression: Expr, level: ExprLike = 0) -> Measure:
     >>> measures.time_above(functions_of_time("x"), 0.2)
     TimeAbove(expression=x - 0.2)
     """
-    return TimeAbove(checked_expression(expression, "time_above") - level)
+    return TimeAbove(
+        checked_expression(expression, "time_above") - checked_number(level, "time_above, level")
+    )
 
 
 def settling_time(expression: Expr, band: ExprLike, target: ExprLike = 0) -> Measure:
@@ -95,8 +99,15 @@ def settling_time(expression: Expr, band: ExprLike, target: ExprLike = 0) -> Mea
         band: the largest distance from the target: a number, or an expression.
         target: the value to which x settles.
 
+    Raises:
+        ArgumentError: the band is not positive.
+
     >>> from symbody import functions_of_time, measures
     >>> measures.settling_time(functions_of_time("x"), 0.02, target=1)
     SettlingTime(expression=Abs(x - 1) - 0.02)
     """
-    return SettlingTime(Abs(checked_expression(expression, "settling_time") - target) - band)
+    x, y = checked_expression(expression, "settling_time"), checked_number(target, "settling_time, target")
+    width = checked_number(band, "settling_time, band")
+    if width.is_number and float(width) <= 0:
+        raise ArgumentError(f"measures.settling_time: band={described(band)}; expected a positive distance")
+    return SettlingTime(Abs(x - y) - width)

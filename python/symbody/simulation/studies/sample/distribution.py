@@ -20,6 +20,9 @@ Distribution: TypeAlias = Any
 """A frozen distribution of ``scipy.stats``, ``("normal", mean, deviation)`` and the like, a list of values that are
 equally likely, or a dictionary of values with their probabilities."""
 
+SUM = 1e-6
+"""What the sum of probabilities may differ from one by: they may be rounded."""
+
 Quantile: TypeAlias = Callable[[Array], Array]
 """The quantile function F^-1: probabilities in (0, 1) to values."""
 
@@ -73,7 +76,7 @@ def quantile_function(name: object, given: Distribution) -> Quantile:
     if isinstance(given, tuple):
         return _of_family(name, given)
     if isinstance(given, Mapping):
-        return _of_choices(name, [*given], [*given.values()])
+        return _of_choices(name, [*given], _probabilities(name, given))
     if isinstance(given, list | range | np.ndarray):
         return _of_choices(name, given, [1.0] * len(given))
     found = getattr(given, "ppf", None) or getattr(given, "icdf", None)
@@ -108,6 +111,22 @@ def _of_choices(name: object, values: Sequence[Any] | Array, weights: Sequence[A
         )
     steps = np.cumsum(shares) / shares.sum()
     return lambda p: numbers[np.minimum(np.searchsorted(steps, p), len(numbers) - 1)]
+
+
+def _probabilities(name: object, given: Mapping[Any, Any]) -> list[Any]:
+    """Return the probabilities of values: they sum to one, or are whole numbers in proportion to them.
+
+    If others were scaled, a value that was forgotten would go unnoticed.
+    """
+    listed = [*given.values()]
+    shares = _numbers(listed)
+    is_known = shares is not None and shares.ndim == 1 and bool((shares >= 0).all()) and shares.sum() > 0
+    if shares is not None and is_known and abs(shares.sum() - 1) > SUM and (shares % 1 != 0).any():
+        raise ParameterError(
+            f"sample: the probabilities of {name} are {listed!r} and sum to {shares.sum():.6g}; expected a sum of 1, "
+            "or whole numbers in proportion to the probabilities"
+        )
+    return listed
 
 
 def _numbers(values: object) -> Array | None:

@@ -1,0 +1,167 @@
+"""Assignments: to names, entries of tables, lists and matrices, and values of functions."""
+
+from __future__ import annotations
+
+from symbody.errors import WorksheetError
+from symbody.symbolic import Expr, UndefinedFunction
+from symbody.worksheet.evaluation.select import assigned_entry, key_of
+from symbody.worksheet.evaluation.session import Session
+from symbody.worksheet.interpreter.evaluate import Evaluator
+from symbody.worksheet.sheet import syntax
+from symbody.worksheet.values.numeric import as_float
+from symbody.worksheet.values.value import Array, Listed, Reference, Sequence, Table, Value
+
+__all__ = ["Assignments"]
+
+_PROTECTED = frozenset(
+    {"Pi", "I", "true", "false", "FAIL", "infinity", "NULL", "sin", "cos", "tan", "diff", "D"}
+)
+
+
+class Assignments:
+    """Executes assignments in a session."""
+
+    def __init__(self, session: Session, evaluator: Evaluator) -> None:
+        self.session, self.evaluator = session, evaluator
+
+    def execute(self, node: syntax.Assignment) -> Value:
+        """Assign the values of the right side to the targets of the left side, and return them."""
+        value = self.evaluator.evaluate(node.value)
+        if len(node.targets) == 1:
+            self._assign(node.targets[0], value)
+            return value
+        values = value.items if isinstance(value, Sequence) else (value,)
+        if len(values) != len(node.targets):
+            raise WorksheetError(
+                f"ambiguous multiple assignment: {len(node.targets)} names for {len(values)} values",
+                node.place,
+            )
+        for target, each in zip(node.targets, values, strict=True):
+            self._assign(target, each)
+        return value
+
+    def _assign(self, target: syntax.Expression, value: Value) -> None:
+        if isinstance(target, syntax.Delayed):
+            target = target.body
+        if isinstance(target, syntax.Name | syntax.Concatenation):
+            self.name(self.evaluator.concatenation(target), value, target)
+        elif isinstance(target, syntax.Selection):
+            self._assign_entry(target, value)
+        elif isinstance(target, syntax.Call) and isinstance(
+            target.function, syntax.Name | syntax.Concatenation | syntax.Selection
+        ):
+            self._assign_call(target, value)
+        elif isinstance(target, syntax.Infix) and target.operator == "::":
+            self._assign(target.left, value)
+        else:
+            raise WorksheetError(
+                "invalid left side of an assignment; expected a name, an entry such as a[1], or x(t)",
+                target.place,
+            )
+
+    def name(self, name: str, value: Value, target: syntax.Expression) -> None:
+        """Give a name a value: the innermost procedure's that has it, or the session's."""
+        session = self.session
+        if name in _PROTECTED:
+            raise WorksheetError(f"attempting to assign to {name} which is protected", target.place)
+        scope = session.scope
+        while scope is not None:
+            if name in scope.names or name in scope.local:
+                scope.names[name] = value
+                return
+            scope = scope.parent
+        if name in ("Digits", "printlevel") and isinstance(value, Expr) and (amount := as_float(value)):
+            self._set_option(name, int(amount))
+        if isinstance(value, Expr) and value.kind == "symbol" and value.name == name:
+            session.unassign(name)
+            return
+        if isinstance(value, Reference) and value.name == name:
+            return  # of the table that it is already
+        session.assign(name, self._without_cycle(name, value, target))
+
+    def _set_option(self, name: str, amount: int) -> None:
+        if name == "Digits":
+            self.session.options.digits = min(max(amount, 1), 1000)
+        else:
+            self.session.options.printlevel = amount
+
+    def _without_cycle(self, name: str, value: Value, target: syntax.Expression) -> Value:
+        """A value that holds its own name uses the old value; there is none of a name that had no value."""
+        if not isinstance(value, Expr):
+            return value
+        own = [each for each in value.free_symbols if each.kind == "symbol" and each.name == name]
+        if not own:
+            return value
+        old = self.session.names.get(name)
+        if isinstance(old, Expr):
+            return value.subs({own[0]: old})
+        raise WorksheetError(
+            f"recursive assignment: {name} has no value that its new value could use", target.place
+        )
+
+    def _assign_entry(self, target: syntax.Selection, value: Value) -> None:
+        session = self.session
+        indices = self.evaluator.arguments(target.indices)
+        if isinstance(target.whole, syntax.Name | syntax.Concatenation):
+            name = self.evaluator.concatenation(target.whole)
+            held = session.value(name)
+        elif isinstance(target.whole, syntax.Selection):
+            name, held = "", self.evaluator.evaluate(target.whole)
+        else:
+            name, held = "", self.evaluator.evaluate(target.whole)
+        holder = session.resolve(held)
+        if isinstance(holder, Table | Array):
+            assigned_entry(session, holder, indices, value)
+        elif isinstance(holder, Listed) and name:
+            self.name(name, _with_item(session, holder, indices, value), target)
+        elif isinstance(holder, Expr) and holder.kind == "symbol":
+            self._new_table(holder.name, indices, value)
+        else:
+            raise WorksheetError(
+                f"{session.text(held)[:60]} has no entries that could be assigned", target.place
+            )
+        base = held.name if isinstance(held, Reference) else name
+        if base:
+            session.touch(base)
+
+    def _new_table(self, name: str, indices: tuple[Value, ...], value: Value) -> None:
+        session = self.session
+        table = Table({key_of(session, indices): value})
+        if name in session.indexed:
+            base, own = session.indexed[name]
+            holder = session.resolve(session.value(base))
+            if isinstance(holder, Table):
+                holder.entries[own] = table
+                session.touch(base)
+                return
+        scope = session.scope
+        while scope is not None:
+            if name in scope.names or name in scope.local:
+                scope.names[name] = table
+                return
+            scope = scope.parent
+        session.assign(name, table)
+
+    def _assign_call(self, target: syntax.Call, value: Value) -> None:
+        session = self.session
+        if isinstance(target.function, syntax.Selection):
+            head = self.evaluator.unevaluated(target.function)
+            name = head.name if isinstance(head, Expr) else ""
+        else:
+            name = self.evaluator.concatenation(target.function)
+        arguments = self.evaluator.arguments(target.arguments)
+        scalars = [each for each in arguments if isinstance(each, Expr)]
+        plain = UndefinedFunction(name)(*scalars) if scalars and len(scalars) == len(arguments) else None
+        if plain is not None and value == plain:
+            session.remembered.get(name, {}).pop(arguments, None)
+            session.touch(name)
+            return
+        session.remember(name, arguments, value)
+
+
+def _with_item(session: Session, whole: Listed, indices: tuple[Value, ...], value: Value) -> Value:
+    array = Array(len(whole.items), 1, list(whole.items), "Vector")
+    if len(indices) == 1 and as_float(indices[0]) == len(whole.items) + 1:  # type: ignore[arg-type]
+        return Listed((*whole.items, value))
+    assigned_entry(session, array, indices, value)
+    return Listed(tuple(array.entries))
