@@ -72,12 +72,13 @@ else
 	cargo --config 'build.rustdocflags="--deny warnings"' doc --release --no-deps --document-private-items --workspace $(LOCKED)
 endif
 
+# Stubtest is before mypy, since it leaves its own options in the cache with which the tests begin to check types.
 lint-python: $(STAMPS)/build $(STAMPS)/develop
 	$(call say,Python lints: format$(,) lint$(,) types$(,) layers)
 	$(BIN)/ruff format --check .
 	$(BIN)/ruff check .
-	$(BIN)/mypy
 	$(BIN)/python -m mypy.stubtest symbody.symbolic._core
+	$(BIN)/mypy
 	$(BIN)/lint-imports --no-cache
 	$(call say,Sizes: a report$(,) no lint)
 	@$(BIN)/python scripts/sizes.py

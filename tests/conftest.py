@@ -30,9 +30,11 @@ MISSING = "missing programs"
 def pytest_configure() -> None:
     """Let Ctrl-C act, which some tests press: shells start what runs in the background with it ignored.
 
-    All code is compiled anew, and nothing is left in the user's folder.
+    All code is compiled anew, and nothing is left in the user's folder. JAX compiles what runs once without its
+    optimisation, which takes longer than what it saves.
     """
     os.environ["SYMBODY_CACHE"] = "off"
+    os.environ.setdefault("JAX_DISABLE_MOST_OPTIMIZATIONS", "1")
     if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:
         signal.signal(signal.SIGINT, signal.default_int_handler)
 

@@ -30,7 +30,7 @@ def _run(*arguments: object) -> subprocess.CompletedProcess[str]:
 
 @pytest.mark.slow
 @pytest.mark.skipif(not hasattr(signal, "alarm"), reason="calls are timed by POSIX")
-@pytest.mark.parametrize("seed", [*range(3), *repeated(range(3, 30))])
+@pytest.mark.parametrize("seed", [0, *repeated(range(1, 30))])
 def test_hostile_calls(seed: int, tmp_path: Path) -> None:
     journal = tmp_path / "journal"
     done = _run(seed, CALLS, journal)

@@ -86,7 +86,15 @@ def _piece(session: Session, flags: str, width: str, precision: str | None, kind
 
 
 def _integer_piece(session: Session, flags: str, width: str, point: str, value: Value) -> str:
-    """Return an integer in a format such as ``%+6d``; one of very many digits is longer than any width."""
+    """Return an integer in a format such as ``%+6d``; one of very many digits is longer than any width.
+
+    Args:
+        session: the session.
+        flags: signs and zeros of the format, such as ``+``.
+        width: the least number of characters.
+        point: the number of digits, with its point.
+        value: the integer.
+    """
     whole = as_integer(value)
     if whole is None or not isinstance(value, Expr):
         raise WorksheetError(f"printf: integer expected for %d, found {session.text(value)[:60]}")

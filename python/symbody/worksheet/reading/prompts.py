@@ -41,7 +41,10 @@ def prompt_of(line: Line) -> int:
 
 def inputs(line: Line, begin: int) -> Iterator[Line]:
     """Return the code behind a prompt, in pieces where there are several prompts."""
+    start = begin
     for prompt in _PROMPT_WITHIN.finditer(line.text, begin):
+        if _is_in_string(line.text, start, prompt.start()):
+            continue
         yield Line(line.text[begin : prompt.start()], line.line, line.column + begin)
         begin = prompt.end()
     if line.text[begin:].strip():
@@ -67,7 +70,11 @@ def _glued_prompt(line: Line) -> int | None:
     """Return the place of a prompt right behind other text, outside of strings; None if there is none."""
     begin = prompt_of(line)
     places = (found.start() for found in _GLUED.finditer(line.text, begin))
-    return next((place for place in places if line.text.count('"', begin, place) % 2 == 0), None)
+    return next((place for place in places if not _is_in_string(line.text, begin, place)), None)
+
+
+def _is_in_string(text: str, begin: int, place: int) -> bool:
+    return text.count('"', begin, place) % 2 == 1
 
 
 def _has_words(line: Line) -> bool:
