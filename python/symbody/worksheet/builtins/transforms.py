@@ -6,7 +6,18 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from math import factorial
 
-from symbody.symbolic import Expr, UndefinedFunction, cos, exp, expand, number, sin, sqrt, time_function
+from symbody.symbolic import (
+    Expr,
+    UndefinedFunction,
+    cos,
+    exp,
+    expand,
+    number,
+    simplify,
+    sin,
+    sqrt,
+    time_function,
+)
 from symbody.symbolic.roots.fraction import numerator
 from symbody.worksheet.evaluation.arithmetic import scalar
 from symbody.worksheet.evaluation.entrywise import entrywise
@@ -148,8 +159,14 @@ class _Pole:
 
 
 def _original(value: Expr, s: Expr, t: Expr) -> Expr | None:
+    if value.is_zero:
+        return value
     held = frozenset({s})
     above, below = numerator(value, held), numerator(1 / value, held)
+    factor = simplify(value * below / above)  # a numeric factor is in both
+    if s in factor.free_symbols:
+        return None
+    above = above * factor
     top, bottom = polynomial_in(above, s), polynomial_in(below, s)
     poles = _poles(below, s)
     if top is None or bottom is None or poles is None or not len(top) < len(bottom):

@@ -1,0 +1,87 @@
+"""Transforms, eigenvalues, roots and complex numbers, compared with SciPy, NumPy and Python's own."""
+
+from __future__ import annotations
+
+import cmath
+import math
+
+import numpy as np
+import pytest
+from scipy.integrate import quad
+
+from symbody.symbolic import Expr, symbol, t
+from symbody.worksheet.interpreter.interpret import Interpreter
+from symbody.worksheet.values.value import Array
+from tests.worksheet.printed_by import printed
+
+
+def scalar_of(text: str) -> Expr:
+    """Return the scalar that the last expression of a sheet gives."""
+    interpreter = Interpreter()
+    *before, last = text.split(":")
+    printed(":".join([*before, ""]), None, interpreter)
+    found = interpreter.session.parsed(f"{last};")
+    assert isinstance(found, Expr)
+    return found
+
+
+@pytest.mark.parametrize("function", ["1", "t^2", "exp(-2*t)", "sin(3*t)", "t*cos(2*t)", "exp(-t)*sin(2*t)"])
+def test_laplace_transforms_are_integrals(function: str) -> None:
+    original = scalar_of(function)
+    transform = scalar_of(f"with(inttrans): laplace({function}, t, s)")
+    s = 1.7
+    expected, _ = quad(lambda at: original.evaluate({t: at}) * math.exp(-s * at), 0, 60, limit=400)
+    assert transform.evaluate({symbol("s"): s}) == pytest.approx(expected, rel=1e-7)
+
+
+@pytest.mark.parametrize("transform", ["1/(s+2)", "3/(s^2+9)", "s/(2*s^2+4*s+10)", "5/(3*s*(s+1)^2)", "0"])
+def test_the_inverse_transform_is_transformed_back(transform: str) -> None:
+    assert scalar_of(f"with(inttrans): laplace(invlaplace({transform}, s, t), t, s) - ({transform})").is_zero
+
+
+def test_eigenvalues_are_those_of_numpy() -> None:
+    found = Interpreter().session.parsed(
+        "LinearAlgebra[Eigenvalues](Matrix([[2., 1., 0.], [1., 3., 1.], [0., 1., 4.]]));"
+    )
+    assert isinstance(found, Array)
+    values = sorted(each.evaluate({}) for each in found.entries if isinstance(each, Expr))
+    assert values == pytest.approx(np.linalg.eigvalsh([[2, 1, 0], [1, 3, 1], [0, 1, 4]]), rel=1e-9)
+
+
+def test_roots_without_a_closed_form_are_those_of_numpy() -> None:
+    lines = printed("evalf(solve(x^5 - x - 1 = 0, x));")
+    (real,) = (each.real for each in np.roots([1, 0, 0, 0, -1, -1]) if abs(each.imag) < 1e-12)
+    assert f"{real:.9f}" in lines[0]
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("Re((2+3*I)*(1-I))", ((2 + 3j) * (1 - 1j)).real),
+        ("Im((2+3*I)/(1-I))", ((2 + 3j) / (1 - 1j)).imag),
+        ("abs(3-4*I)", abs(3 - 4j)),
+        ("Im(exp(1+2*I))", cmath.exp(1 + 2j).imag),
+        ("Re(conjugate(5+2*I))", 5),
+        ("argument(-1+I)", cmath.phase(-1 + 1j)),
+    ],
+)
+def test_complex_numbers_are_those_of_python(text: str, value: float) -> None:
+    assert scalar_of(text).evaluate({}) == pytest.approx(value, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("int(x*exp(-x), x = 0..1)", quad(lambda x: x * math.exp(-x), 0, 1)[0]),
+        ("int(int(x*y^2, x = 0..1), y = 0..2)", 4 / 3),
+        ("limit((1 - cos(x))/x^2, x = 0)", 1 / 2),
+        ("value(Int(sin(x), x = 0..Pi))", 2),
+    ],
+)
+def test_integrals_and_limits(text: str, value: float) -> None:
+    pytest.importorskip("sympy")
+    assert scalar_of(text).evaluate({}) == pytest.approx(value, rel=1e-10)
+
+
+def test_the_last_exception_is_kept() -> None:
+    assert printed('try error "too short" catch: print(lastexception) end try:') == ['unknown, "too short"']
