@@ -228,14 +228,12 @@ def test_steps_that_share_something_are_in_order() -> None:
     """In CI two run at a time: packages are there before what uses them, and the tests of Python are alone."""
     reported = steps(CI="true")
     installs = [reported.index(f"--group {group}") for group in ("develop", "bench")]
-    lints = [
-        reported.index(step) for step in ("maturin develop", "bin/mypy", "mypy.stubtest", "lint-imports")
-    ]
-    assert [*installs, *lints] == sorted([*installs, *lints])
-    rust = [
-        reported.index(step) for step in ("cargo clippy", " doc --release", "maturin develop", "cargo test")
-    ]
+    built = reported.index("maturin develop --release --locked")
+    lints = [reported.index(step) for step in ("mypy.stubtest", "bin/mypy", "lint-imports")]
+    assert [*installs, built, *lints] == sorted([*installs, built, *lints])
+    rust = [reported.index(step) for step in ("--skip-install", "lint_crate.py", "cargo test")]
     assert rust == sorted(rust)
+    assert built < rust[1]
     assert reported.index("-m pytest") > max(*lints, *rust, reported.index("scripts/tools.py  test"))
 
 

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from symbody.errors import WorksheetError
+from symbody.worksheet.evaluation.limits import Limits
 from symbody.worksheet.interpreter.interpret import Interpreter
 from symbody.worksheet.reading.files import source_cells
 from symbody.worksheet.reading.statements import statements
@@ -68,6 +69,10 @@ def test_a_statement_that_takes_too_much_memory_is_stopped() -> None:
     assert errors == [
         "the statement took more than 0.02 GB of memory; it was stopped, and the next statement runs"
     ]
+
+
+def test_what_is_evaluated_outside_a_statement_has_no_limits() -> None:
+    Limits(seconds=0, memory=0).check()
 
 
 def test_a_long_motion_is_stopped() -> None:

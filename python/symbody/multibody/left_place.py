@@ -19,9 +19,9 @@ __all__ = ["left_place_notice", "left_places"]
 def left_places(bodies: Collection[Body], loads: Iterable[Load]) -> Iterator[tuple[Force, str]]:
     """Return the forces whose point is at rest or on another body, from which their body moves away; and where it is.
 
-    A force may act on ever other material points of its body, as that of a jet at rest does. Then what exerts it is
-    known, and the point is fixed in the body that reacts. A point that stays at one distance from the centre of mass
-    may be that of a wheel or of a joint.
+    Such a force acts on one material point of its body after another, as that of a jet at rest does. It is meant if
+    the point is fixed in the body that exerts it, which ``reaction`` names. A point at a constant distance from the
+    centre of mass is not reported: it may be that of a wheel or of a joint.
 
     Args:
         bodies: the bodies of a system.

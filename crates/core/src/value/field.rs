@@ -5,7 +5,8 @@ use num_integer::Integer;
 use num_traits::ToPrimitive;
 use std::sync::OnceLock;
 
-use super::circle::{self, Point};
+use super::circle;
+use super::groups::{Groups, units_on_circle};
 use super::key::Key;
 use super::number::Number;
 use super::prime::{Prime, fraction_modulo};
@@ -22,19 +23,6 @@ pub(crate) struct Field {
     angle_order: Option<u64>,
     exponent_order: Option<u64>,
     groups: OnceLock<Groups>,
-}
-
-/// Generators of the groups of a field.
-pub(super) struct Groups {
-    /// The order of the exact angles, and the smallest of them.
-    pub(super) torsion: (u64, Point),
-    /// The atomic angle of prime order: a point of the circle.
-    angle: Point,
-    /// The atomic exponential of prime order.
-    exponential: u64,
-    /// The odd primes of the exact angles with the largest powers of them that divide p + 1, and the units of these orders,
-    /// if the field has them all.
-    units: Vec<(u64, u32, Quadratic)>,
 }
 
 impl Field {
@@ -497,28 +485,4 @@ fn shared_part(number: u64, other: &BigInt) -> u64 {
             _ => return shared,
         }
     }
-}
-
-/// The units of the largest orders on the circle that are powers of odd primes of the exact angles, and agree with these.
-fn units_on_circle(prime: &Prime, (order, step): (u64, Point)) -> Vec<(u64, u32, Quadratic)> {
-    let unit = |q: u64| {
-        let power_in = |mut number: u64| {
-            let mut count = 0;
-            while number % q == 0 {
-                (number, count) = (number / q, count + 1);
-            }
-            count
-        };
-        let (exact, held) = (q.pow(power_in(order)), power_in(prime.p + 1));
-        let target = circle::times(prime, step, order / exact);
-        let cofactor = (prime.p + 1) / q.pow(held);
-        let point = |t: u64| circle::times(prime, circle::point(prime, prime.natural(t)), cofactor);
-        let more = q.pow(held) / exact;
-        let agrees = |point: &Point| circle::times(prime, *point, more) == target;
-        let candidates =
-            (2..).map(point).flat_map(|point| (1..exact).map(move |k| circle::times(prime, point, k)));
-        let (cos, sin) = candidates.into_iter().find(agrees).expect("the circle is a cyclic group");
-        (q, held, Quadratic::Wide([cos, sin].into()))
-    };
-    [3, 5, 7, 11].map(unit).into()
 }

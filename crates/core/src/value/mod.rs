@@ -15,6 +15,7 @@ mod exact_angle;
 mod extended;
 mod field;
 mod gcd;
+mod groups;
 mod key;
 mod lane;
 mod lanes;

@@ -138,6 +138,7 @@ impl<const W: usize> Loop for Terms<'_, W> {
             combine(terms, None, &step.rates, weights);
             for term in terms {
                 for (entry, h) in term.iter_mut().zip(&step.h) {
+                    // A motion alone adds the products to 0, which makes 0 of -0.
                     *entry = (0.0 + *entry) * h;
                 }
             }

@@ -12,6 +12,7 @@ from symbody.errors import ConstraintError
 from symbody.multibody import Variables
 from symbody.simulation.model.named_constraint import named_constraint
 from symbody.symbolic import Expr
+from symbody.symbolic.given.arguments import counted
 
 from .contradiction import contradiction_between, contradictory_equations
 from .gauss_newton import gauss_newton
@@ -246,8 +247,9 @@ def _unsatisfied(kinematics: Kinematics, p: Array, t: float, q: Array, fixed: Ma
         return (
             f"the loop nearly closes at t = {t:g} s: at the nearest position, {nearest}, {opened}; its constraints "
             "nearly depend on each other, so that it closes with exact dimensions alone: give them with all digits, "
-            f"or as expressions such as pi/6, or let joints of the loop have {missing} more freedoms in all, such as "
-            f"{_FREER.get(missing, 'spherical joints in place of revolute ones')}, which the motion hardly uses"
+            f"or as expressions such as pi/6, or let joints of the loop have {counted(missing, 'more freedom')} "
+            f"in all, such as {_FREER.get(missing, 'spherical joints in place of revolute ones')}, which the motion "
+            "hardly uses"
         )
     if opened and (against or not named):
         nearest = listed_values(system.coordinates, dict(zip(system.coordinates, q, strict=True)))

@@ -26,7 +26,7 @@ class Limits:
         depth: nested calls of procedures.
         items: items of a sequence or a matrix.
         deadline: when the time of the statement is over.
-        resident: the memory of the process when the statement began.
+        resident: the memory of the process when the statement began; infinite outside of statements.
         asked: when the process was last asked for its memory.
     """
 
@@ -35,7 +35,7 @@ class Limits:
     depth: int = 150
     items: int = 1_000_000
     deadline: float = float("inf")
-    resident: float = 0.0
+    resident: float = float("inf")
     asked: float = 0.0
 
     def start(self) -> None:

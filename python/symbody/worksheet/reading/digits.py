@@ -1,4 +1,4 @@
-"""The integer that a text of many digits is."""
+"""Integers of many digits, read from text."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ _DIRECT = 4000
 
 
 def integer_of(digits: str) -> int:
-    """Return the integer that digits are, half by half where there are many.
+    """Return the integer with these decimal digits; many digits are converted half by half.
 
     >>> integer_of("1" + "0" * 5000) == 10**5000
     True

@@ -1,4 +1,4 @@
-"""The texts of integers of many digits."""
+"""Integers of many digits, printed."""
 
 from __future__ import annotations
 

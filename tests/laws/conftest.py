@@ -1,0 +1,17 @@
+"""Random systems have forces at any places, also at those that bodies leave: the laws are algebra and hold there."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+ANY_PLACE = "ignore:.*from which the body moves away:symbody.errors.ModelNotice"
+"""The filter of the notice about these forces."""
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Let the tests of this folder derive systems with such forces."""
+    for item in items:
+        if item.path.is_relative_to(Path(__file__).parent):
+            item.add_marker(pytest.mark.filterwarnings(ANY_PLACE))
