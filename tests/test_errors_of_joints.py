@@ -108,6 +108,14 @@ twins = System(twin, (), functions_of_time("s1 s2"))
 MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     (
         errors.JointError,
+        lambda: four_bar.joint("D").coordinate,
+        (
+            "revolute D closes a loop, and has no coordinate; expected that of a joint of the tree, or freedom(), which "
+            "loads take in its place"
+        ),
+    ),
+    (
+        errors.JointError,
         lambda: revolute("J", ground, a, limits=(1, 1)),
         f"revolute J: limits from 1 to 1, {FIXED}",
     ),
