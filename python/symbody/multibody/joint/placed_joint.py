@@ -86,8 +86,8 @@ class PlacedJoint:
         if self.opens:
             return self.joint.coordinate
         raise JointError(
-            f"{self} closes a loop, and has no coordinate; expected that of a joint of the tree, or freedom(), which loads "
-            "take in its place"
+            f"{self} closes a loop, and has no coordinate; expected that of a joint of the tree, or freedom(), which "
+            "loads take in its place"
         )
 
     @property
