@@ -126,6 +126,13 @@ def _parts(
 
     Symbols give short forms and are right as a rule, but they don't tell numbers and quotients apart, nor a load from
     inertia where it is undefined without its symbols, as `m*g*x/l`. Christoffel's symbols tell the forces of inertia.
+
+    Args:
+        system: the system to which the equations belong.
+        bias: the residuals at zero accelerations and multipliers.
+        kinds: the symbols by which terms are told apart.
+        mass_matrix: M, n x n.
+        actions: those of the loads.
     """
     parts = [_Parts.of(entry, kinds) for entry in bias]
     follows = by_christoffel([part.inertia for part in parts], mass_matrix, system)

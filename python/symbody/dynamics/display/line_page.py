@@ -93,6 +93,13 @@ def _short_bias(
     """Return the bias without lines in a form in which these don't cancel; None if neither way gives its value.
 
     It follows from Christoffel's symbols and generalised forces, or is free of the symbols that the laws alone hold.
+
+    Args:
+        system: the system with its lines.
+        matrix: the mass matrix.
+        rest: the bias without lines.
+        lines: the forces along lines.
+        actions: those of the other loads.
     """
     forces = generalized_forces(system, actions)
     totals = [
