@@ -8,7 +8,7 @@ from math import factorial
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, number, t, time_derivative
 from symbody.worksheet.evaluation.arithmetic import scalar
-from symbody.worksheet.evaluation.derivative_rules import by_rules
+from symbody.worksheet.evaluation.derivative_rules import by_rules, derived
 from symbody.worksheet.evaluation.entrywise import entrywise
 from symbody.worksheet.evaluation.session import Command, Session
 from symbody.worksheet.values.naming import symbol
@@ -46,7 +46,7 @@ def derivative(session: Session, value: Expr, by: Expr) -> Expr:
             )
         dummy = symbol("_variable")
         return by_rules(session, value.subs({by: dummy}).diff(dummy).subs({dummy: by}))
-    return by_rules(session, value.diff(by))
+    return derived(session, value, by)
 
 
 def derivative_operator(session: Session, function: Value) -> Value:

@@ -34,6 +34,7 @@ class Scope:
         parent: the scope in which the procedure was written, or None for the session.
         last: the last values, for ``%``.
         name: what the procedure is called by.
+        missing: the parameters for which the call has no argument, by their places.
     """
 
     names: dict[str, Value] = field(default_factory=dict)
@@ -42,6 +43,7 @@ class Scope:
     parent: Scope | None = None
     last: list[Value] = field(default_factory=list)
     name: str = ""
+    missing: dict[str, int] = field(default_factory=dict)
 
 
 @dataclass

@@ -189,6 +189,7 @@ def _bind(session: Session, scope: Scope, parameters: Iterable[syntax.Parameter]
             scope.names[parameter.name] = session.evaluate(parameter.default)
         else:
             scope.local.add(parameter.name)
+            scope.missing[parameter.name] = i + 1
 
 
 def _is_rest_of_arguments(session: Session, parameter: syntax.Parameter) -> bool:
