@@ -2,21 +2,35 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import groupby
 
-from symbody.document.document import Block, Heading, Math, Table
+from symbody.document.document import Block, Heading, Table
+from symbody.document.formula import listed
 from symbody.document.role import in_order, roles_of, units_of_coordinates
 from symbody.document.subject import Subject
-from symbody.symbolic import Expr, latex, substitute
+from symbody.symbolic import Expr, substitute
 from symbody.view.overview import overview
 
 
 def nomenclature(subject: Subject) -> list[Block]:
     """Return the section."""
+    named = [(name, meaning, subject.units.get(name, unit)) for name, meaning, unit in _entries(subject)]
     rows = []
-    for name, meaning, unit in _entries(subject):
-        rows.append(((Math(latex(name)),), (meaning,), (subject.units.get(name, unit),)))
+    for (meaning, unit), family in groupby(named, key=lambda entry: entry[1:]):
+        names = [name for name, _, _ in family]
+        rows += [(listed(alike), (meaning,), (unit,)) for alike in _lines_of(names, meaning)]
     return [Heading("Nomenclature"), Table(("symbol", "meaning", "unit"), tuple(rows))]
+
+
+_ON_A_LINE = 8
+"""The names of one meaning on a line."""
+
+
+def _lines_of(names: Sequence[Expr], meaning: str) -> list[Sequence[Expr]]:
+    """Return names of one meaning line by line; of parameters, for which a reader may write a meaning, one on each."""
+    step = 1 if meaning == "parameter" else _ON_A_LINE
+    return [names[start : start + step] for start in range(0, len(names), step)]
 
 
 def _entries(subject: Subject) -> Iterator[tuple[Expr, str, str]]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from functools import cached_property
-from typing import Any, NamedTuple, final
+from typing import Any, NamedTuple, TypeGuard, final
 
 from symbody.errors import LoadError
 from symbody.multibody.load import Action, Load
@@ -42,8 +42,8 @@ class Element(Load):
         undefined: where the law has no value, if it is so anywhere.
         jumping: an angle in its law that is known from -pi to pi alone, and jumps there.
         sizes: sizes and resistances of its law, by the names of the arguments, which make no sense below zero.
-        law: of a force along a line, the terms that its length l and its rate multiply, ``F = k (l - l0) + c l'``, by
-            the names of the arguments "stiffness", "free_length" and "damping"; or "force", F itself.
+        law: of a force along a line, the terms of ``F = k (l - l0) + c l'`` by the names of the arguments "stiffness",
+            "free_length" and "damping", or "force", F itself; of a torque about an axis, likewise.
 
     >>> from symbody import Body, functions_of_time, ground, origin, spring, symbols, translate
     >>> x, k = functions_of_time("x"), symbols("k")
@@ -100,6 +100,11 @@ class Element(Load):
     def __repr__(self) -> str:
         bodies = ", ".join(map(str, dict.fromkeys(action.body for action in self.actions)))
         return self.name or f"{self.kind}(on {bodies})"
+
+
+def is_along_line(load: object) -> TypeGuard[Element]:
+    """Return whether a load is a force along a line whose law is known, such as a spring."""
+    return isinstance(load, Element) and bool(load.law) and "length" in load.quantities
 
 
 _OPTIONAL = ("potential", "jumping")
