@@ -87,6 +87,12 @@ class Element(Load):
         return self.quantities[quantity]
 
     @property
+    def between_ends(self) -> tuple[Expr, ...]:
+        """The potential energy, and how the ends lie."""
+        lying = (self.quantities[name] for name in _BETWEEN_ENDS if name in self.quantities)
+        return (*super().between_ends, *lying)
+
+    @property
     def key(self) -> bytes:
         """The sort key of the loads of a set."""
         return self.kind.encode() + super().key
@@ -107,6 +113,8 @@ def is_along_line(load: object) -> TypeGuard[Element]:
     return isinstance(load, Element) and bool(load.law) and "length" in load.quantities
 
 
+_BETWEEN_ENDS = ("length", "gap", "x", "y", "z", "rotation x", "rotation y", "rotation z")
+"""Quantities that tell how the two ends of an element lie: of springs and line forces, contacts and bushings."""
 _OPTIONAL = ("potential", "jumping")
 
 
