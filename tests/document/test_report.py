@@ -52,7 +52,7 @@ from symbody.document.sections.equations import ROWS
 from symbody.document.subject import Subject
 from symbody.dynamics.display.summary import READABLE
 from symbody.errors import ModelNotice, PictureError, ReportError, SymbodyError
-from symbody.models import ClassicSystem, four_bar, full_car, n_pendulum
+from symbody.models import ClassicSystem, four_bar, full_car, motorcycle, n_pendulum
 from tests.view.browser import browser
 
 r, l, m1, m2, m3, I1, I2, g, tau = PARAMETERS = symbols("r l m1 m2 m3 I1 I2 g tau")
@@ -171,6 +171,29 @@ def test_laws_of_springs_are_told(tmp_path: Path) -> None:
     assert (r"\mathrm{kr}", "stiffness of strut 3 and strut 4", "N/m") in rows
     assert ("a, b, h, w", "length", "m") not in rows  # parameters are in the order of their names
     assert "~m, " in written(tmp_path, full_car(), ".tex")
+
+
+def test_names_of_one_meaning_share_a_row() -> None:
+    """Each name has the number of its link; a few numbers are listed."""
+    rows = cells(blocks(newton_euler(numbered_arm(3))))
+    assert ("m_{1}, m_{2}, m_{3}", "mass of link 1, 2 and 3", "kg") in rows
+    rows = cells(blocks(newton_euler(numbered_arm(5))))
+    names = ", ".join(f"m_{{{i}}}" for i in range(1, 6))
+    assert (names, "mass of link 1, ..., 5", "kg") in rows
+
+
+def test_each_name_of_the_kinematics_stands_above_its_use(tmp_path: Path) -> None:
+    """Radicands and quantities that occur again use each other: each line has only names of the lines above."""
+    text = written(tmp_path, motorcycle(), ".md").split("whose multipliers")[1].split(r"\end{aligned}")[0]
+    rows = [row.split(" &= ") for row in text.split(r" \\ ") if " &= " in row]
+    lefts = [left.split()[-1] for left, _ in rows]
+    for place, (_, right) in enumerate(rows):
+        assert not any(
+            re.search(rf"(?<!\w){re.escape(left)}", right) for left in lefts[place:] if left != "0"
+        )
+    assert any(
+        right.startswith(r"\cos(\psi) \dot{x} + \sin(\psi) \dot{y}") for left, right in rows if left == "0"
+    )
 
 
 def test_units_are_added(equations: Equations, tmp_path: Path) -> None:
