@@ -18,7 +18,7 @@ from symbody.symbolic.expression.latex_layout import aligned, bmatrix, displayed
 
 from .balance import Balance
 from .row import LINE, lines, printed
-from .short_names import shortened
+from .short_names import Definition, shortened
 
 _TWO_DIGITS = 10
 """Speeds from which on indices have two digits."""
@@ -65,20 +65,26 @@ class MatrixForm:
 
         Equal entries of M and of C stand on one line, and an opposite of an entry above is written as such.
         """
+        definitions, rows = shortened(*self._rows())
+        made = [*(f"{name} := {value}" for name, value in definitions), *rows]
+        return "\n".join([self._equation(), *(line for text in made for line in _indented(text))])
+
+    def _rows(self) -> tuple[list[str], tuple[()], list[Definition]]:
+        """Return the rows of text without short names, and the quantities that have names."""
         labels, values = zip(*self._labelled(), strict=True)
         definitions, texts = printed(values, "text", self.system)
         text_of = dict(zip(labels, texts, strict=True))
         rows = [f"{' = '.join(equal)} = {text_of.get(right, right)}" for equal, right in self._entries()]
-        definitions, rows = shortened(rows, (), definitions)
-        made = [*(f"{name} := {value}" for name, value in definitions), *rows]
-        return "\n".join([self._equation(), *(line for text in made for line in _indented(text))])
+        return rows, (), definitions
 
     def latex(self) -> str:
-        """Return the matrices in LaTeX, one below the other."""
+        """Return the matrices in LaTeX, one below the other, with the short names of the text."""
         named = [(name, matrix) for name, matrix in self._matrices() if _is_used(matrix)]
         entries = [entry for _, matrix in named for entry in matrix.entries]
         definitions, texts = printed(entries, "latex", self.system)
-        definitions, texts = shortened(texts, (), definitions, "latex")
+        given = self._rows()
+        has_names = shortened(*given)[0] != given[2]
+        definitions, texts = shortened(texts, (), definitions, "latex", is_wanted=has_names)
         remaining = iter(texts)
         rows = [f"{name} &= {value}" for name, value in definitions]
         for name, matrix in named:
