@@ -12,10 +12,10 @@ from symbody.document.subject import Subject
 from symbody.dynamics.display.row import written
 from symbody.errors import SymbodyError
 from symbody.geometry import Vector
-from symbody.multibody import Body, Element, System
-from symbody.multibody.element.element import is_along_line
+from symbody.multibody import Body, System
+from symbody.multibody.element.element import is_along_line, terms_of_law
 from symbody.simulation.given.wording import joined_by_and
-from symbody.symbolic import Expr, cost, free_symbols, functions_of_time, latex, listing, time_derivative
+from symbody.symbolic import Expr, cost, free_symbols, latex, listing
 from symbody.symbolic.expression.latex_layout import LINE, width
 from symbody.symbolic.given.arguments import brief, counted
 from symbody.view import DrawableMotion
@@ -114,7 +114,7 @@ def _loads(system: System) -> list[Block]:
             names.get(each.body, each.body.name or "a body outside the system") for each in load.actions
         ]
         if is_along_line(load):
-            law = (Math(_law_of_line(load)),)
+            law = (Math(written(listing(terms_of_law(load), "latex")[1])),)
             rows.append(((name,), ("force",), law, ("its line",), (joined_by_and(members),)))
             continue
         for action, on in zip(load.actions, members, strict=True):
@@ -123,16 +123,6 @@ def _loads(system: System) -> list[Block]:
     if gravity is not None:
         rows.append(_load_row("gravity", "acceleration", gravity, "all bodies"))
     return [Table(("load", "kind", "components", "in the axes of", "on"), tuple(rows))] if rows else []
-
-
-def _law_of_line(element: Element) -> str:
-    """Return the force by the length l of the line and its rate; positive forces pull."""
-    law = element.law
-    if "force" in law:
-        return latex(law["force"])
-    length = functions_of_time("l")
-    terms = (law["stiffness"] * (length - law["free_length"]), law["damping"] * time_derivative(length))
-    return written(listing([term for term in terms if not term.is_zero], "latex")[1])
 
 
 def _load_row(name: str, kind: str, vector: Vector, on: str) -> tuple[Words, ...]:
