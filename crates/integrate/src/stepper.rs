@@ -31,6 +31,15 @@ pub struct Stretch {
     pub steps: usize,
 }
 
+/// The last of several steps, each of which ends on the constraints.
+#[derive(Clone, Copy, Debug)]
+pub struct Landing {
+    /// Where it starts.
+    pub start: f64,
+    /// The largest speed at the ends of all steps so far.
+    pub largest_speed: f64,
+}
+
 /// What is known of events in the last step.
 #[derive(Clone, Copy, Debug)]
 pub enum Sight {
