@@ -32,7 +32,7 @@ impl<'a> Projection<'a> {
 
     /// Whether there are constraints.
     pub fn is_needed(&self) -> bool {
-        self.dynamics.position_correction.is_some() || self.dynamics.velocity_correction.is_some()
+        self.dynamics.has_constraints()
     }
 
     /// The places of the speeds in the state.

@@ -76,6 +76,19 @@ pub trait Stepper {
         self.step(end)
     }
 
+    /// Take steps that end on the constraints, as long as they are accepted at once and nothing points to a singular
+    /// position; `None` if the next step is not of this kind. Write the state at the start of the last one, and the state
+    /// on the constraints at its end. `largest_speed` is that of the motion so far.
+    fn advance_on_constraints(
+        &mut self,
+        _end: f64,
+        _stretch: Stretch,
+        _largest_speed: f64,
+        _states: (&mut [f64], &mut [f64]),
+    ) -> Option<Landing> {
+        None
+    }
+
     /// Whether the steps of [`Self::advance`] end at the first in which an event may happen.
     fn looks_for_events(&self) -> bool {
         false

@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::lane::Beginning;
-use crate::runge_kutta::{LEAST_ERROR, factor_after, factor_after_rejection, is_last, is_too_short};
+use crate::runge_kutta::{factor_after, factor_after_rejection, is_last, is_too_short, note_stiffness};
 use crate::stepper::{Statistics, Stretch};
 
 /// The control of the steps of a motion, other than vectors.
@@ -21,13 +21,19 @@ pub(super) struct Control {
     pub last: (f64, f64),
     pub last_error: f64,
     pub stiff_steps: u32,
+    /// The largest speed so far, of a motion with constraints.
+    pub largest_speed: f64,
+    /// Whether the motion takes the next step itself, and no lane.
+    pub is_own_turn: bool,
+    /// How many of the last steps stability bounded, and whether the problem is stiff, at the start of the next step.
+    before_note: (u32, bool),
     pub statistics: Statistics,
     pub failure: Option<Failure>,
 }
 
 impl Control {
     pub fn new(beginning: &Beginning<'_>) -> Self {
-        let &Beginning { t, end, step, exponent, .. } = beginning;
+        let &Beginning { t, end, step, exponent, last, last_error, stiff_steps, .. } = beginning;
         Self {
             t,
             end,
@@ -37,12 +43,21 @@ impl Control {
             is_last: false,
             was_rejected: false,
             is_finite: true,
-            last: (t, 0.0),
-            last_error: LEAST_ERROR.ln(),
-            stiff_steps: 0,
+            last,
+            last_error,
+            stiff_steps,
+            largest_speed: 0.0,
+            is_own_turn: false,
+            before_note: (stiff_steps, false),
             statistics: Statistics::default(),
             failure: None,
         }
+    }
+
+    /// Go on from here until the motion looks at a step.
+    pub fn put(&mut self, stretch: Stretch, statistics: Statistics, largest_speed: f64) {
+        (self.stretch, self.statistics, self.largest_speed) = (stretch, statistics, largest_speed);
+        self.before_note = (self.stiff_steps, statistics.stiff);
     }
 
     /// The next step to try; `None` if it is too short.
@@ -61,6 +76,23 @@ impl Control {
         Some(if self.is_last { self.end - self.t } else { h })
     }
 
+    /// Count the steps that stability bounds.
+    pub fn note_stiffness(&mut self, is_at_bound: bool) {
+        self.before_note = (self.stiff_steps, self.statistics.stiff);
+        self.statistics.stiff |= note_stiffness(&mut self.stiff_steps, is_at_bound);
+    }
+
+    /// Leave the step to the motion, which looks at its start again.
+    pub fn leave(&mut self) {
+        self.is_own_turn = true;
+        (self.stiff_steps, self.statistics.stiff) = self.before_note;
+    }
+
+    /// Where the step that was chosen ends.
+    pub fn end_of_step(&self, h: f64) -> f64 {
+        if self.is_last { self.end } else { self.t + h }
+    }
+
     pub fn accept(&mut self, h: f64, error: f64) {
         let factor;
         (factor, self.last_error) = factor_after(error, self.last_error, self.exponent, self.was_rejected);
@@ -68,7 +100,8 @@ impl Control {
         // The end of the motion does not limit the step that accuracy allows.
         self.step = if self.is_last { next.max(self.step) } else { next };
         self.last = (self.t, h);
-        self.t = if self.is_last { self.end } else { self.t + h };
+        self.t = self.end_of_step(h);
+        self.before_note = (self.stiff_steps, self.statistics.stiff);
         self.statistics.errors += error;
         self.statistics.steps += 1;
         self.stretch.steps -= 1;
@@ -82,8 +115,13 @@ impl Control {
         self.was_rejected = true;
     }
 
+    /// Whether a step of a lane is possible.
+    pub fn goes_on(&self) -> bool {
+        self.failure.is_none() && !self.is_own_turn
+    }
+
     /// Whether the motion looks at the last step.
     pub fn is_over(&self) -> bool {
-        self.failure.is_some() || self.stretch.steps == 0 || self.t >= self.stretch.until.min(self.end)
+        !self.goes_on() || self.stretch.steps == 0 || self.t >= self.stretch.until.min(self.end)
     }
 }
