@@ -5,6 +5,14 @@ use crate::lane::Beginning;
 use crate::runge_kutta::{factor_after, factor_after_rejection, is_last, is_too_short, note_stiffness};
 use crate::stepper::{Statistics, Stretch};
 
+/// What became of the step before the next one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Attempt {
+    Accepted,
+    Rejected,
+    NotFinite,
+}
+
 /// The control of the steps of a motion, other than vectors.
 #[derive(Clone, Debug)]
 pub(super) struct Control {
@@ -15,9 +23,7 @@ pub(super) struct Control {
     /// The next step to try.
     pub step: f64,
     pub is_last: bool,
-    /// Whether the step before the next one was rejected, so that the next one starts there as well.
-    pub was_rejected: bool,
-    pub is_finite: bool,
+    before: Attempt,
     pub last: (f64, f64),
     pub last_error: f64,
     pub stiff_steps: u32,
@@ -41,8 +47,7 @@ impl Control {
             stretch: Stretch { until: t, steps: 0 },
             step,
             is_last: false,
-            was_rejected: false,
-            is_finite: true,
+            before: Attempt::Accepted,
             last,
             last_error,
             stiff_steps,
@@ -65,10 +70,10 @@ impl Control {
         let h = self.step.min(longest);
         if is_too_short(self.t, h) {
             let t = self.t;
-            self.failure = Some(if self.is_finite {
-                Failure::StepCollapse { t, step: h }
-            } else {
+            self.failure = Some(if self.before == Attempt::NotFinite {
                 Failure::NotFinite { t }
+            } else {
+                Failure::StepCollapse { t, step: h }
             });
             return None;
         }
@@ -95,7 +100,7 @@ impl Control {
 
     pub fn accept(&mut self, h: f64, error: f64) {
         let factor;
-        (factor, self.last_error) = factor_after(error, self.last_error, self.exponent, self.was_rejected);
+        (factor, self.last_error) = factor_after(error, self.last_error, self.exponent, self.was_rejected());
         let next = h * factor;
         // The end of the motion does not limit the step that accuracy allows.
         self.step = if self.is_last { next.max(self.step) } else { next };
@@ -105,14 +110,18 @@ impl Control {
         self.statistics.errors += error;
         self.statistics.steps += 1;
         self.stretch.steps -= 1;
-        (self.was_rejected, self.is_finite) = (false, true);
+        self.before = Attempt::Accepted;
     }
 
     pub fn reject(&mut self, h: f64, error: f64) {
-        self.is_finite = error.is_finite();
+        self.before = if error.is_finite() { Attempt::Rejected } else { Attempt::NotFinite };
         self.step = h * factor_after_rejection(error, self.exponent);
         self.statistics.rejected += 1;
-        self.was_rejected = true;
+    }
+
+    /// Whether the step before the next one was rejected, so that the next one starts there as well.
+    pub fn was_rejected(&self) -> bool {
+        self.before != Attempt::Accepted
     }
 
     /// Whether a step of a lane is possible.

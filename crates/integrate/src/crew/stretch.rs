@@ -114,10 +114,11 @@ impl<const W: usize> Stretches<W> {
     }
 
     pub fn read_landing(&self, lane: usize, results: LandingResults<'_>, step: &StepColumns<W>) {
-        read(lane, &step.before, results.state);
-        read(lane, &self.sizes, results.sizes);
-        read(lane, &self.last_stage, results.last_stage.0);
-        read(lane, &self.last_rates, results.last_stage.1);
+        let LandingResults { state, sizes, last_stage: (last_stage, last_rates) } = results;
+        read(lane, &step.before, state);
+        read(lane, &self.sizes, sizes);
+        read(lane, &self.last_stage, last_stage);
+        read(lane, &self.last_rates, last_rates);
     }
 
     /// Whether motions keep constraints.
@@ -220,7 +221,7 @@ impl<const W: usize> Stretches<W> {
         for (lane, control) in self.lanes.iter_mut().enumerate() {
             let Some(control) = control.as_mut().filter(|_| lanes[lane]) else { continue };
             step.t[lane] = control.t;
-            is_new[lane] = !control.was_rejected && control.statistics.steps > 0;
+            is_new[lane] = !control.was_rejected() && control.statistics.steps > 0;
         }
         // Onto the constraints, the end of the step before has moved.
         if self.landings.is_some() || !self.tableau.evaluates_end {
@@ -267,7 +268,7 @@ impl<const W: usize> Stretches<W> {
         for (lane, control) in self.lanes.iter_mut().enumerate() {
             let is_waiting = |control: &&mut Control| lanes[lane] && control.goes_on();
             let Some(control) = control.as_mut().filter(is_waiting) else { continue };
-            if control.was_rejected {
+            if control.was_rejected() {
                 continue;
             }
             let is_first = control.statistics.steps == 0;

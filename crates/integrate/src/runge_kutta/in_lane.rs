@@ -1,6 +1,6 @@
 //! Steps in a lane of a crew: one beside those of other motions, or several that the crew controls.
 
-use super::{First, RungeKutta, Tableau};
+use super::{First, RungeKutta, Tableau, Turn};
 use crate::failure::Failure;
 use crate::lane::{Beginning, Landed, LandingResults, Lane, StepResults};
 use crate::stepper::{Landing, Stretch};
@@ -37,7 +37,7 @@ impl RungeKutta<'_> {
             step: self.step,
             exponent: self.exponent(),
         });
-        self.is_in_lane = true;
+        self.turn = Turn::Lane;
     }
 
     /// The same step, together with those of other motions. The rates at its start are evaluated with it.
@@ -106,20 +106,19 @@ impl RungeKutta<'_> {
         (stretch, largest_speed): (Stretch, f64),
         (start, landed): (&mut [f64], &mut [f64]),
     ) -> Option<Landing> {
-        if std::mem::take(&mut self.is_own_turn) || self.is_held_back() || self.regular > 0.0 {
+        if self.turn == Turn::Motion || self.is_held_back() || self.regular > 0.0 {
             return None;
         }
-        if !self.is_in_lane {
+        if self.turn == Turn::Unknown {
             self.begin_in_lane(lane, end);
         }
         let (steps, known) = (self.statistics.steps, (self.statistics, largest_speed));
         let arrival = lane.advance(stretch, known, (&mut self.before, &mut self.after));
         let Landed { is_own_turn, largest_speed, step, last_error, stiff_steps } = arrival.landing?;
-        self.is_in_lane = !is_own_turn;
+        self.turn = if is_own_turn { Turn::Motion } else { Turn::Lane };
         if arrival.statistics.steps == steps {
             return None;
         }
-        self.is_own_turn = is_own_turn;
         (self.t, self.last, self.statistics) = (arrival.t, arrival.last, arrival.statistics);
         (self.step, self.last_error, self.stiff_steps) = (step, last_error, stiff_steps);
         (self.last_regular, self.crossing) = (self.last.1, 0.0);

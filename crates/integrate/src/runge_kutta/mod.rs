@@ -40,6 +40,16 @@ enum First {
     InPlace,
 }
 
+/// Who takes the next step of a motion with constraints in a lane.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Turn {
+    /// The lane doesn't know where the motion is.
+    Unknown,
+    Lane,
+    /// The lane leaves it to the motion.
+    Motion,
+}
+
 /// A method during an integration.
 pub struct RungeKutta<'a> {
     tableau: &'static Tableau,
@@ -93,9 +103,7 @@ pub struct RungeKutta<'a> {
     statistics: Statistics,
     /// Why the step after the last one failed, if several were taken at once.
     failure: Option<Failure>,
-    /// Whether the lane knows where the motion is, and whether it leaves the next step to the motion.
-    is_in_lane: bool,
-    is_own_turn: bool,
+    turn: Turn,
     /// Whether an event may happen in the last step, if the crew looks for events.
     has_crossing: Option<bool>,
 }
@@ -142,8 +150,7 @@ impl<'a> RungeKutta<'a> {
             stiff_steps: 0,
             statistics: Statistics::default(),
             failure: None,
-            is_in_lane: false,
-            is_own_turn: false,
+            turn: Turn::Unknown,
             has_crossing: None,
         };
         new.step = new.first_step(end);
@@ -271,7 +278,7 @@ impl Stepper for RungeKutta<'_> {
         if self.free_lane().is_some() {
             return self.advance(end, Stretch { until: f64::NEG_INFINITY, steps: 1 });
         }
-        (self.is_careful, self.is_in_lane) = (false, false);
+        (self.is_careful, self.turn) = (false, Turn::Unknown);
         // In a lane, unknown rates are evaluated with the step.
         if !matches!(self.first, First::Unknown) || self.lane().is_none() {
             self.evaluate_first();
