@@ -20,7 +20,7 @@ Array = NDArray[np.float64]
 def added(terms: Array, axis: int) -> Array:
     """Return sums along an axis other than the last, in the same order of the terms for one motion and for many."""
     if terms.shape[-1] == 1 and terms.shape[axis]:  # NumPy would add contiguous terms in pairs
-        return np.take(np.add.accumulate(terms, axis=axis), -1, axis=axis)
+        return np.asarray(np.take(np.add.accumulate(terms, axis=axis), -1, axis=axis))
     return np.asarray(terms.sum(axis=axis))
 
 
@@ -76,14 +76,14 @@ def _orthogonal(A: Array, sides: Array, rank: float) -> tuple[Array, Array]:
     """
     rows, sides = A.copy(), sides.copy()
     least = rank * np.sqrt(added(A * A, 1))
-    for i, row in enumerate(rows):
-        length = np.sqrt(added(row * row, 0))
+    for i in range(len(rows)):
+        length = np.sqrt(added(rows[i] * rows[i], 0))
         is_kept = length > least[i]
         factor = np.where(is_kept, 1 / np.where(is_kept, length, 1.0), 0.0)
-        row *= factor
+        rows[i] *= factor
         sides[i] *= factor
         if i + 1 < len(rows):
-            shares = added(rows[i + 1 :] * row, 1)[:, None]
-            rows[i + 1 :] -= shares * row
+            shares = added(rows[i + 1 :] * rows[i], 1)[:, None]
+            rows[i + 1 :] -= shares * rows[i]
             sides[i + 1 :] -= shares * sides[i]
     return rows, sides
