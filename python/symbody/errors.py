@@ -6,6 +6,7 @@ Every message says where the mistake is, what was found, what was expected, and 
 
 import inspect
 import warnings
+from functools import cache
 from types import FrameType
 
 __all__ = [
@@ -172,9 +173,21 @@ def user_frame() -> FrameType | None:
 
 def _is_of_models(frame: FrameType) -> bool:
     """Whether a frame is one of `symbody.models`, whose names are its own: F of one is not F of the other."""
-    return str(frame.f_globals.get("__name__")).startswith("symbody.models.")
+    return _name_is_of_models(str(frame.f_globals.get("__name__")))
 
 
 def _is_ours(frame: FrameType) -> bool:
     """Whether a frame is one of symbody, or of what calls its functions for it."""
-    return f"{frame.f_globals.get('__name__')}.".startswith(_OURS)
+    return _name_is_ours(str(frame.f_globals.get("__name__")))
+
+
+@cache
+def _name_is_of_models(module: str) -> bool:
+    """Whether a module is one of `symbody.models`; each variable that is made asks for it, so answers are kept."""
+    return module.startswith("symbody.models.")
+
+
+@cache
+def _name_is_ours(module: str) -> bool:
+    """Whether a module is one of symbody, or of those that call its functions."""
+    return f"{module}.".startswith(_OURS)

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.worksheet.printed_by import printed
+from tests.worksheet.printed_by import failures, printed
 
 CASES = {
     "total": (
@@ -48,6 +48,21 @@ CASES = {
         "`diff/h` := proc(a,b,x) a*diff(b,x) end proc: diff(h(u,v^2),v);",
         ["2*u*v"],
     ),
+    "a rule that asks for its variable": (
+        (
+            "`diff/psi` := proc(a,b) if b = t then w(t) else 0 end if end proc: diff(psi(2*t),t); "
+            "expand(diff(psi(2*t)*psi(t)^2,t,t)); comp_X(velocity(origin(translate(psi(2*t),0,0))));"
+        ),
+        [
+            "w(t)",
+            "2*psi(2*t)*psi(t)*diff(w(t),t)+4*psi(t)*w(t)^2+2*psi(2*t)*w(t)^2+psi(t)^2*diff(w(t),t)",
+            "w(t)",
+        ],
+    ),
+    "a rule is called with the argument": (
+        "`diff/psi` := proc(a,b) omega(a) end proc: diff(sin(psi(2*t)),t); diff(psi(3*q),q);",
+        ["cos(psi(2*t))*omega(2*t)", "omega(3*q)"],
+    ),
     "a rule in a velocity": (
         "`diff/q` := proc(t) u(t) end proc: comp_X(velocity(origin(translate(q(t),0,0))));",
         ["u(t)"],
@@ -58,3 +73,18 @@ CASES = {
 @pytest.mark.parametrize(("sheet", "expected"), CASES.values(), ids=CASES.keys())
 def test_derivatives(sheet: str, expected: list[str]) -> None:
     assert printed(sheet) == expected
+
+
+def test_rules_without_the_chain_rule_are_told() -> None:
+    (message,) = failures(
+        "`diff/h` := proc(a,b,c) if c = t then w(t) else 0 end if end proc: diff(h(x(t),t^2),t): "
+        "velocity(origin(translate(h(x(t),t^2),0,0)));"
+    )
+    assert message.startswith(
+        "diff/h doesn't obey the chain rule: its derivative by t is not the sum of those by its arguments"
+    )
+
+
+def test_rules_that_give_no_expression_are_told() -> None:
+    (message,) = failures("`diff/h` := proc(a,b) [1,2] end proc: diff(h(2*t),t);")
+    assert message == "diff/h gives [1, 2] for the derivative by t; expected an expression"

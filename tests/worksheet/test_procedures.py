@@ -113,3 +113,16 @@ def test_too_many_arguments_are_told_where_the_heading_ends() -> None:
 def test_an_error_of_the_sheet_is_told() -> None:
     (message,) = failures('f := proc(n) error "no %1", n end proc: f(3);')
     assert message == "(in f) no 3"
+
+
+def test_a_missing_argument_that_is_used_is_told() -> None:
+    text = "f := proc(a,b) if nargs > 1 then a + b else a end if end proc: g := (a,b) -> a*b: f(1), f(1,2);"
+    assert printed(text) == ["1, 3"]
+    (message,) = failures(text + "g(2);")
+    assert message == "(in g) invalid input: g uses its argument 2, b, which is missing"
+
+
+def test_names_that_a_procedure_is_given_get_values_where_it_was_called() -> None:
+    text = """f := proc(a,b) b := a + 1; end proc: g := proc() local z; f(3,'z'); z end proc: k := proc(a,b) f(a,b) end:
+    f(2,'y'): y; g(); z; k(6,'w'): w;"""
+    assert printed(text) == ["3", "4", "z", "7"]

@@ -274,9 +274,22 @@ fn a_wide_sum_is_cut_into_slices() {
     let id = g.sum(&terms);
     let listing = g.listing(&[id], Format::Text);
     assert!(listing.definitions.len() > 20);
-    assert!(listing.definitions.iter().all(|(name, _)| name.starts_with("zz")), "names in use are avoided");
+    assert!(listing.definitions.iter().all(|(name, _)| name.starts_with('r')), "names in use are avoided");
     let terms = listing.definitions.iter().map(|(_, value)| value.matches('+').count() + 1);
     assert_eq!(terms.sum::<usize>(), 5000);
+}
+
+#[test]
+fn names_look_like_none_of_the_users() -> Outcome {
+    for (own, prefix) in [("z", "r"), ("z_a", "r"), ("z12", "r"), ("zeta", "z"), ("x", "z")] {
+        let g = &mut Graph::new();
+        let id = doubling(g, 30)?;
+        let name = symbol(g, own);
+        let total = g.sum(&[(NumberId::ONE, id), (NumberId::ONE, name)]);
+        let listing = g.listing(&[total], Format::Text);
+        assert!(listing.definitions.iter().all(|(name, _)| name.starts_with(prefix)), "{own}");
+    }
+    Ok(())
 }
 
 #[test]

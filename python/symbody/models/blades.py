@@ -63,7 +63,9 @@ def snakeboard() -> ClassicSystem:
 
     The axles are at the distance l from the middle. The rotor turns by psi; the inputs Mr and Ms are the torques on the
     rotor and on each axle. The number of J makes J + Jr + 2 Jw = m l^2, which the source assumes. The others are quoted
-    from the source, which prints no numbers of motions: tests compare accelerations with those of SymPy.
+    from the source. It prints no numbers of motions, but the equation of the momentum p about the centre of the turn:
+    ``p' = 2 Jr cos(phi)^2 phi' psi' - tan(phi) phi' p``. With fixed axles it goes along a circle of the radius
+    l/tan(phi), and turns from rest by -Jr sin(phi)^2 psi/(m l^2).
 
     >>> from symbody import newton_euler
     >>> newton_euler(snakeboard().system)

@@ -68,7 +68,9 @@ def full_car() -> ClassicSystem:
     The body moves up by z, pitches by theta and rolls by phi; the wheels move up by z1 (front left), z2 (front right),
     z3 and z4. The struts are springs with dampers between the corners of the body and the wheels below, which carry the
     weight at z = 0 and at wheels at rest (free lengths follow from that). The numbers are quoted from the source, but
-    for Iz and h, which are typical. It prints no numbers of motions: tests compare accelerations with those of SymPy.
+    for Iz and h, which are typical. It prints the linear equations, which small motions have here, and no numbers of
+    motions. With wheels at rest, heave and pitch have the frequencies that Rao prints for the half car. With four equal
+    corners, tyre hop and rattle space have those that MathWorks prints for a quarter car.
 
     >>> from symbody import newton_euler
     >>> newton_euler(full_car().system)

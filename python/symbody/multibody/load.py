@@ -117,6 +117,11 @@ class Load(ABC):
         return html_table(self.name or type(self).__name__, COLUMNS, [action.row for action in self.actions])
 
     @property
+    def between_ends(self) -> tuple[Expr, ...]:
+        """What the motions of both ends change, such as the potential energy."""
+        return () if self.potential is None else (self.potential,)
+
+    @property
     def key(self) -> bytes:
         """The sort key of the loads of a set."""
         return self.name.encode() + b"".join(action.key for action in self.actions)

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Set
+from collections.abc import Collection, Iterable, Iterator, Sequence, Set
 
-from symbody.symbolic import Expr
+from symbody.geometry.frame.frame import links_of
+from symbody.symbolic import Expr, free_symbols
 from symbody.symbolic.given.arguments import brief
 from symbody.symbolic.given.namesake import namesake_note
 
@@ -79,11 +80,11 @@ def _foreign_loads(members: Set[Body], loads: Iterable[Load]) -> Iterator[str]:
 
 
 def _lost_reactions(loads: Iterable[Load], known: Set[Expr]) -> Iterator[str]:
-    """Return the loads whose potential energy holds an unknown that moves none of their bodies."""
-    for load in (load for load in loads if load.potential is not None):
+    """Return the loads whose potential energy or length holds an unknown that moves none of their bodies."""
+    for load in loads:
         bodies = dict.fromkeys(action.body for action in load.actions)
         moved = {leaf for body in bodies for motion in body.frame.motions for leaf in motion.leaves}
-        held = load.potential.free_symbols if load.potential is not None else frozenset[Expr]()
+        held = {leaf for each in load.between_ends for leaf in each.free_symbols}
         lost = sorted(str(leaf) for leaf in (held & known) - moved - {*load.states})
         if lost:
             yield (
@@ -94,7 +95,8 @@ def _lost_reactions(loads: Iterable[Load], known: Set[Expr]) -> Iterator[str]:
 
 def _given_motions(bodies: Iterable[Body], constraints: Iterable[Expr], known: Set[Expr]) -> Iterator[str]:
     """Return the functions of time that move bodies or occur in constraints, and aren't listed."""
-    motions = (m for body in bodies for m in body.frame.motions if m.twist is None)
+    links = links_of(body.frame for body in bodies)
+    motions = (link.motion for link in links if link.motion is not None and link.motion.twist is None)
     moving = {leaf for motion in motions for leaf in motion.leaves} - known
     yield from _namesakes(moving, known)
     constraining = {leaf for constraint in constraints for leaf in constraint.free_symbols} - known
@@ -129,11 +131,12 @@ def _constant_namesakes(
 ) -> Iterator[str]:
     """Return notices of constants in loads and inertias that have the name of a coordinate or a speed."""
     functions = {function.name: function for function in unknown}
-    places = [(f"{load}", [*_values_of(load)]) for load in loads]
-    places += [(f"the inertia of {body}", [body.mass, *body.moments, *body.products]) for body in bodies]
-    for place, values in places:
-        leaves = {leaf for value in values for leaf in value.free_symbols if leaf.kind == "symbol"}
-        for leaf in sorted((leaf for leaf in leaves if leaf.name in functions), key=str):
+    places: list[tuple[Load | Body, Sequence[Expr]]] = [(load, [*_values_of(load)]) for load in loads]
+    places += [(body, (body.mass, *body.moments, *body.products)) for body in bodies]
+    for thing, values in places:
+        leaves = {leaf for leaf in free_symbols(values) if leaf.kind == "symbol" and leaf.name in functions}
+        for leaf in sorted(leaves, key=str):
+            place = f"the inertia of {thing}" if isinstance(thing, Body) else f"{thing}"
             note = namesake_note([leaf], [functions[leaf.name]], (f"in {brief(place)}", "among the unknowns"))
             yield f"{leaf.name} is two different variables{note}"
 

@@ -123,18 +123,33 @@ impl Graph {
         if numbers.is_empty() && bases.is_empty() && terms.len() == 1 {
             return BTreeSet::new();
         }
-        let literals = numbers.into_iter().map(|number| self.get_number(NumberId(number)).clone());
-        let all =
-            literals.chain(bases).chain(self.shared_numbers(terms, &sums)).filter(|number| !number.is_zero());
+        let literals: Vec<Number> =
+            numbers.into_iter().map(|number| self.get_number(NumberId(number)).clone()).collect();
+        let roots: Vec<Id> = terms.iter().map(|&(_, id)| id).collect();
+        let pairs = self.at_pairs_of_points(&roots);
+        let shared = pairs.iter().flatten().flat_map(|pair| shared_at(pair, terms, &sums));
+        let all = literals.iter().cloned().chain(bases).chain(shared).filter(|number| !number.is_zero());
         let primes = coprime_factors(all.map(|number| number.abs()));
-        primes.into_iter().filter(|prime| *prime >= least.into()).collect()
+        let common =
+            pairs.filter(|_| self.is_polynomial(nodes)).and_then(|[pair, _]| common_value(&pair, terms));
+        let may_divide = |prime: &BigInt| {
+            let divides = |number: &BigInt| number.is_multiple_of(prime);
+            common.as_ref().is_none_or(divides)
+                || literals.iter().any(|number| divides(&number.denominator()))
+        };
+        primes.into_iter().filter(|prime| *prime >= least.into() && may_divide(prime)).collect()
     }
 
-    /// What the values of nodes at two points of integers have in common, in numerators and in denominators.
-    fn shared_numbers(&self, terms: &[(i64, Id)], nodes: &[Id]) -> Vec<Number> {
-        let roots: Vec<Id> = terms.iter().map(|&(_, id)| id).collect();
-        let Some(pairs) = self.at_pairs_of_points(&roots) else { return Vec::new() };
-        pairs.iter().flat_map(|pair| shared_at(pair, terms, nodes)).collect()
+    /// Whether nodes hold variables in sums, products and powers alone, so that their values at integers are polynomials.
+    fn is_polynomial(&self, nodes: &[Id]) -> bool {
+        nodes.iter().all(|&id| match self.view(id) {
+            View::Product(factors) => factors.iter().all(|(_, exponent)| {
+                let exponent = self.get_number(exponent);
+                exponent.is_integer() && !exponent.is_negative()
+            }),
+            View::Function(..) => false,
+            _ => true,
+        })
     }
 
     /// The power of a prime in the content of a sum of multiples.
@@ -175,6 +190,18 @@ impl Graph {
     }
 }
 
+/// The greatest common divisor of the values of a polynomial at two points of integers, if they are not too large: a prime
+/// that is in no denominator of the polynomial is in its content only if it divides this number.
+fn common_value(points: &[Rationals; 2], terms: &[(i64, Id)]) -> Option<BigInt> {
+    let at = |values: &Rationals| {
+        terms.iter().try_fold(Number::integer(0), |sum, &(factor, id)| {
+            Some(sum.add(&values.get(id)?.mul(&Number::integer(factor))))
+        })
+    };
+    let [first, second] = points;
+    Some(at(first)?.numerator().gcd(&at(second)?.numerator()))
+}
+
 /// What the values of nodes at two points have in common.
 fn shared_at([first, second]: &[Rationals; 2], terms: &[(i64, Id)], nodes: &[Id]) -> Vec<Number> {
     let of_terms = |values: &Rationals| {
@@ -193,4 +220,30 @@ fn shared_at([first, second]: &[Rationals; 2], terms: &[(i64, Id)], nodes: &[Id]
 fn not_one(powers: impl Iterator<Item = (BigInt, Number)>) -> Option<Content> {
     let content: Content = powers.filter(|(_, exponent)| !exponent.is_zero()).collect();
     (!content.is_empty()).then_some(content)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::graph::Assumption;
+
+    /// The primes from 37 up that the content of a sum of multiples of x and y may hold.
+    fn primes_of_sum(x: Number, y: Number) -> Vec<BigInt> {
+        let g = &mut Graph::new();
+        let terms = [("x", x), ("y", y)].map(|(name, factor)| {
+            let symbol = g.symbol(name, Assumption::Real);
+            (g.number_id(&factor), symbol)
+        });
+        let sum = g.sum(&terms);
+        let order = g.open_parts(&[(1, sum)]);
+        g.primes_of(&[(1, sum)], &order, 37).into_iter().collect()
+    }
+
+    #[test]
+    fn a_prime_that_does_not_divide_the_values_of_a_polynomial_is_left_out() {
+        let whole = Number::integer;
+        assert_eq!(primes_of_sum(whole(37 * 41), whole(43)), []);
+        assert_eq!(primes_of_sum(whole(67 * 41), whole(67 * 43)), [67.into()]);
+        assert_eq!(primes_of_sum(Number::rational(41, 67), whole(43)), [67.into()]);
+    }
 }

@@ -159,7 +159,8 @@ impl Polynomial {
     }
 
     pub(crate) fn times(&self, other: &Self, budget: &mut Budget) -> Result<Self, Error> {
-        budget.spend(self.len().saturating_mul(other.len()))?;
+        let words = words_of(self.largest_bits().saturating_add(other.largest_bits()));
+        budget.spend(self.len().saturating_mul(other.len()).saturating_mul(words))?;
         let mut product = Self::default();
         for (monomial, coefficient) in &self.0 {
             for (m, c) in &other.0 {
@@ -198,7 +199,6 @@ impl Polynomial {
             }
             budget.admit(&result)?;
             if k < n {
-                budget.spend(power.len().saturating_mul(rest.len()).saturating_mul(words - 1))?;
                 power = power.times(&rest, budget)?;
                 binomial = binomial * (n - k) / (k + 1);
             }
@@ -218,15 +218,19 @@ impl Polynomial {
         }
     }
 
-    /// A bound on the words of a coefficient of the n-th power. A word has 256 bits, so that the coefficients of usual
-    /// powers count as one.
+    /// A bound on the words of a coefficient of the n-th power.
     fn words_of_power(&self, n: usize) -> usize {
-        let bits = |number: &Number| number.numerator().bits().max(number.denominator().bits()) - 1;
-        let largest = self.0.values().map(bits).max().unwrap_or_default();
-        let of_factor = usize::try_from(largest)
-            .unwrap_or(usize::MAX)
-            .saturating_add((self.len() - 1).ilog2() as usize + 1);
-        n.saturating_mul(of_factor) / 256 + 1
+        let of_factor = self.largest_bits().saturating_add((self.len() - 1).ilog2() as usize + 1);
+        words_of(n.saturating_mul(of_factor))
+    }
+
+    /// The most bits of a numerator or denominator.
+    fn largest_bits(&self) -> usize {
+        let bits = |number: &Number| match number.to_small() {
+            Some((above, below)) => (above.unsigned_abs() | below.unsigned_abs()).ilog2().into(),
+            None => number.numerator().bits().max(number.denominator().bits()) - 1,
+        };
+        usize::try_from(self.0.values().map(bits).max().unwrap_or_default()).unwrap_or(usize::MAX)
     }
 
     /// The largest monomial that divides all terms and leaves no negative exponents.
@@ -321,6 +325,11 @@ impl Polynomial {
     }
 }
 
+/// A word has 256 bits, so that the coefficients of usual powers count as one.
+fn words_of(bits: usize) -> usize {
+    bits / 256 + 1
+}
+
 fn exponent(n: usize) -> i64 {
     i64::try_from(n).expect("a budget of terms bounds the exponents of sums")
 }
@@ -395,6 +404,17 @@ mod tests {
         for n in [200_000, u64::MAX] {
             assert!(matches!(two.pow(n, &mut Budget::new(200_000, 5_000_000)), Err(Error::Limit { .. })));
         }
+        Ok(())
+    }
+
+    /// The digits of coefficients are work, too, in single products as in powers.
+    #[test]
+    fn long_coefficients_are_work() -> Result<(), Error> {
+        let mut sum = polynomial(&[(1, &[(0, 1)]), (1, &[])]);
+        assert!(sum.times(&sum, &mut budget()).is_ok());
+        sum.add_term(Monomial::of(vec![(0, 1)]), &Number::integer(3).powi(100_000)?);
+        assert!(matches!(sum.times(&sum, &mut budget()), Err(Error::Limit { .. })));
+        assert!(matches!(sum.pow(2, &mut budget()), Err(Error::Limit { .. })));
         Ok(())
     }
 

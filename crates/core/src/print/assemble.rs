@@ -69,13 +69,21 @@ impl Sum {
     }
 
     /// Whether the opposite has fewer minus signs. The deflection of a spring has the sign of its first coordinate in all
-    /// equations: `z - a*theta - z1`.
+    /// equations, `z - a*theta - z1`; that of a mass between two springs has its own sign, `2*x2 - x1 - x3`.
     fn reads_better_negated(&self) -> bool {
         if self.is_deflection() {
             let first = self.terms.iter().min_by(|a, b| order::compare_terms(a, b));
-            return first.is_some_and(|term| term.coefficient.is_negative());
+            return self.balancing().or(first).is_some_and(|term| term.coefficient.is_negative());
         }
         2 * self.negatives() > self.terms.len()
+    }
+
+    /// The only term of its sign, if its number is that of all others together.
+    fn balancing(&self) -> Option<&Term> {
+        let total = self.terms.iter().fold(Number::integer(0), |sum, term| sum.add(&term.coefficient));
+        let alone = if self.negatives() == 1 { 1 } else { self.terms.len() - 1 };
+        let is_alone = |term: &&Term| term.coefficient.is_negative() == (alone == 1);
+        (total.is_zero() && self.negatives() == alone).then(|| self.terms.iter().find(is_alone)).flatten()
     }
 
     /// Whether the sum is that of multiples of three coordinates of equations or more, of both signs.

@@ -1,6 +1,7 @@
 //! The one-dimensional notations: everything on one line, with `*` and `/`. A dialect defines what differs.
 
 use crate::graph::Function;
+use crate::interrupt::tick;
 use crate::value::Number;
 
 use super::Fractions;
@@ -41,6 +42,7 @@ struct Writer<'a, D> {
 impl<D: Dialect> Writer<'_, D> {
     fn sum(&mut self, sum: &Sum) {
         for (position, term) in sum.terms.iter().enumerate() {
+            tick();
             match (position, term.coefficient.is_negative()) {
                 (0, true) => self.out.push('-'),
                 (0, false) => {}

@@ -2,6 +2,7 @@
 
 use std::cmp::Ordering;
 
+use crate::interrupt::tick;
 use crate::value::Number;
 
 use super::name;
@@ -245,7 +246,11 @@ pub(super) fn are_of_different_kinds(a: &Term, b: &Term) -> bool {
 
 /// Terms in the reader's order; like terms are neighbours.
 pub(super) fn sorted_terms(terms: Vec<Term>) -> Vec<Term> {
-    let mut ranked: Vec<(Rank, Term)> = terms.into_iter().map(|term| (Rank::of_term(&term), term)).collect();
+    let rank = |term: Term| {
+        tick();
+        (Rank::of_term(&term), term)
+    };
+    let mut ranked: Vec<(Rank, Term)> = terms.into_iter().map(rank).collect();
     let is_constant = ranked.iter().all(|(rank, _)| rank.coordinates == 0.0);
     let is_mass_by_square = |(rank, term): &&(Rank, Term)| {
         let is_moment = rank.coordinates <= SQUARE && rank.degree >= MOMENT;
@@ -263,6 +268,7 @@ pub(super) fn sorted_terms(terms: Vec<Term>) -> Vec<Term> {
         }
     }
     ranked.sort_by(|(rank_a, a), (rank_b, b)| {
+        tick();
         rank_a.compare(rank_b).then_with(|| compare_factors(&a.factors, &b.factors))
     });
     ranked.into_iter().map(|(_, term)| term).collect()

@@ -17,6 +17,9 @@ const SHARED: usize = 4;
 /// Brackets never nest deeper than this.
 const DEEPEST: usize = 60;
 
+/// The letters of names, in the order in which they are tried: a name must not look like one of the user's.
+const LETTERS: [&str; 8] = ["z", "r", "p", "h", "e", "n", "w", "y"];
+
 /// A named quantity: a node, or a slice of a long sum or product.
 pub(super) struct Piece {
     pub(super) name: String,
@@ -294,7 +297,7 @@ struct Names {
     shared: FxHashSet<String>,
     /// Names of functions of time of which one is small and another one is not.
     small_too: FxHashSet<String>,
-    /// A letter such that no name in use is that letter with a number.
+    /// A letter that no name in use is, alone or with an index.
     prefix: String,
 }
 
@@ -327,15 +330,20 @@ impl Names {
                 _ => {}
             }
         }
-        let mut prefix = String::from("z");
-        while taken.iter().any(|name| is_numbered(name, &prefix)) {
-            prefix.push('z');
-        }
+        let prefix = free_prefix(|prefix| taken.iter().any(|name| is_or_has_index(name, prefix)));
         Self { others, shared, small_too, prefix }
     }
 }
 
-fn is_numbered(name: &str, prefix: &str) -> bool {
-    name.strip_prefix(prefix)
-        .is_some_and(|rest| !rest.is_empty() && rest.bytes().all(|byte| byte.is_ascii_digit()))
+/// The first letter that is not taken; two of them or more if all are.
+fn free_prefix(is_taken: impl Fn(&str) -> bool) -> String {
+    let free =
+        |count: usize| LETTERS.map(|letter| letter.repeat(count)).into_iter().find(|name| !is_taken(name));
+    (1..).find_map(free).unwrap_or_default()
+}
+
+/// Whether a name is a letter, alone or with an index: `z`, `z1`, `z_a`, but not `zeta`.
+fn is_or_has_index(name: &str, letter: &str) -> bool {
+    name.strip_prefix(letter)
+        .is_some_and(|rest| rest.starts_with('_') || rest.bytes().all(|byte| byte.is_ascii_digit()))
 }

@@ -8,6 +8,7 @@ use std::cmp::Reverse;
 
 use crate::error::Error;
 use crate::graph::{ByValue, Factors, Function, Graph, Id, Ids, Kind, NumberId, Terms, View};
+use crate::interrupt::tick;
 use crate::print::Format;
 use crate::value::Number;
 
@@ -34,6 +35,7 @@ impl Graph {
         let order = self.post_order_where(outputs, |id| !lowering.is_input(id));
         lowering.note_choices(&order);
         for id in order {
+            tick();
             if !lowering.knows(id) {
                 let Some(value) = lowering.lower(id) else {
                     return Err(self.missing_inputs(inputs, outputs));
@@ -152,6 +154,7 @@ impl<'a> Lowering<'a> {
 
     fn note_choices(&mut self, order: &[Id]) {
         for &id in order {
+            tick();
             match self.graph.view(id) {
                 View::Function(Function::Sign, _) => {
                     self.choices.insert(id, None);

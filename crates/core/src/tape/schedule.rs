@@ -6,6 +6,7 @@
 use rustc_hash::FxHashMap;
 
 use crate::graph::Function;
+use crate::interrupt::tick;
 
 use super::straight_line::{Instruction, Operand, Tape};
 
@@ -47,6 +48,7 @@ impl Order {
         let mut stack: Vec<(u32, bool)> = Vec::new();
         stack.extend(root.value().map(|value| (value, false)));
         while let Some((value, ready)) = stack.pop() {
+            tick();
             if self.place[value as usize].is_some() {
                 continue;
             }

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from symbody.multibody import System, Variables
+from symbody.multibody import Action, System, Variables
 from symbody.symbolic import Expr, Matrix, number
 from symbody.symbolic.calculus.reader import Reader
 
@@ -54,7 +54,12 @@ class Balance:
 
 
 def balances(
-    system: Variables, residuals: Sequence[Expr], mass_matrix: Matrix, bias: Sequence[Expr], jacobian: Matrix
+    system: Variables,
+    residuals: Sequence[Expr],
+    mass_matrix: Matrix,
+    bias: Sequence[Expr],
+    jacobian: Matrix,
+    actions: Sequence[Action] | None = None,
 ) -> tuple[tuple[Balance, ...], Matrix]:
     """Return the equations by the kinds of their terms and the mass matrix, all in their forms for the reader.
 
@@ -66,10 +71,13 @@ def balances(
         mass_matrix: M, n x n.
         bias: the residuals at zero accelerations and multipliers.
         jacobian: phi_q, m x n.
+        actions: those of the loads in the equations; by default all of the system.
     """
     reader = Reader(differences(system) if isinstance(system, System) else ())
-    kinds = sources(system, mass_matrix)
-    parts = _parts(system, bias, kinds, mass_matrix)
+    if actions is None:
+        actions = system.actions if isinstance(system, System) else ()
+    kinds = sources(system, mass_matrix, actions)
+    parts = _parts(system, bias, kinds, mass_matrix, actions)
     mass_matrix = _read(mass_matrix, reader)
     inertia = _by_degree([part.inertia for part in parts], mass_matrix, system)
     loads = _loads([part.loads for part in parts], kinds, system.speeds, reader)
@@ -107,17 +115,30 @@ class _Parts:
         return cls(inertia, weight, free - bodies, -part_of(bias, [*kinds.given]))
 
 
-def _parts(system: Variables, bias: Sequence[Expr], kinds: Sources, mass_matrix: Matrix) -> list[_Parts]:
+def _parts(
+    system: Variables,
+    bias: Sequence[Expr],
+    kinds: Sources,
+    mass_matrix: Matrix,
+    actions: Sequence[Action],
+) -> list[_Parts]:
     """Return the terms by their symbols, or by generalised forces where only these leave forces of inertia.
 
     Symbols give short forms and are right as a rule, but they don't tell numbers and quotients apart, nor a load from
     inertia where it is undefined without its symbols, as `m*g*x/l`. Christoffel's symbols tell the forces of inertia.
+
+    Args:
+        system: the system to which the equations belong.
+        bias: the residuals at zero accelerations and multipliers.
+        kinds: the symbols by which terms are told apart.
+        mass_matrix: M, n x n.
+        actions: those of the loads.
     """
     parts = [_Parts.of(entry, kinds) for entry in bias]
     follows = by_christoffel([part.inertia for part in parts], mass_matrix, system)
     if system.has_quasi_velocities or not isinstance(system, System) or all(follows):
         return parts
-    forces = generalized_forces(system)
+    forces = generalized_forces(system, actions)
     others = [
         _Parts(entry + weight + moving + given, -weight, -moving, given)
         for entry, weight, moving, given in zip(bias, forces.weight, forces.moving, forces.given, strict=True)

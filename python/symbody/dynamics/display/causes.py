@@ -42,11 +42,11 @@ class GeneralizedForces:
     given: tuple[Expr, ...]
 
 
-def generalized_forces(system: System) -> GeneralizedForces:
-    """Return the generalised forces of a system by their causes."""
+def generalized_forces(system: System, actions: Iterable[Action]) -> GeneralizedForces:
+    """Return the generalised forces of a system by their causes; actions are those of its loads."""
     unknown = frozenset(each.name for each in (*system.coordinates, *system.speeds, *system.eliminated))
     moving, given = list[Action](), list[Action]()
-    for action in system.actions:
+    for action in actions:
         free, rest = _split(action.vector, unknown)
         given.append(Action(action.body, free, action.point))
         moving.append(Action(action.body, rest, action.point))

@@ -13,7 +13,7 @@ from symbody.symbolic.expression.latex_layout import aligned, broken
 
 from .balance import Balance
 from .row import LINE, lines, printed, written
-from .short_names import Definition, shortened
+from .short_names import Definition, in_order_of_use, shortened
 
 _INDENT = "    "
 Entry = tuple[int, int, str]
@@ -30,6 +30,7 @@ class Page:
         constraints: expressions that are zero.
         mass_matrix: M, each entry in its form for the reader, n x n.
         state_rates: the rates of the states, z', and what they are.
+        named: names in the equations, and what they stand for; each uses only those before it.
     """
 
     system: Variables
@@ -37,6 +38,7 @@ class Page:
     constraints: tuple[Expr, ...]
     mass_matrix: Matrix
     state_rates: tuple[tuple[Expr, Expr], ...] = ()
+    named: tuple[tuple[Expr, Expr], ...] = ()
 
     @cached_property
     def _rates(self) -> tuple[tuple[Expr, Expr], ...]:
@@ -72,7 +74,8 @@ class Page:
     @cached_property
     def _pieces(self) -> tuple[Expr, ...]:
         terms = [term for balance in self.balances for term in (*balance.left, *balance.right)]
-        return (*terms, *map(shorter, self.constraints), *(side for pair in self._rates for side in pair))
+        rates, named = ((side for pair in pairs for side in pair) for pairs in (self._rates, self.named))
+        return (*terms, *map(shorter, self.constraints), *rates, *named)
 
     def _named_rows(self, notation: str) -> tuple[list[Definition], list[tuple[str, str]]]:
         """Return named quantities, and the left and right sides of all rows with short names."""
@@ -106,8 +109,11 @@ class Page:
         ]
         rows += [(next(remaining), "0") for _ in self.constraints]
         rates = [(next(remaining), next(remaining)) for _ in self._rates]
+        named = [(next(remaining), next(remaining)) for _ in self.named]
+        is_long = bool(definitions)
+        definitions = in_order_of_use([*definitions, *named])
         entries = [(i + 1, j + 1, text) for (i, j), text in zip(upper, remaining, strict=True)]
-        return entries, definitions, [*rows, *(rates if definitions else self._printed_rates(notation))]
+        return entries, definitions, [*rows, *(rates if is_long else self._printed_rates(notation))]
 
     def _printed_rates(self, notation: str) -> list[tuple[str, str]]:
         """Return the kinematics as books print it, with speeds before sines and cosines: ``x' = v*cos(psi)``."""

@@ -100,6 +100,24 @@ def shortened(
     return (definitions, changed) if is_shorter else ([*given], [*rows])
 
 
+def in_order_of_use(definitions: Sequence[Definition]) -> list[Definition]:
+    """Return definitions each after those that it uses, and otherwise in their order.
+
+    >>> in_order_of_use([("z1", "F1*l"), ("F1", "k*l")])
+    [('F1', 'k*l'), ('z1', 'F1*l')]
+    """
+    made, remaining = list[Definition](), [*definitions]
+    while remaining:
+        names = [name for name, _ in remaining]
+        ready = (
+            place
+            for place, (own, value) in enumerate(remaining)
+            if not any(_occurs(name, [value]) for name in names if name != own)
+        )
+        made.append(remaining.pop(next(ready, 0)))
+    return made
+
+
 def _length(rows: Sequence[str], definitions: Sequence[Definition], style: _Notation) -> int:
     return sum(map(len, rows)) + sum(len(style.definition.format(*each)) for each in definitions)
 

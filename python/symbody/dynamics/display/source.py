@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from symbody.geometry import Frame
-from symbody.multibody import System, Variables
+from symbody.multibody import Action, System, Variables
 from symbody.symbolic import Expr, Matrix, diff, free_symbols, t
 
 
@@ -25,7 +25,7 @@ class Sources:
     given: frozenset[Expr]
 
 
-def sources(system: Variables, mass_matrix: Matrix) -> Sources:
+def sources(system: Variables, mass_matrix: Matrix, actions: Iterable[Action]) -> Sources:
     """Return the symbols of gravity, loads and given forces; those of the mass matrix belong to the bodies."""
     motion = _names((*system.coordinates, *system.speeds, *system.eliminated))
     inertia = free_symbols(mass_matrix.entries)
@@ -36,7 +36,7 @@ def sources(system: Variables, mass_matrix: Matrix) -> Sources:
         weight = _symbols(system.gravity.components, motion) - inertia
     placing = _names(free_symbols([x for body in system.bodies for x in _variables(body.frame)]))
     loads, given, moving = set[Expr](), set[Expr](), set[Expr]()
-    for action in system.actions:
+    for action in actions:
         found = _leaves(action.vector.components)
         place = () if action.point is None else action.point.coordinates
         loads |= {*found, *_leaves(place)}

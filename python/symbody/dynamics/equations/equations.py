@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import Any
 
 from symbody.dynamics.display.balance import balances
+from symbody.dynamics.display.line_page import with_lines_if_shorter
 from symbody.dynamics.display.matrix_form import MatrixForm, matrix_form
 from symbody.dynamics.display.page import Page
 from symbody.dynamics.display.summary import is_readable, summary, summary_in_latex, summary_table
@@ -265,6 +266,11 @@ class Equations:
         rows, matrix = balances(self.system, self.residuals, self.mass_matrix, self.bias, jacobian)
         return Page(self.system, rows, self.constraints, matrix, tuple(self.state_rates.items()))
 
+    @cached_property
+    def _printed_page(self) -> Page:
+        """The page, with names of forces along lines if it is shorter so."""
+        return with_lines_if_shorter(self._page, self.residuals, self.bias, self.constraint_jacobian)
+
     def description(self) -> str:
         """Return the equations line by line as a textbook prints them: what `show` prints.
 
@@ -273,7 +279,7 @@ class Equations:
         """
         if not is_readable(self.residuals):
             return summary(self.system, self.residuals)
-        return self._page.description()
+        return self._printed_page.description()
 
     def latex(self) -> str:
         """Return the equations and constraints in LaTeX, as a textbook prints them.
@@ -282,7 +288,7 @@ class Equations:
         ``latex(readable(equations.residuals[0]))`` is one of them.
         """
         return (
-            self._page.latex()
+            self._printed_page.latex()
             if is_readable(self.residuals)
             else summary_in_latex(self.system, self.residuals)
         )

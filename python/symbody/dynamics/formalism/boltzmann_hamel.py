@@ -24,7 +24,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple, final
 
-from symbody.dynamics.tree.given_twist import given_twist, with_twists
+from symbody.dynamics.tree.given_twist import with_twists
 from symbody.geometry import Frame
 from symbody.geometry.component.twist import Twist
 from symbody.multibody import System
@@ -47,7 +47,7 @@ from .weight_potential import potential
 
 def moves_by_twists(system: System) -> bool:
     """Return whether a frame of a body moves by velocities that are not rates of its pose's coordinates."""
-    return any(given_twist(frame) is not None for body in system.bodies for frame in body.frame.chain)
+    return any(body.frame.moves_by_twist for body in system.bodies)
 
 
 def residuals_in_quasi_velocities(system: System) -> tuple[Expr, ...]:

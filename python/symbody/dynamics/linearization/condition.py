@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from symbody.errors import ModelError
-from symbody.symbolic import Abs, Expr, free_symbols, gradient, number, time_derivative, without_idle_symbols
+from symbody.symbolic import Expr, free_symbols, gradient, time_derivative, without_idle_symbols
 from symbody.symbolic.given.arguments import brief
 
 from .reference_motion import ReferenceMotion
@@ -33,14 +33,16 @@ class Condition:
     slopes: tuple[Expr, ...]
 
     @cached_property
-    def scale(self) -> Expr:
-        """By how much changes of symbols p and variables x change the value e: ``sum |p e_p| + sum |e_x|/1000``."""
+    def changes(self) -> tuple[Expr, ...]:
+        """By how much small changes of symbols p and variables x change the value e: ``p e_p`` and ``e_x/1000``.
+
+        The sum of their absolute values is what the value is compared with. It is taken of numbers: the absolute value
+        of an expression takes long, because the signs of its factors are looked for.
+        """
         names = sorted(free_symbols([self.value]), key=str)
         slopes = gradient(self.value, names)
-        own = (Abs(slope) / 1000 for slope in self.slopes if not slope.is_zero)
-        return sum(
-            (*own, *(Abs(name * slope) for name, slope in zip(names, slopes, strict=True))), start=number(0)
-        )
+        own = (slope / 1000 for slope in self.slopes if not slope.is_zero)
+        return (*own, *(name * slope for name, slope in zip(names, slopes, strict=True)))
 
 
 def check_conditions(

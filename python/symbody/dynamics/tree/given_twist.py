@@ -37,6 +37,8 @@ def by_speeds(frame: Frame, system: System) -> Frame:
 
     Otherwise partial velocities would miss the speeds that such a rate holds, and its second rate would be unknown.
     """
+    if not frame.moves_by_twist:
+        return frame
     twists = (twist for link in frame.chain if (twist := given_twist(link)) is not None)
     values = [component for twist in twists for part in twist for component in part]
     if all(value.free_symbols.isdisjoint(system.known_rates) for value in values):

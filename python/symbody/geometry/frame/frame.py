@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from hashlib import blake2b
 from typing import Annotated, NamedTuple, TypeAlias, final
 
@@ -73,13 +73,15 @@ class Frame:
     x
     """
 
-    __slots__ = ("carrier", "depth", "is_rigid", "key", "motion", "name", "parent")
+    __slots__ = ("carrier", "depth", "is_rigid", "key", "motion", "moves_by_twist", "name", "parent")
 
     parent: Frame | None
     motion: FrameMotion | None
     carrier: Twist | None
     """The twist of a moving master frame, whose pose is unknown."""
     is_rigid: bool
+    moves_by_twist: bool
+    """Whether the twist of this frame or of one before it is given, by speeds that are not rates of its pose."""
     depth: int
     key: bytes
     """A digest of the chain: equal for chains that place a frame in the same way."""
@@ -95,11 +97,12 @@ class Frame:
     ) -> Frame:
         self.parent, self.motion, self.name, self.carrier = parent, motion, name, carrier
         if parent is None or motion is None:
-            self.depth, self.is_rigid = 0, True
+            self.depth, self.is_rigid, self.moves_by_twist = 0, True, carrier is not None
             twist = () if carrier is None else (*carrier.angular, *carrier.linear)
             self.key = blake2b(b"".join(x.fingerprint for x in twist), digest_size=16).digest()
         else:
             self.depth, self.is_rigid = parent.depth + 1, parent.is_rigid and motion.is_rigid
+            self.moves_by_twist = parent.moves_by_twist or motion.twist is not None
             self.key = blake2b(parent.key + motion.key, digest_size=16).digest()
         return self
 
@@ -292,6 +295,14 @@ def frames_without_state(frame: Frame, memo: Mapping[bytes, object]) -> list[Fra
         found.append(current)
         current = current.parent
     return found[::-1]
+
+
+def links_of(frames: Iterable[Frame]) -> list[Frame]:
+    """Return the frames of the chains of some frames, each once, and parents before their children."""
+    links: dict[bytes, Frame] = {}
+    for frame in frames:
+        links.update((link.key, link) for link in frames_without_state(frame, links))
+    return list(links.values())
 
 
 def moved(motion: FrameMotion, placing: Placing) -> Placing:

@@ -42,6 +42,8 @@ class Element(Load):
         undefined: where the law has no value, if it is so anywhere.
         jumping: an angle in its law that is known from -pi to pi alone, and jumps there.
         sizes: sizes and resistances of its law, by the names of the arguments, which make no sense below zero.
+        law: of a force along a line, the terms that its length l and its rate multiply, ``F = k (l - l0) + c l'``, by
+            the names of the arguments "stiffness", "free_length" and "damping"; or "force", F itself.
 
     >>> from symbody import Body, functions_of_time, ground, origin, spring, symbols, translate
     >>> x, k = functions_of_time("x"), symbols("k")
@@ -63,12 +65,14 @@ class Element(Load):
         undefined: Undefined | None = None,
         jumping: Expr | None = None,
         sizes: Mapping[str, Expr] | None = None,
+        law: Mapping[str, Expr] | None = None,
     ) -> None:
         self.kind, self.name, self.potential = kind, name, potential
         self.undefined, self.jumping = undefined, jumping
         self.states = dict(states or {})
         self.quantities = dict(quantities or {})
         self.sizes = dict(sizes or {})
+        self.law = dict(law or {})
         self._actions = tuple(actions)
 
     @cached_property
@@ -81,6 +85,12 @@ class Element(Load):
             known = ", ".join(map(repr, self.quantities)) or "none"
             raise LoadError(f"{brief(self)}: no quantity {brief(repr(quantity))}; it has {known}")
         return self.quantities[quantity]
+
+    @property
+    def between_ends(self) -> tuple[Expr, ...]:
+        """The potential energy, and how the ends lie."""
+        lying = (self.quantities[name] for name in _BETWEEN_ENDS if name in self.quantities)
+        return (*super().between_ends, *lying)
 
     @property
     def key(self) -> bytes:
@@ -98,6 +108,8 @@ class Element(Load):
         return self.name or f"{self.kind}(on {bodies})"
 
 
+_BETWEEN_ENDS = ("length", "gap", "x", "y", "z", "rotation x", "rotation y", "rotation z")
+"""Quantities that tell how the two ends of an element lie: of springs and line forces, contacts and bushings."""
 _OPTIONAL = ("potential", "jumping")
 
 
@@ -106,7 +118,7 @@ def _parts(element: Element) -> tuple[Any, ...]:
     given = [each for each in optional if each is not None]
     if element.undefined is not None:
         given.append(element.undefined.where_zero)
-    named = (element.states, element.quantities, element.sizes)
+    named = (element.states, element.quantities, element.sizes, element.law)
     return *element.actions, *(value for each in named for value in each.values()), *given
 
 
@@ -116,9 +128,10 @@ def _rebuilt(element: Element, parts: Sequence[Any]) -> Element:
     states = {state: next(remaining) for state in element.states}
     quantities = {name: next(remaining) for name in element.quantities}
     sizes = {name: next(remaining) for name in element.sizes}
+    law = {name: next(remaining) for name in element.law}
     given = {name: next(remaining) for name in _OPTIONAL if getattr(element, name) is not None}
     undefined = None if element.undefined is None else element.undefined._replace(where_zero=next(remaining))
-    named: dict[str, Any] = {"states": states, "quantities": quantities, "sizes": sizes}
+    named: dict[str, Any] = {"states": states, "quantities": quantities, "sizes": sizes, "law": law}
     return Element(element.kind, actions, name=element.name, undefined=undefined, **named, **given)
 
 

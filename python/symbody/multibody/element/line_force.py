@@ -48,4 +48,6 @@ def line_force(
         check_apart(_WHERE, to, on, reaction)
         actions = forces(line.vector * (size / line.length), at, on, reaction, to)
         quantities = {"length": line.length, "rate": line.rate, "force": size}
-    return Element(_WHERE, actions, quantities=quantities, name=name, undefined=line.undefined)
+    return Element(
+        _WHERE, actions, quantities=quantities, name=name, undefined=line.undefined, law={"force": size}
+    )

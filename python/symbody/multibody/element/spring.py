@@ -77,6 +77,7 @@ def spring(
         name=name,
         undefined=line.undefined,
         sizes=sizes,
+        law={"stiffness": k, "free_length": l0, "damping": c},
     )
 
 

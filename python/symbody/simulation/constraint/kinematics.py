@@ -19,7 +19,6 @@ from symbody.multibody.frames import all_frames
 from symbody.simulation.given.given_input import Given, substitute_inputs
 from symbody.simulation.given.parameter import parameters_among
 from symbody.symbolic import (
-    Abs,
     Expr,
     ExprLike,
     Matrix,
@@ -31,7 +30,9 @@ from symbody.symbolic import (
     t,
 )
 
-__all__ = ["Kinematics", "kinematics_in", "kinematics_of", "magnitude", "neutral_position", "quaternions"]
+from .magnitude import MeasuredFunction, measured
+
+__all__ = ["Kinematics", "kinematics_in", "kinematics_of", "neutral_position", "quaternions"]
 
 Array = NDArray[np.float64]
 
@@ -192,10 +193,10 @@ class Kinematics:
         return lambdify(self._arguments(state), list(self._momenta))
 
     @cached_property
-    def position(self) -> CompiledFunction:
+    def position(self) -> MeasuredFunction:
         """The function of t, q and p that returns phi, ``dphi/dq``, and the magnitudes of the terms of phi."""
         phi, q = list(self.position_constraints), list(self.system.coordinates)
-        return lambdify(self._arguments(q), [phi, jacobian(phi, q), [magnitude(each) for each in phi]])
+        return measured(self._arguments(q), [phi, jacobian(phi, q)], phi)
 
     @cached_property
     def _velocity(self) -> CompiledFunction:
@@ -272,22 +273,6 @@ class Kinematics:
                 f"{where}: the constraints contain the functions of time {', '.join(unknown)}, which are neither "
                 f"coordinates nor speeds; give them as inputs={{{unknown[0]}: sin(t)}}"
             )
-
-
-def magnitude(expression: Expr) -> Expr:
-    """Return the sum of the absolute values of an expression's terms; rounding errors are proportional to it."""
-    terms, left = [], [(expression, number(1))]
-    while left:
-        part, factor = left.pop()
-        numbers = [arg for arg in part.args if arg.is_number] if part.kind == "product" else []
-        if part.kind == "sum":
-            left.extend((arg, factor) for arg in part.args)
-        elif len(numbers) == 1 and len(part.args) == 2:
-            (other,) = (arg for arg in part.args if not arg.is_number)
-            left.append((other, factor * numbers[0]))
-        else:
-            terms.append(Abs(factor * part))
-    return sum(terms, start=number(0))
 
 
 def quaternions(system: Variables) -> tuple[tuple[Expr, ...], ...]:

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from symbody.simulation.constraint.constraint_directions import masses_and_jacobians
 from symbody.simulation.constraint.contradiction import INCONSISTENT, cancelling_combinations
 from symbody.simulation.constraint.dependent_constraints import nearby
-from symbody.simulation.constraint.kinematics import magnitude
+from symbody.simulation.constraint.magnitude import magnitudes, terms
 from symbody.simulation.model.model import Model
 from symbody.symbolic import Expr, free_symbols
 
@@ -64,10 +64,12 @@ def _massless(M: Array, phi_q: Array) -> list[Array]:
 def _loads(model: Model, p: Array, t: float, state: Array) -> tuple[Array, Array]:
     """Return the generalised forces, and the magnitudes of their terms."""
     f = model.equations.forcing
-    function = model.function([*f, *map(magnitude, f)], (*model.parameters, *model.damping))
+    of_each = [terms(each) for each in f]
+    flat = [term for found in of_each for term in found]
+    function = model.function([*f, *flat], (*model.parameters, *model.damping))
     with np.errstate(all="ignore"):
         values = np.nan_to_num(np.asarray(function(t, *state, *p), dtype=np.float64))
-    return values[: len(f)], values[len(f) :]
+    return values[: len(f)], magnitudes(values[len(f) :], [*map(len, of_each)])
 
 
 def _explanation(model: Model, parameters: Mapping[Expr, float], w: Array) -> str:

@@ -9,11 +9,10 @@ from functools import cached_property, lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from symbody.codegen import CompiledFunction, lambdify
 from symbody.dynamics import Equations
 from symbody.errors import ModelError, SimulationError
-from symbody.simulation.constraint.kinematics import magnitude
 from symbody.simulation.constraint.least_norm import least_norm_many
+from symbody.simulation.constraint.magnitude import MeasuredFunction, measured
 from symbody.simulation.given.given_input import Given, substitute_inputs
 from symbody.simulation.given.parameter import parameters_among
 from symbody.symbolic import Expr, Matrix, free_symbols, jacobian, number, substitute, t, time_derivative
@@ -69,7 +68,7 @@ class DrivingLoads:
         return parameters_among(free_symbols(self.residuals) - {*self.loads})
 
     @cached_property
-    def function(self) -> CompiledFunction:
+    def function(self) -> MeasuredFunction:
         """The function of t, (q, u, u', z) and p that returns r, B, and the magnitudes of the terms of r.
 
         Raises:
@@ -87,7 +86,7 @@ class DrivingLoads:
             [*eqs.coordinates, *eqs.speeds, *eqs.accelerations, *self.states],
             list(self.parameters),
         ]
-        return lambdify(variables, [list(rest), B, [magnitude(each) for each in rest]])
+        return measured(variables, [list(rest), B], rest)
 
     def _directions(self) -> Matrix:
         """Return ``-K^T``: K has the derivatives, with respect to the speeds, of the rates along which forces act."""

@@ -361,10 +361,9 @@ class _Values:
         """
         if not linear.conditions:
             return
-        table = Matrix([[each.value, each.scale] for each in linear.conditions])
-        (values,) = self.of(table)
-        for k, condition in enumerate(linear.conditions):
-            residual, scale = values[..., k, 0], values[..., k, 1]
+        rows = self.of(*(Matrix([[each.value, *each.changes]]) for each in linear.conditions))
+        for values, condition in zip(rows, linear.conditions, strict=True):
+            residual, scale = values[..., 0, 0], np.abs(values[..., 0, 1:]).sum(axis=-1)
             worst = np.abs(residual).max()
             if not (np.abs(residual) <= _BALANCED * np.maximum(scale, _BALANCED)).all():
                 raise ModelError(

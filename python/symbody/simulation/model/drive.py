@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from symbody.geometry.component.triple import Rate
+from symbody.geometry.frame.frame import links_of
 from symbody.geometry.frame.frame_velocity import origin_velocity, spin
 from symbody.multibody import System
 from symbody.multibody.load import action_velocity
@@ -72,7 +73,7 @@ def names_of_drives(system: System) -> tuple[str, ...]:
 
 def _of_frames(system: System) -> Iterator[str]:
     at_rest = dict.fromkeys(system.speeds, number(0))
-    for frame in dict.fromkeys(frame for body in system.bodies for frame in body.frame.chain):
+    for frame in links_of(body.frame for body in system.bodies):
         twist = frame.carrier if frame.motion is None else frame.motion.twist
         if twist is not None:
             velocities = substitute([*twist.angular, *twist.linear], at_rest)

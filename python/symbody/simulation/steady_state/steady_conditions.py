@@ -9,7 +9,8 @@ from functools import cached_property, lru_cache
 from symbody.codegen import CompiledFunction, lambdify
 from symbody.dynamics import Equations
 from symbody.errors import DivisionByZeroError, ExpressionError, SimulationError
-from symbody.simulation.constraint.kinematics import magnitude, quaternions
+from symbody.simulation.constraint.kinematics import quaternions
+from symbody.simulation.constraint.magnitude import MeasuredFunction, measured
 from symbody.simulation.given.given_input import Given, substitute_inputs
 from symbody.simulation.given.parameter import parameters_among
 from symbody.simulation.model.named_constraint import named_constraint
@@ -184,12 +185,12 @@ class SteadyConditions:
         return [k for k in on_velocities if free_symbols([self.expressions[n + k]]) & {*self.positions}]
 
     @cached_property
-    def function(self) -> CompiledFunction:
+    def function(self) -> MeasuredFunction:
         """The function of t, the variables, lambda, h and p: the conditions, their slopes, and term magnitudes."""
         unknowns = [[*self.variables], [*self.equations.multipliers], [*self.holding]]
         slopes = jacobian(list(self.expressions), [name for names in unknowns for name in names])
-        sizes = [magnitude(condition) for condition in self.expressions]
-        return lambdify([t, *unknowns, list(self.parameters)], [list(self.expressions), slopes, sizes])
+        outputs = [list(self.expressions), slopes]
+        return measured([t, *unknowns, list(self.parameters)], outputs, self.expressions)
 
     @cached_property
     def small_motion(self) -> CompiledFunction:

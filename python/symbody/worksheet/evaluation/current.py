@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Protocol
 
-from symbody.errors import ExpressionError
+from symbody.errors import ExpressionError, WorksheetError
 from symbody.symbolic import Expr, UndefinedFunction, free_symbols, pi, t, time_derivative
 from symbody.symbolic.expression.traverse import post_order
 from symbody.worksheet.printing.print import sort_key
@@ -113,6 +113,10 @@ def named(session: State, name: str) -> Value:
     while scope is not None:
         if name in scope.names:
             return current(session, scope.names[name])
+        if name in scope.missing:
+            raise WorksheetError(
+                f"invalid input: {scope.name} uses its argument {scope.missing[name]}, {name}, which is missing"
+            )
         if name in scope.local:
             return symbol(name)
         scope = scope.parent

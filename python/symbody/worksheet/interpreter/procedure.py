@@ -185,10 +185,12 @@ def _bind(session: Session, scope: Scope, parameters: Iterable[syntax.Parameter]
         if i < len(positional):
             _check(session, parameter, positional[i], i, scope.name)
             scope.names[parameter.name] = positional[i]
+            scope.parameters.add(parameter.name)
         elif parameter.default is not None:
             scope.names[parameter.name] = session.evaluate(parameter.default)
         else:
             scope.local.add(parameter.name)
+            scope.missing[parameter.name] = i + 1
 
 
 def _is_rest_of_arguments(session: Session, parameter: syntax.Parameter) -> bool:

@@ -1,8 +1,9 @@
 """The two faces of a frame: the chain of motions, from which velocities are made, and a 4x4 matrix.
 
 An `Array` shows the matrix, and keeps the chain in `frame` as long as both say the same. Products, inverses and
-substitutions act on the chain. Rewriting a matrix keeps its chain. What else changes a matrix makes it a plain one,
-from which a command makes a frame of one general motion.
+substitutions act on the chain. Rewriting a matrix keeps its chain. What else changes a matrix makes it a plain one.
+When a command asks for the frame of a plain matrix, such as one that ``read`` brings, its motions are found again from
+its entries (`elementary_motions`); a matrix that is no product of them is one general motion.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from symbody.errors import FrameError, WorksheetError
 from symbody.geometry import Frame, ground
 from symbody.symbolic import Expr, Matrix, number, symbol
 from symbody.worksheet.evaluation.session import Session
+from symbody.worksheet.mechanics.elementary_motions import frame_of
 from symbody.worksheet.mechanics.modes import Mechanics, mechanics
 from symbody.worksheet.mechanics.small_variables import entered_frame, left
 from symbody.worksheet.values.value import Array, Value
@@ -68,15 +70,19 @@ def chain(session: Session, value: Value, where: str) -> Frame:
         )
     if isinstance(array.frame, Frame):
         return current(session, array.frame)
-    entries = [session.current(entry) for entry in array.entries]
-    if not all(isinstance(entry, Expr) for entry in entries):
+    entries = _scalars(session, array)
+    if len(entries) != len(array.entries):
         raise WorksheetError(f"{where}: a matrix with entries that are no expressions; expected a frame")
     try:
-        return Frame(
-            Matrix.from_entries(_SIZE, _SIZE, [entry for entry in entries if isinstance(entry, Expr)])
-        )
+        return frame_of(entries) or Frame(Matrix.from_entries(_SIZE, _SIZE, entries))
     except FrameError as fault:
         raise WorksheetError(f"{where}: {fault}") from fault
+
+
+def _scalars(session: Session, array: Array) -> list[Expr]:
+    """Return the entries that are expressions, with what was assigned since."""
+    entries = [session.current(entry) for entry in array.entries]
+    return [entry for entry in entries if isinstance(entry, Expr)]
 
 
 def current(session: Session, frame: Frame) -> Frame:
@@ -94,12 +100,18 @@ def product(session: Session, a: Array, b: Array) -> Array | None:
     The chain is that of both motions, where the axes of both are orthonormal: a matrix that may be none of a rotation
     is multiplied as it stands.
     """
-    if not (isinstance(a.frame, Frame) and isinstance(b.frame, Frame)):
-        return None
-    one, other = current(session, a.frame), current(session, b.frame)
-    if not (one.is_rigid and other.is_rigid):
+    one, other = _motions(session, a), _motions(session, b)
+    if one is None or other is None or not (one.is_rigid and other.is_rigid):
         return None
     return face(mechanics(session), one * other, a.kind)
+
+
+def _motions(session: Session, array: Array) -> Frame | None:
+    """Return the chain of a matrix, or the motions of which a plain one is the product."""
+    if isinstance(array.frame, Frame):
+        return current(session, array.frame)
+    entries = _scalars(session, array) if is_frame(array) else []
+    return frame_of(entries) if len(entries) == len(array.entries) else None
 
 
 def rewritten(session: Session, before: Array, after: Array) -> Array:

@@ -1,0 +1,99 @@
+"""Forces along lines by names: ``F1 = k (l1 - l0) + c l1'`` stands in the equation of q as ``F1 dl1/dq``.
+
+The generalised force of a force F that pulls along a line of length l is ``Q_i = -F dl'/du_i``; multiplied by l, the
+slopes have no roots [Shabana 2013, Dynamics of Multibody Systems, sec. 3.5].
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from itertools import chain, count
+
+from symbody.geometry import Vector, project
+from symbody.multibody import Element, System
+from symbody.symbolic import Expr, functions_of_time, jacobian, number, sqrt, symbols, time_derivative
+from symbody.symbolic.calculus.reader import Reader
+
+_LENGTHS, _FORCES = ("l", "d", "L", "b"), ("F", "f", "S", "P")
+"""The letters that are tried: a name must not look like one of the model's."""
+
+
+@dataclass(frozen=True)
+class NamedLine:
+    """A force along a line whose length and whose force have names.
+
+    Attributes:
+        element: the spring, damper or actuator.
+        length: the name of the length, a function of time.
+        force: the name of the force; what it is, where that is short.
+    """
+
+    element: Element
+    length: Expr
+    force: Expr
+
+    @property
+    def law(self) -> Expr:
+        """The force by the length and its rate."""
+        law = self.element.law
+        if "force" in law:
+            return law["force"]
+        return law["stiffness"] * (self.length - law["free_length"]) + law["damping"] * time_derivative(
+            self.length
+        )
+
+    def slopes(self, system: System) -> tuple[Expr, ...]:
+        """Return ``l dl'/du``, one for each speed."""
+        quantities = self.element.quantities
+        (stretching,) = system.by_speeds((quantities["length"] * quantities["rate"],))
+        return jacobian([stretching], system.speeds).entries
+
+    def definitions(self, reader: Reader) -> tuple[tuple[Expr, Expr], ...]:
+        """Return the names and what they stand for, in the order in which they are read."""
+        length = (self.length, _by_places(self.element, reader))
+        return (length,) if self.law == self.force else (length, (self.force, self.law))
+
+
+def _by_places(element: Element, reader: Reader) -> Expr:
+    """Return the length by the differences of places along the axes of ground, if that form is shorter."""
+    length, force = element.quantities["length"], element.quantities["force"]
+    vector = element.actions[0].vector
+    line = Vector(vector.frame, *(component * length / force for component in vector.components))
+    root = sqrt(
+        sum((reader(each) ** 2 for each in project(line, vector.frame.ancestor).components), start=number(0))
+    )
+    forms = [form for form in (reader(length), root, length) if form == length]
+    return min(forms, key=lambda form: len(str(form)))
+
+
+def named_lines(system: System) -> tuple[NamedLine, ...]:
+    """Return the forces along lines of a system with names that look like none of the model's."""
+    elements = [load for load in system.loads if isinstance(load, Element) and _has_direction(load)]
+    taken = {leaf.name for leaf in system.leaves}
+    numbers = [""] if len(elements) == 1 else [str(k) for k in range(1, len(elements) + 1)]
+    lengths, forces = (_letter(letters, taken) for letters in (_LENGTHS, _FORCES))
+    made = []
+    for element, index in zip(elements, numbers, strict=True):
+        law = element.law.get("force")
+        is_short = law is not None and law.kind in {"symbol", "time_function"}
+        force = law if law is not None and is_short else symbols(f"{forces}{index}")
+        made.append(NamedLine(element, functions_of_time(f"{lengths}{index}"), force))
+    return tuple(made)
+
+
+def _has_direction(element: Element) -> bool:
+    """Return whether the force is along a line, and not just k times the vector between its ends."""
+    law = element.law
+    return "force" in law or any(not law[name].is_zero for name in ("free_length", "damping") if name in law)
+
+
+def _letter(letters: Iterable[str], taken: Iterable[str]) -> str:
+    """Return the first letter that no name is, alone or with an index; at last, the first one repeated.
+
+    A name with the index 0 is a value that belongs to the letter, as the free length l0.
+    """
+    names = {name.rstrip("0123456789").partition("_")[0] for name in taken if not name.endswith("0")}
+    first, *others = letters
+    repeated = (first * times for times in count(2))
+    return next(letter for letter in chain([first, *others], repeated) if letter not in names)

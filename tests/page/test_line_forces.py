@@ -1,0 +1,146 @@
+"""Springs, dampers and actuators along lines: in long equations their lengths and forces have names."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from symbody import (
+    Body,
+    Equations,
+    Expr,
+    Point,
+    System,
+    Vector,
+    describe,
+    floating_frame,
+    functions_of_time,
+    ground,
+    line_force,
+    moving_frame,
+    newton_euler,
+    parse,
+    rotate,
+    spring,
+    symbols,
+    t,
+    translate,
+)
+from symbody.models import andrews_mechanism, full_car, slider_crank
+
+m, k, c, l0, a, g, J = symbols("m k c l0 a g J")
+x, y, z, theta = functions_of_time("x y z theta")
+
+
+def on_struts(*places: tuple[Expr, Expr], law: str = "damped", letters: str = "x z theta") -> System:
+    """Return a plate in a plane on a strut at each of the places, to the points below them on the ground."""
+    first, second, angle = functions_of_time(letters)
+    frame = translate(first, 0, second) * rotate("Y", angle)
+    plate = Body(frame, m, 0, J)
+    loads = []
+    for i, (side, height) in enumerate(places):
+        at, to = Point(frame, side, 0, height), Point(ground, side, 0, 0)
+        if law == "given":
+            loads.append(line_force(symbols(f"D{i}"), at, to, on=plate))
+        else:
+            free = 0 if law == "linear" else l0
+            loads.append(spring(at, to, k, free_length=free, damping=c if law == "damped" else 0, on=plate))
+    down = Vector(ground, 0, 0, -g)
+    return System([plate], loads, [first, second, angle], gravity=down)
+
+
+def in_symbols(equations: Equations) -> tuple[dict[str, Expr], list[Expr]]:
+    """Return what the names in the text of equations stand for, and the rows as residuals."""
+    names = {leaf.name: leaf for leaf in equations.system.leaves}
+    names |= {each.name: each for each in (*equations.speeds, *equations.system.multipliers)}
+    names |= {each.name: each for each in equations.coordinates}
+    defined, residuals = dict[str, Expr](), list[Expr]()
+
+    def value(text: str) -> Expr:
+        for name in defined:
+            text = re.sub(rf"\b{name}'", f"{name}_rate", text)
+        return parse(text, names)
+
+    for row in re.split(r"\n    (?! )", describe(equations))[1:]:
+        text = row.replace("\n", " ")
+        if " := " in text:
+            name, right = text.strip().split(" := ")
+            defined[name] = value(right)
+            names |= {name: defined[name], f"{name}_rate": defined[name].diff(t)}
+        elif not text.startswith(("constraint", "kinematics")):
+            left, right = text.split(" = ")
+            residuals.append(value(left) - value(right))
+    return defined, residuals
+
+
+STRUTS = [(a, m / k), (-a, c / k), (a / 2, l0)]
+
+
+@pytest.mark.parametrize("law", ["damped", "elastic", "given"])
+def test_rows_with_names_are_the_equations(law: str) -> None:
+    equations = newton_euler(on_struts(*STRUTS, law=law))
+    defined, residuals = in_symbols(equations)
+    assert {"l1", "l2", "l3"} <= {*defined}
+    assert ("F1" in defined) == (law != "given")
+    assert tuple(residuals) == equations.residuals
+
+
+@pytest.mark.parametrize("model", [full_car, slider_crank, andrews_mechanism])
+def test_rows_of_models_with_names_are_the_equations(model: object) -> None:
+    equations = newton_euler(model().system)  # type: ignore[operator]
+    defined, residuals = in_symbols(equations)
+    assert defined
+    assert tuple(residuals) == equations.residuals
+
+
+def test_a_car_on_four_struts_fits_a_page() -> None:
+    """A strut stands in each row as its force, its lever and its length."""
+    text = describe(newton_euler(full_car().system))
+    assert text.count("\n") < 45
+    assert "\n    F1 := cf*l1' " in text
+    assert "F1*(z - z1 + h - a*sin(theta) + 1/2*w*cos(theta)*sin(phi))/l1" in text
+
+
+@pytest.mark.parametrize(
+    ("letters", "length", "force"), [("x z theta", "l", "F"), ("l z theta", "d", "F"), ("d1 l F_a", "L", "f")]
+)
+def test_names_look_like_none_of_the_model(letters: str, length: str, force: str) -> None:
+    system = on_struts(*STRUTS, letters=letters)
+    names = re.findall(r"^    (\w+) :=", describe(newton_euler(system)), re.MULTILINE)
+    assert {f"{length}{i}" for i in (1, 2, 3)} | {f"{force}{i}" for i in (1, 2, 3)} <= {*names}
+
+
+def test_springs_without_direction_need_no_names() -> None:
+    """Their force is k times the vector between their ends."""
+    assert ":=" not in describe(newton_euler(on_struts(*STRUTS, law="linear")))
+
+
+def test_short_equations_have_no_names() -> None:
+    bob = Body(translate(x, y, 0), m)
+    band = spring(bob.center_of_mass, Point(ground, a, 0, 0), k, free_length=l0, on=bob)
+    assert ":=" not in describe(newton_euler(System([bob], [band], [x, y])))
+
+
+@pytest.mark.parametrize("is_floating", [True, False])
+def test_lines_on_bodies_with_speeds_of_their_own(is_floating: bool) -> None:
+    """The slopes are by the speeds; the matrix form has the loads themselves."""
+    if is_floating:
+        frame, speeds = floating_frame(), []
+    else:
+        u, v, r = functions_of_time("u v r")
+        frame, speeds = (
+            moving_frame(u, v, 0, 0, 0, r, pose=translate(x, y, 0) * rotate("Z", theta)),
+            [u, v, r],
+        )
+    hull = Body(frame, m, J, J, J)
+    lines = [
+        spring(Point(frame, a, side, 0), Point(ground, a, 2 * side, 0), k, free_length=l0, damping=c, on=hull)
+        for side in (a, -a)
+    ]
+    equations = newton_euler(System([hull], lines, speeds=speeds))
+    text = describe(equations)
+    assert "l1 := " in text
+    assert max(map(len, text.splitlines())) <= 110
+    form = equations.matrix_form()
+    assert not any(leaf.name in {"l1", "F1"} for entry in form.loads.entries for leaf in entry.free_symbols)
