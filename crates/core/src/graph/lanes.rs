@@ -38,6 +38,11 @@ pub(crate) struct Lanes {
     monomials: FxHashMap<Id, Option<Monomial>>,
     /// How arguments of sines (false) and exponentials (true) are split, see `evaluate::argument`.
     splits: FxHashMap<(Id, bool), Split>,
+    /// The same of those that hold signs, in the lanes.
+    splits_in_lanes: FxHashMap<(Id, bool, FieldId), Split>,
+    exponents_in_lanes: FxHashMap<(Id, FieldId), Number>,
+    /// Whether nodes hold signs and no roots.
+    signs_alone: FxHashMap<Id, bool>,
     /// Whether the values of nodes that hold complex symbols depend on these.
     complex: FxHashMap<Id, bool>,
 }
@@ -136,6 +141,8 @@ impl Lanes {
             self.columns.clear();
             self.roots.clear();
             self.solutions.clear();
+            self.splits_in_lanes.clear();
+            self.exponents_in_lanes.clear();
         }
     }
 
@@ -237,6 +244,30 @@ impl Lanes {
 
     pub(crate) fn insert_split(&mut self, id: Id, of_exponential: bool, parts: Split) {
         self.splits.insert((id, of_exponential), parts);
+    }
+
+    pub(crate) fn split_in(&self, id: Id, of_exponential: bool, lane: FieldId) -> Option<Split> {
+        self.splits_in_lanes.get(&(id, of_exponential, lane)).cloned()
+    }
+
+    pub(crate) fn insert_split_in(&mut self, id: Id, of_exponential: bool, lane: FieldId, parts: Split) {
+        self.splits_in_lanes.insert((id, of_exponential, lane), parts);
+    }
+
+    pub(crate) fn exponent_in(&self, id: Id, lane: FieldId) -> Option<&Number> {
+        self.exponents_in_lanes.get(&(id, lane))
+    }
+
+    pub(crate) fn insert_exponent_in(&mut self, id: Id, lane: FieldId, number: Number) {
+        self.exponents_in_lanes.insert((id, lane), number);
+    }
+
+    pub(crate) fn has_signs_alone(&self, id: Id) -> Option<bool> {
+        self.signs_alone.get(&id).copied()
+    }
+
+    pub(crate) fn insert_has_signs_alone(&mut self, id: Id, are_alone: bool) {
+        self.signs_alone.insert(id, are_alone);
     }
 }
 
