@@ -110,29 +110,12 @@ impl Graph {
         if let Some(number) = self.as_number(exponent) {
             return number.clone();
         }
-        if let Some(known) = self.lanes.borrow().exponent(exponent) {
+        if let Some(known) = self.lanes.borrow().exponent(exponent, None) {
             return known.clone();
         }
         let number = self.at_integers(exponent, IntegerPoint::PLAIN).unwrap_or_else(|| Number::integer(0));
-        self.lanes.borrow_mut().insert_exponent(exponent, number.clone());
+        self.lanes.borrow_mut().insert_exponent(exponent, None, number.clone());
         number
-    }
-
-    /// The number in an exponent where signs are those of a lane.
-    pub(super) fn number_in_lane(&self, exponent: Id, field: FieldId) -> Number {
-        let (first, is_opposite) = self.representative_up_to_sign(exponent);
-        if !self.has_signs_alone(first) {
-            return self.number_in(exponent);
-        }
-        let lane = field.of_signs();
-        let known = self.lanes.borrow().exponent_in(first, lane).cloned();
-        let number = known.unwrap_or_else(|| {
-            let found = self.at_integers(first, IntegerPoint::with_signs_of(lane));
-            let number = found.unwrap_or_else(|| Number::integer(0));
-            self.lanes.borrow_mut().insert_exponent_in(first, lane, number.clone());
-            number
-        });
-        if is_opposite { number.neg() } else { number }
     }
 
     fn rest_in(&self, argument: Id, split: &Split, field: FieldId) -> Quadratic {
@@ -224,11 +207,11 @@ impl Graph {
     }
 
     /// The atoms of an argument that stands for its class.
-    fn split_first(&self, argument: Id, of_exponential: bool) -> Split {
+    pub(super) fn split_first(&self, argument: Id, of_exponential: bool) -> Split {
         if !self.flags(argument).has(Flags::INVERSE) {
             return Arc::new([]);
         }
-        if let Some(known) = self.lanes.borrow().split(argument, of_exponential) {
+        if let Some(known) = self.lanes.borrow().split(argument, of_exponential, None) {
             return known;
         }
         let factors = self.atoms(argument, of_exponential).into_iter().filter_map(|atom| {
@@ -244,67 +227,12 @@ impl Graph {
             is_known.then_some((atom, factor))
         });
         let split: Split = factors.collect();
-        self.lanes.borrow_mut().insert_split(argument, of_exponential, Arc::clone(&split));
+        self.lanes.borrow_mut().insert_split(argument, of_exponential, None, Arc::clone(&split));
         split
     }
 
-    /// The atoms of an argument with their factors where signs are those of a lane: 2**sign(x) is 2 or 1/2 there.
-    pub(super) fn split_in(&self, argument: Id, of_exponential: bool, field: FieldId) -> Split {
-        let (first, is_opposite) = self.representative_up_to_sign(argument);
-        if !self.flags(first).has(Flags::INVERSE) || !self.has_signs_alone(first) {
-            return self.split_argument(argument, of_exponential);
-        }
-        let lane = field.of_signs();
-        let known = self.lanes.borrow().split_in(first, of_exponential, lane);
-        let split = known.unwrap_or_else(|| {
-            let split = self.split_first_in(first, of_exponential, lane);
-            self.lanes.borrow_mut().insert_split_in(first, of_exponential, lane, Arc::clone(&split));
-            split
-        });
-        if is_opposite { opposite(&split) } else { split }
-    }
-
-    fn split_first_in(&self, argument: Id, of_exponential: bool, lane: FieldId) -> Split {
-        let plain = self.split_first(argument, of_exponential);
-        let at_signs = |atom: Atom| {
-            let known = plain.iter().find(|(other, _)| *other == atom).map(|(_, factor)| factor);
-            let factor = self.growth_at_integers(argument, &atom, IntegerPoint::with_signs_of(lane));
-            let factor = factor.unwrap_or_else(|| Number::integer(0));
-            let factor = match atom {
-                Atom::Pi | Atom::LogOfPi | Atom::LogOfPrime(_) => {
-                    Some(factor).filter(|factor| !factor.is_zero())
-                }
-                Atom::Log(_) => Some(factor).filter(|factor| known.is_some() || !factor.is_zero()),
-                // The roots in halves of an angle are among the signs of the plain split.
-                _ if known.is_some_and(|known| known.abs() == factor.abs()) => Some(factor),
-                _ => known.cloned(),
-            };
-            Some((atom, factor?))
-        };
-        self.atoms(argument, of_exponential).into_iter().filter_map(at_signs).collect()
-    }
-
-    /// Whether a node holds signs, but no roots that have signs: a root at a point of integers has none of a lane.
-    fn has_signs_alone(&self, id: Id) -> bool {
-        if !self.flags(id).has(Flags::BRANCH) {
-            return false;
-        }
-        if let Some(known) = self.lanes.borrow().has_signs_alone(id) {
-            return known;
-        }
-        let parts = self.parts_first(&[id], |id| self.flags(id).has(Flags::BRANCH));
-        let has_roots = parts.into_iter().any(|id| match self.view(id) {
-            View::Product(factors) => {
-                factors.iter().any(|(_, exponent)| !self.get_number(exponent).is_integer())
-            }
-            _ => false,
-        });
-        self.lanes.borrow_mut().insert_has_signs_alone(id, !has_roots);
-        !has_roots
-    }
-
     /// The atoms below an argument.
-    fn atoms(&self, argument: Id, of_exponential: bool) -> Vec<Atom> {
+    pub(super) fn atoms(&self, argument: Id, of_exponential: bool) -> Vec<Atom> {
         let mut atoms: Vec<Atom> = Vec::new();
         let enter = |id| self.flags(id).has(Flags::INVERSE);
         for id in self.parts_first(&[argument], enter) {
@@ -352,7 +280,8 @@ impl Graph {
     }
 }
 
-fn opposite(split: &Split) -> Split {
+/// The split of the opposite argument.
+pub(super) fn opposite(split: &Split) -> Split {
     split.iter().map(|(atom, factor)| (atom.clone(), factor.neg())).collect()
 }
 
