@@ -29,6 +29,11 @@ def _ball_and_beam(model: ClassicSystem) -> DrawingOptions:
     return DrawingOptions(shapes={beam: Box(0.5, FLAT / 4, 4 * FLAT, (0, -R - FLAT / 8, 0))})
 
 
+def _cart_pole(model: ClassicSystem) -> DrawingOptions:
+    """The cart has no inertia but its mass; its pins are above its wheels."""
+    return DrawingOptions(shapes={_bodies(model)["cart"]: Box(0.25, 0.08, 0.12, (0, -0.04, 0))})
+
+
 def _skate(model: ClassicSystem) -> DrawingOptions:
     """The plane of the system is the slope; the blade is longer than it is high."""
     return DrawingOptions(
@@ -85,6 +90,7 @@ def _snakeboard(model: ClassicSystem) -> DrawingOptions:
 
 _DRAWINGS: dict[str, Callable[[ClassicSystem], DrawingOptions]] = {
     "ball_and_beam": _ball_and_beam,
+    "cart_pole": _cart_pole,
     "full_car": _full_car,
     "half_car": _half_car,
     "quarter_car": _quarter_car,

@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from benchmarks import own_process, page
-from benchmarks.derive.by_symbody import cart_pendulum, net
+from benchmarks.derive.by_symbody import net
 from benchmarks.derive.engines import ENGINES, SYMBODY, Algebra
 from benchmarks.derive.problem import Problem, Target
 from benchmarks.derive.problems import PROBLEMS
@@ -27,14 +27,9 @@ from benchmarks.page import write_page
 from symbody import (
     Expr,
     derivation,
-    functions_of_time,
     lagrange_equations,
-    models,
     newton_euler,
-    subs,
-    symbols,
 )
-from symbody.symbolic import ExprLike
 
 OPERATION_TARGETS = [
     pytest.param(problem, target, id=f"{problem.name}: {target.quantity}")
@@ -170,18 +165,3 @@ def test_a_page_is_written_whole_or_stays(tmp_path: Path, monkeypatch: pytest.Mo
     with pytest.raises(ValueError, match="no number"):
         write_page("table.md", "two")
     assert [file.read_bytes() for file in tmp_path.iterdir()] == [b"one"]
-
-
-def test_the_pendulum_on_a_cart_is_that_of_the_gallery_with_points_for_poles() -> None:
-    n = 3
-    q = [functions_of_time(f"q{k}") for k in range(n + 1)]
-    angles = {functions_of_time(f"theta{k}"): -q[k] for k in range(1, n + 1)}
-    lengths = [symbols(f"l{k}") for k in range(n)]
-    points: dict[Expr, ExprLike] = {symbols("M"): symbols("m0"), symbols("b"): 0}
-    points |= {symbols(f"I{k}"): 0 for k in range(1, n + 1)}
-    points |= {symbols(f"a{k}"): lengths[k - 1] for k in range(1, n + 1)}
-    points |= {symbols(f"l{k}"): lengths[k - 1] for k in range(1, n)}
-    gallery = subs(list(newton_euler(models.cart_pole(n).system).residuals), points)
-    gallery = subs(gallery, {functions_of_time("x"): q[0], functions_of_time("F"): 0} | angles)
-    along, *about = newton_euler(cart_pendulum.system(n)).residuals
-    assert gallery == [along, *(-each for each in about)]  # the gallery's angles are clockwise

@@ -191,7 +191,9 @@ wheel = Body(translate(x, 0, a) * rotate("Y", phi), m, name="wheel")
 def relaxed(length: float) -> Element:
     """Return a tyre with relaxation lengths."""
     hub = translate(x, 0, a)
-    return tire(wheel, a, linear_tire(), load=F, relaxation=(length, length), carrier=hub, name="front")
+    return tire(
+        wheel, a, linear_tire(cornering=1), load=F, relaxation=(length, length), carrier=hub, name="front"
+    )
 
 
 tilt = small(functions_of_time("tilt"))

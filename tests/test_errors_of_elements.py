@@ -54,6 +54,17 @@ center = block.center_of_mass
 
 MISTAKES: list[tuple[Callable[[], object], str]] = [
     (
+        lambda: sb.air_force(center, on=block, density=0, drag_area=1),
+        "air_force: density = 0, which leaves no force; expected a positive number",
+    ),
+    (
+        lambda: tire(sb.linear_tire()),
+        (
+            "tire: the law has no stiffness, and a load that is given does not act, which leaves no force; expected "
+            "linear_tire(cornering=C), stiffness=k for a wheel that carries alone, or load_acts=True"
+        ),
+    ),
+    (
         lambda: sb.contact(center, 0.1, 0, on=block),
         "contact: stiffness = 0, which leaves no force; expected a positive number",
     ),
@@ -234,6 +245,25 @@ def test_values_of_resistances_are_checked_when_a_simulation_begins() -> None:
     assert notices_of(friction, {k: 1.0, c: -1.0}) == [f"simulate: rail: creep_speed = -1; {NOT_NEGATIVE}"]
     stage = sb.bushing(block.frame, ground, [k] * 6, damping=[c] * 6, on=block, name="mount")
     assert notices_of(stage, {k: 1.0, c: -1.0}) == [f"simulate: mount: damping of x = -1; {NOT_NEGATIVE}"]
+
+
+@pytest.mark.parametrize(
+    "make",
+    [
+        lambda P, Q, on: sb.line_force(N, P, Q, on=on, name="rope"),
+        lambda P, Q, on: sb.spring(P, Q, 0, free_length=1, damping=c, on=on, name="rope"),
+        lambda P, Q, on: sb.spring(P, Q, k, on=on, name="rope"),
+    ],
+)
+def test_an_element_whose_other_end_moves_without_a_body_is_told(make: Callable[..., Element]) -> None:
+    other = Body(sb.translate(0, y, 0), 1, name="other")
+    rope = make(center, other.center_of_mass, block)
+    assert notices_of_call(lambda: sb.System([block, other], [rope], [x, y])) == [
+        (
+            "System: rope is stretched by y, which moves none of its bodies, so that its reaction is lost; give "
+            "reaction=body, the body at its other end, which may be massless: Body(frame, 0)"
+        )
+    ]
 
 
 def test_sizes_of_displaced_and_substituted_elements_are_checked() -> None:

@@ -10,6 +10,7 @@ import pytest
 
 from symbody import (
     Body,
+    Expr,
     Force,
     Frame,
     Link,
@@ -37,12 +38,15 @@ from symbody import (
     revolute,
     rolling,
     rotate,
+    screw,
     simulate,
+    symbols,
     t,
     time_derivative,
     translate,
     universal,
 )
+from symbody.multibody.joint.joint import Joint
 
 a, b = Link("a", 1, Iz=1), Link("b", 1, 1, 1, 1)
 
@@ -106,6 +110,14 @@ s_, twin = (
 twins = System(twin, (), functions_of_time("s1 s2"))
 
 MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
+    (
+        errors.JointError,
+        lambda: four_bar.joint("D").coordinate,
+        (
+            "revolute D closes a loop, and has no coordinate; expected that of a joint of the tree, or freedom(), "
+            "which loads take in its place"
+        ),
+    ),
     (
         errors.JointError,
         lambda: revolute("J", ground, a, limits=(1, 1)),
@@ -426,3 +438,58 @@ def test_the_reaction_on_a_body_whose_name_is_anothers_is_that_on_itself() -> No
         time_derivative(functions_of_time("s1"), 2),
         time_derivative(functions_of_time("s2"), 2) - 1,
     ]
+
+
+r = symbols("r")
+WITHIN = "expected a constant that isn't negative"
+
+
+@pytest.mark.parametrize(
+    ("make", "value", "message"),
+    [
+        (
+            lambda: [rolling("K", ground, b, radius=r)],
+            0.0,
+            "rolling K: radius = 0; expected a positive constant",
+        ),
+        (lambda: [rolling("K", ground, b, radius=0.3, crown=r)], -0.1, f"rolling K: crown = -0.1; {WITHIN}"),
+        (
+            lambda: [rolling("K", ground, b, radius=0.3, crown=r)],
+            0.4,
+            f"rolling K: radius - crown = -0.1; {WITHIN}",
+        ),
+        (
+            lambda: [screw("S", ground, b, pitch=r)],
+            0.0,
+            "screw S: pitch = 0; expected a constant that isn't zero",
+        ),
+        (lambda: geared(r, 1 - r), -0.5, "gear G: radius1 = -0.5; expected a positive constant"),
+        (
+            lambda: geared(1 + r, r, internal=True),
+            -0.5,
+            "gear G: radius2 = -0.5; expected a positive constant",
+        ),
+    ],
+)
+def test_dimensions_of_joints_are_checked_when_a_simulation_begins(
+    make: Callable[[], list[Joint]], value: float, message: str
+) -> None:
+    equations = newton_euler(assemble(make()).system())
+    with pytest.warns(ModelNotice) as caught:
+        simulate(equations, {r: value}, {}, t=(0, 0.01))
+    assert f"simulate: {message}" in [str(each.message) for each in caught]
+
+
+def geared(first: Expr, second: Expr, *, internal: bool = False) -> list[Joint]:
+    P, Q = revolute("P", ground, a), revolute("Q", ground, b, at=(1, 0, 0))
+    return [P, Q, gear("G", P, Q, first, second, internal=internal)]
+
+
+def test_dimensions_of_joints_that_make_sense_are_not_told() -> None:
+    """A left-hand thread, a ball, and a disc."""
+    for joint in (
+        screw("S", ground, b, pitch=r),
+        rolling("K", ground, b, radius=-r, crown=-r),
+        rolling("K", ground, b, radius=-r),
+    ):
+        simulate(newton_euler(assemble([joint]).system()), {r: -0.2}, {}, t=(0, 0.01))

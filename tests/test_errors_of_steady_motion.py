@@ -12,6 +12,7 @@ from symbody import (
     Body,
     Equations,
     Force,
+    ModelNotice,
     Point,
     SteadyMotion,
     SymbodyError,
@@ -32,6 +33,7 @@ from symbody import (
     symbols,
     t,
     time_derivative,
+    torsion_spring,
     translate,
 )
 from symbody.models import heavy_top, rolling_disc, single_track_car, slider_crank
@@ -403,3 +405,22 @@ def test_the_message_of_a_mistake(mistake: str) -> None:
     with pytest.raises(kind) as caught:
         call()
     assert str(caught.value) == message
+
+
+def test_a_balance_at_one_instant_is_told(recwarn: pytest.WarningsRecorder) -> None:
+    """A rotor that is out of balance pushes to and fro; at t = 0, its force and that of the spring cancel."""
+    housing = Body(translate(x, 0, 0), m, name="housing")
+    rotor = Body(housing.frame * rotate("Z", V * t) * translate(a, 0, 0), m)
+    spring = torsion_spring(x, C1, on=housing)
+    equations = newton_euler(System([housing, rotor], [spring], [x]))
+    with pytest.warns(ModelNotice) as caught:
+        found = equilibrium(equations, {m: 1, C1: 100, V: 10, a: 0.1})
+    assert found[x] == pytest.approx(0.1)
+    (notice,) = caught
+    assert str(notice.message) == (
+        "equilibrium: the equation of motion of x depends on the time: forces are in balance at t=0, but the system "
+        "does not stay at rest; pass t=0 if this instant is meant, or give loads, inputs and frames that are constant"
+    )
+    equilibrium(equations, {m: 1, C1: 100, V: 10, a: 0.1}, t=0.0)
+    equilibrium(equations, {m: 1, C1: 100, V: 0, a: 0.1})
+    assert not recwarn.list

@@ -43,7 +43,7 @@ from symbody import (
     translate,
 )
 from symbody.document import report as public_name
-from symbody.document.document import Document, Formula, Heading, Math, Picture, Table
+from symbody.document.document import NO_BREAK, Document, Formula, Heading, Math, Picture, Table
 from symbody.document.formats.mathml import mathml
 from symbody.document.formats.tex_letter import in_text
 from symbody.document.report import FORMATS, SECTIONS
@@ -52,7 +52,7 @@ from symbody.document.sections.equations import ROWS
 from symbody.document.subject import Subject
 from symbody.dynamics.display.summary import READABLE
 from symbody.errors import ModelNotice, PictureError, ReportError, SymbodyError
-from symbody.models import ClassicSystem, four_bar, n_pendulum
+from symbody.models import ClassicSystem, four_bar, full_car, motorcycle, n_pendulum
 from tests.view.browser import browser
 
 r, l, m1, m2, m3, I1, I2, g, tau = PARAMETERS = symbols("r l m1 m2 m3 I1 I2 g tau")
@@ -128,7 +128,7 @@ def test_the_contents_are_those_of_the_model(equations: Equations) -> None:
     rows = cells(document)
     assert ("coordinates", "3") in rows
     assert ("constraints", "2") in rows
-    assert (latex(phi), "coordinate, angle", "rad") in rows
+    assert (f"{latex(phi)}, {latex(beta)}", "coordinate, angle", "rad") in rows
     assert (latex(s), "coordinate, length", "m") in rows
     assert ("m_{3}", "mass of slider", "kg") in rows
     assert ("I_{2}", "moment of inertia of rod <b> about z", "kg m²") in rows
@@ -155,9 +155,45 @@ def test_a_floating_body_has_quasi_velocities() -> None:
     """Lagrange's equations are those of Boltzmann and Hamel then, and agree."""
     top = System([Body(floating_frame(), m1, I1, I1, I2)], gravity=Vector(ground, 0, 0, -g))
     rows = cells(blocks(newton_euler(top)))
-    assert ("u", "quasi-velocity, velocity", "m/s") in rows
+    assert ("u, v, w", "quasi-velocity, velocity", "m/s") in rows
     results = dict(row for row in rows if row[0] in LAWS)
     assert [*results.values()] == [HOLDS, HOLDS, HOLDS]
+
+
+def test_laws_of_springs_are_told(tmp_path: Path) -> None:
+    """A strut is one row with its law, and its constants have units."""
+    rows = cells(blocks(newton_euler(full_car().system)))
+    (row,) = (row for row in rows if row[0] == "strut 1")
+    assert row[1] == "force"
+    assert row[2].startswith(r"\mathrm{cf} \, \dot{l} - \mathrm{kf} ")
+    assert row[3:] == ("its line", "body and wheel 1")
+    assert (r"\mathrm{cf}", "damping of strut 1 and strut 2", "N s/m") in rows
+    assert (r"\mathrm{kr}", "stiffness of strut 3 and strut 4", "N/m") in rows
+    assert ("a, b, h, w", "length", "m") not in rows  # parameters are in the order of their names
+    assert "~m, " in written(tmp_path, full_car(), ".tex")
+
+
+def test_names_of_one_meaning_share_a_row() -> None:
+    """Each name has the number of its link; a few numbers are listed."""
+    rows = cells(blocks(newton_euler(numbered_arm(3))))
+    assert ("m_{1}, m_{2}, m_{3}", "mass of link 1, 2 and 3", "kg") in rows
+    rows = cells(blocks(newton_euler(numbered_arm(5))))
+    names = ", ".join(f"m_{{{i}}}" for i in range(1, 6))
+    assert (names, "mass of link 1, ..., 5", "kg") in rows
+
+
+def test_each_name_of_the_kinematics_stands_above_its_use(tmp_path: Path) -> None:
+    """Radicands and quantities that occur again use each other: each line has only names of the lines above."""
+    text = written(tmp_path, motorcycle(), ".md").split("whose multipliers")[1].split(r"\end{aligned}")[0]
+    rows = [row.split(" &= ") for row in text.split(r" \\ ") if " &= " in row]
+    lefts = [left.split()[-1] for left, _ in rows]
+    for place, (_, right) in enumerate(rows):
+        assert not any(
+            re.search(rf"(?<!\w){re.escape(left)}", right) for left in lefts[place:] if left != "0"
+        )
+    assert any(
+        right.startswith(r"\cos(\psi) \dot{x} + \sin(\psi) \dot{y}") for left, right in rows if left == "0"
+    )
 
 
 def test_units_are_added(equations: Equations, tmp_path: Path) -> None:
@@ -380,7 +416,7 @@ def test_a_model_is_drawn_with_its_numbers(tmp_path: Path) -> None:
     )
     assert ElementTree.tostring(svg_of(text)[0]) == ElementTree.tostring(svg_of(own)[0])
     assert pendulum.initial[pendulum["theta1"]] == 1.0
-    told = "It is drawn with $\\theta_{1} = {}$ rad, $l_{1} = 1$ m."
+    told = f"It is drawn with $\\theta_{{1}} = {{}}${NO_BREAK}rad, $l_{{1}} = 1${NO_BREAK}m."
     text = written(tmp_path, pendulum, ".md")
     assert "at the start of a typical motion, with the numbers of the model." in text
     assert told.replace("{}", "1") in text
@@ -405,7 +441,7 @@ def test_a_loop_of_a_model_closes_at_a_given_position(tmp_path: Path) -> None:
 def test_lengths_differ_without_numbers(tmp_path: Path) -> None:
     text = written(tmp_path, numbered_arm(3), ".md")
     assert "were chosen for this picture; masses are 1." in text
-    assert "$d_{1} = 1$ m, $d_{2} = 1.2$ m, $d_{3} = 1.1$ m." in text
+    assert f"$d_{{1}} = 1${NO_BREAK}m, $d_{{2}} = 1.2${NO_BREAK}m, $d_{{3}} = 1.1${NO_BREAK}m." in text
 
 
 def test_the_picture_satisfies_the_constraints(tmp_path: Path) -> None:

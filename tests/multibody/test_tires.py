@@ -413,9 +413,9 @@ def test_a_law_of_the_user() -> None:
 
 
 def test_tyres_need_names_to_have_states_of_their_own() -> None:
-    first = tire(wheel, R, linear_tire(), load=N, relaxation=(sx, sy), carrier=upright)
+    first = tire(wheel, R, linear_tire(cornering=1), load=N, relaxation=(sx, sy), carrier=upright)
     other = Body(leaning * translate(0, 1, 0) * rotate("Y", theta), m, I, J, I)
-    second = tire(other, R, linear_tire(), load=N, relaxation=(sx, sy), carrier=upright)
+    second = tire(other, R, linear_tire(cornering=1), load=N, relaxation=(sx, sy), carrier=upright)
     with pytest.raises(
         ModelError, match="has another rate in another load, or in states; give the loads different"
     ):

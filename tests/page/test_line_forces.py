@@ -143,4 +143,6 @@ def test_lines_on_bodies_with_speeds_of_their_own(is_floating: bool) -> None:
     assert "l1 := " in text
     assert max(map(len, text.splitlines())) <= 110
     form = equations.matrix_form()
+    assert "l1 := " in form.description()
+    assert r"l_{1} &= " in form.latex()
     assert not any(leaf.name in {"l1", "F1"} for entry in form.loads.entries for leaf in entry.free_symbols)

@@ -429,6 +429,17 @@ def test_short_names_in_latex(axes: str) -> None:
         assert f"{name[0]}_{{{index}}} &= " in latex, name
 
 
+def test_short_names_of_angles_without_numbers_in_latex() -> None:
+    """On a long page whose angles have no numbers, the text and LaTeX have the same names."""
+    theta, psi, phi = functions_of_time("theta psi phi")
+    frame = rotate("Z", psi) * rotate("Y", theta) * rotate("X", phi)
+    wing = frame * translate(a, b, c) * rotate("Z", x) * translate(l, 0, k)
+    bodies = [Body(frame, m, *symbols("A B C")), Body(wing, m, *symbols("I J K"))]
+    form = newton_euler(System(bodies, coordinates=[psi, theta, phi, x])).matrix_form()
+    assert "c_theta := cos(theta)" in form.description()
+    assert r"c_{\theta} &= \cos(\theta)" in form.latex()
+
+
 def test_given_forces_and_constraints_are_on_the_right() -> None:
     bob = Body(translate(x, y, 0), m)
     push = Force(ground, F - c * x.diff(t), 0, 0, at=bob.center_of_mass, on=bob)

@@ -217,6 +217,65 @@ def test_links_of_a_suspension_keep_their_lengths() -> None:
     assert np.ptp(position(found, "upright", (0, 0.72, 0))[2]) > 1e-3
 
 
+def test_wheels_of_a_swing_axle_camber_with_their_travel() -> None:
+    """A hub at 0.6 from its pivot: ``sin(camber) = dz/0.6``, and the half track becomes ``0.2 + sqrt(0.36 - dz^2)``."""
+    found = moved(machines.swing_axle)
+    axle = Vector(found.made.frame("left_wheel"), 0, 1, 0).projected(ground).components
+    _, across, up = found.along(axle)
+    _, y, z = position(found, "left_wheel")
+    dz = z - position(found, "body")[2]
+    assert np.ptp(dz) > 1e-3
+    assert_allclose(np.arctan2(up, across), np.arcsin(dz / 0.6), atol=1e-9)
+    assert_allclose(y, 0.2 + np.sqrt(0.36 - dz**2), rtol=1e-9)
+
+
+def test_cylinders_of_an_excavator_are_as_long_as_the_law_of_cosines_says() -> None:
+    """Pins of the boom at sqrt(0.5) and sqrt(3.4) from A, those of the stick at sqrt(4.36) and sqrt(0.45) from B."""
+    found = moved(machines.excavator)
+
+    def side(length: str, a: float, b: float, angle: Array) -> None:
+        assert_allclose(found[length] ** 2, a + b - 2 * np.sqrt(a * b) * np.cos(angle), rtol=1e-9)
+
+    foot, eye = math.atan2(0.5, 0.5), math.atan2(0.4, 1.8)  # below and above the axis of the boom
+    side("s_K2", 0.5, 3.4, foot + eye - found["phi_A"])
+    seat, lug = math.atan2(0.6, -2.0), math.atan2(0.3, -0.6)
+    side("s_M2", 4.36, 0.45, seat - lug + found["phi_B"])
+
+
+def test_a_tripod_turns_as_its_housing_while_its_centre_goes_round_three_times() -> None:
+    """``u = -R (1 - cos b)/2 cos 3a``, ``v = -R (1 - cos b)/(2 cos b) sin 3a``, along the tilt b and across it.
+
+    a is the angle of the housing from the direction of the tilt, R the radius of the grooves: of each trunnion, which
+    turns as the housing does, the projection meets its groove.
+    """
+    found = moved(machines.tripod_coupling)
+    axis = found.along(Vector(found.made.frame("shaft"), 0, 0, 1).projected(ground).components)
+    tilt, way = np.arccos(axis[2]), np.exp(1j * np.arctan2(axis[1], axis[0]))
+    x, y, _ = position(found, "shaft")
+    center, turned = (x + 1j * y) / way, 3 * (found["phi_A"] - np.angle(way))
+    assert np.ptp(turned) > 3
+    lean = 0.05 * (1 - np.cos(tilt)) / 2
+    assert_allclose(center.real, -lean * np.cos(turned), atol=1e-11)
+    assert_allclose(center.imag, -lean / np.cos(tilt) * np.sin(turned), atol=1e-11)
+
+
+@pytest.mark.parametrize("make", repeated([machines.delta_robot]))
+def test_arms_of_a_delta_robot_are_where_its_inverse_kinematics_says(make: Callable[[], Machine]) -> None:
+    """``(r - R - a cos q)^2 + s^2 + (z + a sin q)^2 = L^2`` in the plane of each arm [Clavel 1991], solved for q."""
+    found = moved(make)
+    x, y, z = position(found, "platform")
+    assert np.ptp(z) > 1e-3
+    for k in range(3):
+        way = np.exp(2j * math.pi * k / 3)
+        along, across = ((x + 1j * y) / way).real + 0.05 - 0.2, ((x + 1j * y) / way).imag
+        e, f = -2 * 0.3 * along, 2 * 0.3 * z
+        g = along**2 + across**2 + z**2 + 0.3**2 - 0.8**2
+        half = np.arctan2(f, e)
+        both = [half + sign * np.arccos(-g / np.hypot(e, f)) for sign in (1, -1)]  # elbow in or out
+        error = [np.abs(np.exp(1j * q) - np.exp(1j * found[f"phi_A{k}"])) for q in both]
+        assert np.minimum(*error).max() < 1e-6
+
+
 @pytest.mark.parametrize("make", repeated([machines.hexapod]))
 def test_legs_of_a_hexapod_are_as_long_as_its_inverse_kinematics_says(make: Callable[[], Machine]) -> None:
     found = moved(make)

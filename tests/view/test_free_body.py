@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from symbody import (
+    Force,
     Link,
     Torque,
     Vector,
@@ -15,6 +16,7 @@ from symbody import (
     free_body_diagram,
     ground,
     newton_euler,
+    planar,
     prismatic,
     reaction,
     revolute,
@@ -131,3 +133,16 @@ def test_a_body_is_cut_off_once_and_drawn_as_svg(motion, tmp_path):
         free_body_diagram(motion, ["beam", "beam"], tmp_path / "beam.svg")
     with pytest.raises(ViewError, match=r"beam\.png is no SVG file; expected a name such as beam\.svg"):
         free_body_diagram(motion, "beam", tmp_path / "beam.png")
+
+
+@pytest.mark.parametrize(("x", "y"), [(-3, -1), (-3, 0)])
+def test_the_name_of_an_arrow_to_the_left_is_not_on_its_shaft(tmp_path, x, y):
+    """Names are written to the right: that of an arrow to the left and downwards is below its tip."""
+    cart = Link("cart", 1.0, Iz=1.0)
+    made = assemble([planar("P", ground, cart)])
+    push = Force(ground, x, y, 0, at=made.point(cart, 0, 0, 0), on=made.body(cart), name="push")
+    motion = simulate(newton_euler(made.system([push], gravity=Vector(ground, 0, -2, 0))), t=(0, 1))
+    text = free_body_diagram(motion, cart, tmp_path / "cart.svg").read_text(encoding="utf-8")
+    (tip,) = {float(line[3]) for line in LINE.findall(text) if abs(float(line[2]) - float(line[0])) > 1}
+    (name,) = re.findall(r'<text x="\S+" y="(\S+)"[^>]*>push', text)
+    assert float(name) > tip + 12

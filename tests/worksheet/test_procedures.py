@@ -120,3 +120,9 @@ def test_a_missing_argument_that_is_used_is_told() -> None:
     assert printed(text) == ["1, 3"]
     (message,) = failures(text + "g(2);")
     assert message == "(in g) invalid input: g uses its argument 2, b, which is missing"
+
+
+def test_names_that_a_procedure_is_given_get_values_where_it_was_called() -> None:
+    text = """f := proc(a,b) b := a + 1; end proc: g := proc() local z; f(3,'z'); z end proc: k := proc(a,b) f(a,b) end:
+    f(2,'y'): y; g(); z; k(6,'w'): w;"""
+    assert printed(text) == ["3", "4", "z", "7"]

@@ -25,6 +25,13 @@ CASES = {
         "subs(x(t)=A*sin(t), diff(x(t),t,t));",
         ["-A*sin(t)"],
     ),
+    "a function of a variable in its derivative": (
+        (
+            "subs(y(x)=x^2, diff(y(x),x)+y(x)); eval(diff(y(x),x,x), diff(y(x),x)=w(x)); "
+            "subs(f(u,v)=u*v^2, diff(f(u,v),u,v));"
+        ),
+        ["x^2+2*x", "diff(w(x),x)", "2*v"],
+    ),
     "a power in a product": (
         "subs(d(t)^2=0, a*d(t)^2+d(t));",
         ["d(t)"],

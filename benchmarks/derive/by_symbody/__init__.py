@@ -1,6 +1,6 @@
 """The problems as a user of symbody writes them.
 
-They are systems of their own beside those of `symbody.models`: all contenders derive the same thing from the same
-symbols, and the gallery's cart has a pole with inertia, friction and an input, its disc five coordinates with
-multipliers, and its bicycle joints. The tests check that the gallery's cart is this one where its poles are points.
+Three of them are systems of `symbody.models` in other variables, because all contenders derive the same thing from the
+same symbols: the cart counts angles as SymPy's own model does and has points for poles, and disc and bicycle have
+quasi-velocities in place of multipliers. The tests check that these are the systems of the gallery, by value.
 """

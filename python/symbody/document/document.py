@@ -72,6 +72,10 @@ class Document:
     blocks: tuple[Block, ...]
 
 
+NO_BREAK = "\u00a0"
+"""The space between a number and its unit, at which no line ends."""
+
+
 def prose(*words: str | Math) -> Prose:
     """Return a paragraph.
 

@@ -7,6 +7,7 @@ from itertools import islice
 
 from symbody.document.document import Block, Formula, Math, Prose, Words, prose
 from symbody.dynamics.display.row import printed, written
+from symbody.dynamics.display.short_names import in_order_of_use
 from symbody.multibody import Variables
 from symbody.symbolic import Expr, cost, free_symbols, latex, listing, substitute, symbol
 from symbody.symbolic.expression.latex_layout import LINE, aligned, broken, width
@@ -52,7 +53,8 @@ def equalities(
     definitions, texts = listing(shown, "latex") if system is None else printed(shown, "latex", system)
     remaining = iter(texts)
     sides = [written(islice(remaining, count)) for count in (*(1 for _ in radicands), *map(len, sums))]
-    pairs = [*definitions, *zip([*map(latex, radicands), *names], sides, strict=True)]
+    named = list(zip(map(latex, radicands), sides, strict=False))
+    pairs = [*in_order_of_use([*definitions, *named]), *zip(names, sides[len(radicands) :], strict=True)]
     rows = [row for left, right in pairs for row in broken(f"{left} &= ", right)]
     if sum(map(len, rows)) > READABLE or max(map(width, rows), default=0) > WIDEST:
         operations = counted(cost(shown).total, "operation")

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from symbody.document.subject import Subject
-from symbody.multibody import System, Variables
+from symbody.multibody import Element, System, Variables
+from symbody.multibody.element.element import is_along_line
 from symbody.symbolic import Expr
 from symbody.view.overview import overview
 
@@ -58,11 +59,35 @@ def _of_system(system: System) -> Iterator[tuple[Expr, Role]]:
     for component in () if gravity is None else gravity.components:
         for each in (component, -component):
             yield each, ("acceleration of gravity", "m/s²")
+    yield from _of_laws(system)
     yield from _of_loads(system)
     for motion in (motion for body in system.bodies for motion in body.frame.motions):
         yield from ((leaf, LENGTH) for leaf in _multiples(motion.displacement))
         if motion.turn_axis is not None:
             yield from ((leaf, ANGLE) for leaf in _multiples(motion.variables))
+
+
+_UNITS = {
+    True: {"stiffness": "N/m", "free_length": "m", "damping": "N s/m", "force": "N"},
+    False: {"stiffness": "N m/rad", "damping": "N m s/rad"},
+}
+"""The units in laws of forces along lines, and of torques about axes."""
+
+
+def _of_laws(system: System) -> Iterator[tuple[Expr, Role]]:
+    """Yield what stands alone in the laws of springs and dampers."""
+    elements = [load for load in system.loads if isinstance(load, Element) and load.law]
+    for element in elements:
+        is_line = is_along_line(element)
+        for argument, value in element.law.items():
+            owners = [
+                each
+                for each in elements
+                if each.law.get(argument) == value and is_along_line(each) == is_line
+            ]
+            names = dict.fromkeys(each.name or f"the {each.kind.replace('_', ' ')}" for each in owners)
+            meaning = f"{argument.replace('_', ' ')} of {_in_words([*names])}"
+            yield value, (meaning, _UNITS[is_line][argument])
 
 
 def _of_loads(system: System) -> Iterator[tuple[Expr, Role]]:

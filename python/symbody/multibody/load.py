@@ -114,7 +114,17 @@ class Load(ABC):
         """The actions of the load, body by body."""
 
     def _repr_html_(self) -> str:
-        return html_table(self.name or type(self).__name__, COLUMNS, [action.row for action in self.actions])
+        return html_table(self.name or type(self).__name__, COLUMNS, self.rows)
+
+    @property
+    def rows(self) -> list[tuple[object, ...]]:
+        """What a notebook shows of it, action by action."""
+        return [action.row for action in self.actions]
+
+    @property
+    def between_ends(self) -> tuple[Expr, ...]:
+        """What the motions of both ends change, such as the potential energy."""
+        return () if self.potential is None else (self.potential,)
 
     @property
     def key(self) -> bytes:

@@ -80,11 +80,11 @@ def _foreign_loads(members: Set[Body], loads: Iterable[Load]) -> Iterator[str]:
 
 
 def _lost_reactions(loads: Iterable[Load], known: Set[Expr]) -> Iterator[str]:
-    """Return the loads whose potential energy holds an unknown that moves none of their bodies."""
-    for load in (load for load in loads if load.potential is not None):
+    """Return the loads whose potential energy or length holds an unknown that moves none of their bodies."""
+    for load in loads:
         bodies = dict.fromkeys(action.body for action in load.actions)
         moved = {leaf for body in bodies for motion in body.frame.motions for leaf in motion.leaves}
-        held = load.potential.free_symbols if load.potential is not None else frozenset[Expr]()
+        held = {leaf for each in load.between_ends for leaf in each.free_symbols}
         lost = sorted(str(leaf) for leaf in (held & known) - moved - {*load.states})
         if lost:
             yield (

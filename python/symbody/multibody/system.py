@@ -238,9 +238,9 @@ class System(Variables):
         ]
         tables = [html_table(str(self), ["body", "frame", "mass", "moments of inertia"], bodies)]
         loads = [
-            [_label(load, k), *action.row[:-1], labels.get(action.body, action.body)]
+            [_label(load, k), *row[:-1], labels.get(action.body, action.body)]
             for k, load in enumerate(self.loads, start=1)
-            for action in load.actions
+            for row, action in zip(load.rows, load.actions, strict=True)
         ]
         if self.gravity is not None:
             components = ", ".join(map(brief, self.gravity.components))

@@ -223,7 +223,7 @@ class _Projection:
         if self.is_measuring:
             return [*lines]
         patches = [Patch(head, action["color"], 1.0) for head in heads]
-        return [*lines, *patches, Label(path[-1], action["name"], action["color"])]
+        return [*lines, *patches, Label(_beside_tip(path), action["name"], action["color"])]
 
     def _points(self) -> Iterator[Mark]:
         for body in self.content["bodies"]:
@@ -261,6 +261,12 @@ def _head(path: Sequence[Place], length: float) -> tuple[Place, ...]:
     across = HEAD / 3 * np.array([-way[1], way[0]])
     corners = (tip, tip - HEAD * way + across, tip - HEAD * way - across)
     return tuple((round(float(a), 2), round(float(b), 2)) for a, b in corners)
+
+
+def _beside_tip(path: Sequence[Place]) -> Place:
+    """Return where the name of an arrow begins: names go to the right, so that one on the left is below its shaft."""
+    (before, above), (x, y) = path[-2:]
+    return (x, y + 22) if before > x and above <= y else (x, y)
 
 
 def _spread(marks: Sequence[Mark]) -> Iterator[Mark]:

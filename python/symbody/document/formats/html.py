@@ -31,6 +31,7 @@ figure svg { max-width: 100%; height: auto; }
 figcaption { color: #56636f; font-size: .9rem; }
 .formula { overflow-x: auto; padding: .4rem 0 .4rem 1.5rem; }
 math { font-family: "Latin Modern Math", "STIX Two Math", "Cambria Math", math, serif; }
+mover[accent] > mo { position: relative; bottom: .12em; } /* dots would touch their letters */
 .formula math { display: block math; width: max-content; margin: 0; }
 mtd[columnalign="left"] { text-align: left; }
 mtd[columnalign="right"] { text-align: right; }

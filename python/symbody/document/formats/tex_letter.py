@@ -96,7 +96,7 @@ _SIGNS = dict(
         strict=True,
     )
 )
-_ALIKE = dict(zip("ΑΒΕΖΗΙΚΜΝΟΡΤΧο′", "ABEZHIKMNOPTXo'", strict=True))
+_ALIKE = dict(zip("ΑΒΕΖΗΙΚΜΝΟΡΤΧο′", "ABEZHIKMNOPTXo'", strict=True)) | {"\u00a0": "~"}
 _ACCENTS = {
     "\u0300": "`", "\u0301": "'", "\u0302": "^", "\u0303": "~", "\u0304": "=", "\u0306": "u", "\u0307": ".",
     "\u0308": '"', "\u030a": "r", "\u030b": "H", "\u030c": "v", "\u0323": "d", "\u0327": "c", "\u0328": "k",

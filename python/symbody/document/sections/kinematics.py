@@ -5,6 +5,7 @@ from __future__ import annotations
 from symbody.document.document import Block, Heading, prose
 from symbody.document.formula import equalities, listed
 from symbody.document.subject import Subject
+from symbody.dynamics.display.page import shorter
 from symbody.symbolic import latex
 from symbody.symbolic.given.arguments import counted
 
@@ -29,7 +30,8 @@ def kinematics(subject: Subject) -> list[Block]:
     if system.constraints:
         multipliers = listed(system.multipliers)
         lead = prose("The constraints, whose multipliers are ", *multipliers, ", are")
-        blocks += equalities(lead, ["0"] * len(system.constraints), subject.read(system.constraints), system)
+        constraints = system.constraints if subject.is_large else [*map(shorter, system.constraints)]
+        blocks += equalities(lead, ["0"] * len(constraints), constraints, system)
     blocks += _centres(subject)
     return blocks
 

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from itertools import groupby
 
-from symbody.document.document import Block, Heading, Math, Picture, Table, Words, prose
+from symbody.document.document import NO_BREAK, Block, Heading, Math, Picture, Table, Words, prose
 from symbody.document.formula import listed
 from symbody.document.picture import drawn_motion, no_picture
 from symbody.document.role import in_order, roles_of, units_of_coordinates
 from symbody.document.subject import Subject
+from symbody.dynamics.display.row import written
 from symbody.errors import SymbodyError
 from symbody.geometry import Vector
 from symbody.multibody import Body, System
+from symbody.multibody.element.element import is_along_line, terms_of_law
 from symbody.simulation.given.wording import joined_by_and
-from symbody.symbolic import Expr, cost, free_symbols, latex
+from symbody.symbolic import Expr, cost, free_symbols, latex, listing
 from symbody.symbolic.expression.latex_layout import LINE, width
 from symbody.symbolic.given.arguments import brief, counted
 from symbody.view import DrawableMotion
@@ -72,7 +74,7 @@ def _numbers(subject: Subject, drawn: DrawableMotion) -> list[Block]:
     pairs = zip(names, values, strict=True)
     for (value, unit), group in groupby(pairs, key=lambda pair: (pair[1], units.get(pair[0], ""))):
         alike = " = ".join(latex(name) for name, _ in group)
-        words += [Math(f"{alike} = {value}"), f" {unit}, " if unit else ", "]
+        words += [Math(f"{alike} = {value}"), f"{NO_BREAK}{unit.replace(' ', NO_BREAK)}, " if unit else ", "]
     words[-1] = str(words[-1]).removesuffix(", ") + "."
     return [prose("It is drawn with ", *words)]
 
@@ -107,10 +109,16 @@ def _loads(system: System) -> list[Block]:
     names = _names(system)
     rows: list[tuple[Words, ...]] = []
     for number, load in enumerate(system.loads, start=1):
-        for action in load.actions:
-            kind = "force" if action.is_force else "torque"
-            on = names.get(action.body, action.body.name or "a body outside the system")
-            rows.append(_load_row(load.name or f"load {number}", kind, action.vector, on))
+        name = load.name or f"load {number}"
+        members = [
+            names.get(each.body, each.body.name or "a body outside the system") for each in load.actions
+        ]
+        if is_along_line(load):
+            law = (Math(written(listing(terms_of_law(load), "latex")[1])),)
+            rows.append(((name,), ("force",), law, ("its line",), (joined_by_and(members),)))
+            continue
+        for action, on in zip(load.actions, members, strict=True):
+            rows.append(_load_row(name, "force" if action.is_force else "torque", action.vector, on))
     gravity = system.gravity
     if gravity is not None:
         rows.append(_load_row("gravity", "acceleration", gravity, "all bodies"))

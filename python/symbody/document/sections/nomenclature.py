@@ -2,21 +2,68 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import groupby
+from typing import NamedTuple
 
-from symbody.document.document import Block, Heading, Math, Table
+from symbody.document.document import Block, Heading, Table
+from symbody.document.formula import listed
 from symbody.document.role import in_order, roles_of, units_of_coordinates
 from symbody.document.subject import Subject
-from symbody.symbolic import Expr, latex, substitute
+from symbody.simulation.given.wording import joined_by_and
+from symbody.symbolic import Expr, substitute
 from symbody.view.overview import overview
 
 
 def nomenclature(subject: Subject) -> list[Block]:
     """Return the section."""
+    named = [Entry(name, meaning, subject.units.get(name, unit)) for name, meaning, unit in _entries(subject)]
     rows = []
-    for name, meaning, unit in _entries(subject):
-        rows.append(((Math(latex(name)),), (meaning,), (subject.units.get(name, unit),)))
+    for (kind, unit), family in groupby(named, key=lambda entry: (entry.kind, entry.unit)):
+        for alike in _lines_of([*family], kind):
+            names = [entry.name for entry in alike]
+            rows.append((listed(names), (_meaning(alike),), (unit,)))
     return [Heading("Nomenclature"), Table(("symbol", "meaning", "unit"), tuple(rows))]
+
+
+_ON_A_LINE = 8
+"""The names of one meaning on a line."""
+
+
+class Entry(NamedTuple):
+    """A name, its meaning, and its unit."""
+
+    name: Expr
+    meaning: str
+    unit: str
+
+    @property
+    def kind(self) -> str:
+        """The meaning, with `#` in place of the number that the name has, too: m3 is the mass of link 3."""
+        number = re.search(r"\d*$", self.name.name)
+        return self.meaning if not number or not number[0] else re.sub(rf"\b{number[0]}\b", "#", self.meaning)
+
+
+def _lines_of(family: Sequence[Entry], kind: str) -> list[Sequence[Entry]]:
+    """Return names of one meaning line by line; of parameters, for which a reader may write a meaning, one on each."""
+    step = 1 if kind == "parameter" else _ON_A_LINE
+    return [family[start : start + step] for start in range(0, len(family), step)]
+
+
+def _meaning(alike: Sequence[Entry]) -> str:
+    """Return the meaning of a line: "mass of link 1", or "mass of link 1, ..., 7" of a family."""
+    first, last = alike[0], alike[-1]
+    if first.meaning == last.meaning:
+        return first.meaning
+    numbers = [entry.name.name[len(entry.name.name.rstrip("0123456789")) :] for entry in alike]
+    return first.kind.replace(
+        "#", joined_by_and(numbers) if len(numbers) <= _FEW else f"{numbers[0]}, ..., {numbers[-1]}"
+    )
+
+
+_FEW = 3
+"""The numbers of a family that are listed."""
 
 
 def _entries(subject: Subject) -> Iterator[tuple[Expr, str, str]]:

@@ -12,6 +12,7 @@ from itertools import chain, count
 
 from symbody.geometry import Vector, project
 from symbody.multibody import Element, System
+from symbody.multibody.element.element import is_along_line
 from symbody.symbolic import Expr, functions_of_time, jacobian, number, sqrt, symbols, time_derivative
 from symbody.symbolic.calculus.reader import Reader
 
@@ -69,7 +70,7 @@ def _by_places(element: Element, reader: Reader) -> Expr:
 
 def named_lines(system: System) -> tuple[NamedLine, ...]:
     """Return the forces along lines of a system with names that look like none of the model's."""
-    elements = [load for load in system.loads if isinstance(load, Element) and _has_direction(load)]
+    elements = [load for load in system.loads if is_along_line(load) and _has_direction(load)]
     taken = {leaf.name for leaf in system.leaves}
     numbers = [""] if len(elements) == 1 else [str(k) for k in range(1, len(elements) + 1)]
     lengths, forces = (_letter(letters, taken) for letters in (_LENGTHS, _FORCES))
@@ -85,7 +86,7 @@ def named_lines(system: System) -> tuple[NamedLine, ...]:
 def _has_direction(element: Element) -> bool:
     """Return whether the force is along a line, and not just k times the vector between its ends."""
     law = element.law
-    return "force" in law or any(not law[name].is_zero for name in ("free_length", "damping") if name in law)
+    return "force" in law or any(not law[name].is_zero for name in ("free_length", "damping"))
 
 
 def _letter(letters: Iterable[str], taken: Iterable[str]) -> str:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from symbody.errors import ModelNotice
 from symbody.multibody import System, Variables
@@ -17,8 +17,9 @@ from symbody.symbolic.calculus.rewrite import textbook_form
 from symbody.symbolic.expression.latex_layout import aligned, bmatrix, displayed
 
 from .balance import Balance
+from .page import Page
 from .row import LINE, lines, printed
-from .short_names import shortened
+from .short_names import Definition, in_order_of_use, shortened
 
 _TWO_DIGITS = 10
 """Speeds from which on indices have two digits."""
@@ -40,6 +41,8 @@ class MatrixForm:
             weight, springs and products of speeds apart there.
         constraints: ``phi_q^T lambda``, n x 1.
         is_christoffel: whether `coriolis` is C, not c.
+        named: names of forces along lines and of their lengths, if the loads are printed with them.
+        named_loads: the loads with these names.
 
     >>> from symbody import Body, Point, System, Vector, functions_of_time, ground, newton_euler, rotate, symbols
     >>> theta, (m, l, g) = functions_of_time("theta"), symbols("m l g")
@@ -59,26 +62,42 @@ class MatrixForm:
     applied: Matrix
     constraints: Matrix
     is_christoffel: bool = False
+    named: tuple[tuple[Expr, Expr], ...] = ()
+    named_loads: Matrix | None = None
 
     def description(self) -> str:
         """Return the equation of matrices, and their entries other than zero line by line.
 
         Equal entries of M and of C stand on one line, and an opposite of an entry above is written as such.
         """
-        labels, values = zip(*self._labelled(), strict=True)
-        definitions, texts = printed(values, "text", self.system)
-        text_of = dict(zip(labels, texts, strict=True))
-        rows = [f"{' = '.join(equal)} = {text_of.get(right, right)}" for equal, right in self._entries()]
-        definitions, rows = shortened(rows, (), definitions)
+        definitions, rows = shortened(*self._rows())
         made = [*(f"{name} := {value}" for name, value in definitions), *rows]
         return "\n".join([self._equation(), *(line for text in made for line in _indented(text))])
 
+    def _rows(self) -> tuple[list[str], tuple[()], list[Definition]]:
+        """Return the rows of text without short names, and the quantities that have names."""
+        labels, values = zip(*self._labelled(), strict=True)
+        definitions, texts = self._printed(values, "text")
+        text_of = dict(zip(labels, texts, strict=True))
+        rows = [f"{' = '.join(equal)} = {text_of.get(right, right)}" for equal, right in self._entries()]
+        return rows, (), definitions
+
+    def _printed(self, values: Sequence[Expr], notation: str) -> tuple[list[Definition], list[str]]:
+        """Return the quantities that have names, and printed values."""
+        sides = [side for pair in self.named for side in pair]
+        definitions, texts = printed([*values, *sides], notation, self.system)
+        named = texts[len(values) :]
+        pairs = zip(named[::2], named[1::2], strict=True)
+        return in_order_of_use([*definitions, *pairs]), texts[: len(values)]
+
     def latex(self) -> str:
-        """Return the matrices in LaTeX, one below the other."""
+        """Return the matrices in LaTeX, one below the other, with the short names of the text."""
         named = [(name, matrix) for name, matrix in self._matrices() if _is_used(matrix)]
         entries = [entry for _, matrix in named for entry in matrix.entries]
-        definitions, texts = printed(entries, "latex", self.system)
-        definitions, texts = shortened(texts, (), definitions, "latex")
+        definitions, texts = self._printed(entries, "latex")
+        given = self._rows()
+        has_names = shortened(*given)[0] != given[2]
+        definitions, texts = shortened(texts, (), definitions, "latex", is_wanted=has_names)
         remaining = iter(texts)
         rows = [f"{name} &= {value}" for name, value in definitions]
         for name, matrix in named:
@@ -90,7 +109,8 @@ class MatrixForm:
 
     def _matrices(self) -> list[tuple[str, Matrix]]:
         name = "C" if self.is_christoffel else "c"
-        matrices = (self.mass_matrix, self.coriolis, self.gravity, self.loads, self.applied, self.constraints)
+        loads = self.loads if self.named_loads is None else self.named_loads
+        matrices = (self.mass_matrix, self.coriolis, self.gravity, loads, self.applied, self.constraints)
         applied = "Q" if isinstance(self.system, System) else "f"
         return list(zip(("M", name, "g", "k", applied, "R"), matrices, strict=True))
 
@@ -175,6 +195,12 @@ def matrix_form(
         _column([balance.constraints for balance in balances]),
         is_christoffel,
     )
+
+
+def with_names(form: MatrixForm, page: Page) -> MatrixForm:
+    """Return the matrices with the names of forces along lines that a page of the same equations has."""
+    loads = _column([balance.loads for balance in page.balances])
+    return replace(form, named=page.named, named_loads=loads) if page.named else form
 
 
 def _of_given(

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from symbody.multibody import Variables
-from symbody.symbolic import Expr, Matrix, listing
+from symbody.symbolic import Expr, Matrix, cost, listing, simplify
 from symbody.symbolic.calculus.rewrite import textbook_form
 from symbody.symbolic.expression.latex_layout import aligned, broken
 
@@ -122,9 +122,18 @@ class Page:
 
 
 def shorter(constraint: Expr) -> Expr:
-    """Return a constraint as it was given, unless it has a shorter form."""
-    form = textbook_form(constraint)
-    return form if len(str(form)) < len(str(constraint)) else constraint
+    """Return a constraint as it was given, unless it has a shorter form.
+
+    That of rolling is the product of many rotations: most of its terms cancel, and the form is found from what is left.
+    """
+    forms = [constraint, textbook_form(constraint)]
+    if _MANY < cost(constraint).total < _TOO_MANY:
+        forms.append(textbook_form(simplify(constraint)))
+    return min(forms, key=lambda form: len(str(form)))
+
+
+_MANY, _TOO_MANY = 50, 200
+"""The operations of constraints between which terms may cancel, and the form can be found at once."""
 
 
 def indented(text: str) -> list[str]:

@@ -182,7 +182,7 @@ def _name(kind: str, angle: str, style: _Notation, plain: str) -> str | None:
     if len(stems) != 1 or not (len(parts) == 1 or all(part["number"] for part in parts)):
         return None
     signs = [style.minus if (part["sign"] or "").startswith("-") else "" for part in parts]
-    numbers = "".join(sign + part["number"] for sign, part in zip(signs, parts, strict=True))
+    numbers = "".join(sign + (part["number"] or "") for sign, part in zip(signs, parts, strict=True))
     if numbers and stems == {plain}:
         return kind[0] + style.number.format(numbers)
     return kind[0] + style.word.format(angle if style.is_typeset else parts[0]["stem"] + numbers)

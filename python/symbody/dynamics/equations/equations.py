@@ -9,7 +9,7 @@ from typing import Any
 
 from symbody.dynamics.display.balance import balances
 from symbody.dynamics.display.line_page import with_lines_if_shorter
-from symbody.dynamics.display.matrix_form import MatrixForm, matrix_form
+from symbody.dynamics.display.matrix_form import MatrixForm, matrix_form, with_names
 from symbody.dynamics.display.page import Page
 from symbody.dynamics.display.summary import is_readable, summary, summary_in_latex, summary_table
 from symbody.errors import ModelError
@@ -312,7 +312,8 @@ class Equations:
                 "be read; equations.mass_matrix and equations.bias have the entries, and readable(entry) is the form "
                 "of one"
             )
-        return matrix_form(self.system, self._page.mass_matrix, self._page.balances, christoffel=christoffel)
+        form = matrix_form(self.system, self._page.mass_matrix, self._page.balances, christoffel=christoffel)
+        return with_names(form, self._printed_page)
 
     @cached_property
     def _latex_of_notebook(self) -> str | None:

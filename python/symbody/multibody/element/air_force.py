@@ -58,6 +58,8 @@ def air_force(
     _check_span(lifting, span)
     if lifting.is_zero and expression(drag_area).is_zero:
         raise LoadError(f"{_WHERE}: neither drag_area nor lift_area; expected at least one of them")
+    if expression(density).is_zero:
+        raise LoadError(f"{_WHERE}: density = 0, which leaves no force; expected a positive number")
     with derivation(order=ENERGY):
         v = frozen_velocity(at, on.frame)
         if wind is not None:

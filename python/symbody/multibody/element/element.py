@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from functools import cached_property
-from typing import Any, NamedTuple, final
+from typing import Any, NamedTuple, TypeGuard, final
 
 from symbody.errors import LoadError
 from symbody.multibody.load import Action, Load
-from symbody.symbolic import Expr
+from symbody.symbolic import Expr, functions_of_time, number, time_derivative
 from symbody.symbolic.expression.container import Container, contains
 from symbody.symbolic.given.arguments import brief
 
@@ -42,8 +42,8 @@ class Element(Load):
         undefined: where the law has no value, if it is so anywhere.
         jumping: an angle in its law that is known from -pi to pi alone, and jumps there.
         sizes: sizes and resistances of its law, by the names of the arguments, which make no sense below zero.
-        law: of a force along a line, the terms that its length l and its rate multiply, ``F = k (l - l0) + c l'``, by
-            the names of the arguments "stiffness", "free_length" and "damping"; or "force", F itself.
+        law: of a force along a line, the terms of ``F = k (l - l0) + c l'`` by the names of the arguments "stiffness",
+            "free_length" and "damping", or "force", F itself; of a torque about an axis, likewise.
 
     >>> from symbody import Body, functions_of_time, ground, origin, spring, symbols, translate
     >>> x, k = functions_of_time("x"), symbols("k")
@@ -87,6 +87,12 @@ class Element(Load):
         return self.quantities[quantity]
 
     @property
+    def between_ends(self) -> tuple[Expr, ...]:
+        """The potential energy, and how the ends lie."""
+        lying = (self.quantities[name] for name in _BETWEEN_ENDS if name in self.quantities)
+        return (*super().between_ends, *lying)
+
+    @property
     def key(self) -> bytes:
         """The sort key of the loads of a set."""
         return self.kind.encode() + super().key
@@ -97,11 +103,44 @@ class Element(Load):
         potential = {} if self.potential is None else {"potential": self.potential}
         return {"kind": self.kind, "actions": self.actions, **potential}
 
+    @property
+    def rows(self) -> list[tuple[object, ...]]:
+        """What a notebook shows of it: of a force along a line, its law."""
+        if not is_along_line(self):
+            return super().rows
+        law = brief(sum(terms_of_law(self), start=number(0)))
+        return [("force", law, "its line", action.point, action.body) for action in self.actions]
+
     def __repr__(self) -> str:
         bodies = ", ".join(map(str, dict.fromkeys(action.body for action in self.actions)))
         return self.name or f"{self.kind}(on {bodies})"
 
 
+def terms_of_law(element: Element) -> tuple[Expr, ...]:
+    """Return the terms of the force along a line, by its length l and its rate; a positive force pulls.
+
+    >>> from symbody import Body, functions_of_time, ground, origin, spring, symbols, translate
+    >>> x, (k, c) = functions_of_time("x"), symbols("k c")
+    >>> slider = Body(translate(x, 0, 0), 1)
+    >>> terms_of_law(spring(slider.center_of_mass, origin(ground), k, damping=c, on=slider))
+    (k*l, c*l')
+    """
+    law = element.law
+    if "force" in law:
+        return (law["force"],)
+    is_taken = any(leaf.name == "l" for value in law.values() for leaf in value.free_symbols)
+    length = functions_of_time("length" if is_taken else "l")
+    terms = (law["stiffness"] * (length - law["free_length"]), law["damping"] * time_derivative(length))
+    return tuple(term for term in terms if not term.is_zero)
+
+
+def is_along_line(load: object) -> TypeGuard[Element]:
+    """Return whether a load is a force along a line whose law is known, such as a spring."""
+    return isinstance(load, Element) and bool(load.law) and "length" in load.quantities
+
+
+_BETWEEN_ENDS = ("length", "gap", "x", "y", "z", "rotation x", "rotation y", "rotation z")
+"""Quantities that tell how the two ends of an element lie: of springs and line forces, contacts and bushings."""
 _OPTIONAL = ("potential", "jumping")
 
 

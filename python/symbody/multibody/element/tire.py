@@ -137,7 +137,7 @@ def tire(
         )
         vertical = _vertical(contact, load, 0 if stiffness is None else stiffness, damping)
         slip = _slips(contact, relaxation, expression(least_speed), name)
-        _check_lift_off(law, stiffness)
+        _check_forces(law, stiffness, acts=load_acts)
         found = _forces(_at_speed(law, contact), vertical.load, slip, contact.camber)
         if not isinstance(law, TireForce):
             found = found._replace(rolling=found.rolling * _ahead(contact.VR, expression(least_speed)))
@@ -269,8 +269,13 @@ def _check_load(load: Scalar | None, stiffness: Scalar | None, *, acts: bool) ->
         )
 
 
-def _check_lift_off(law: TireLaw, stiffness: Scalar | None) -> None:
-    """Check that the forces of a wheel that may lift off depend on its load."""
+def _check_forces(law: TireLaw, stiffness: Scalar | None, *, acts: bool) -> None:
+    """Check that there is a force, and that those of a wheel that may lift off depend on its load."""
+    if stiffness is None and not acts and isinstance(law, LinearTire) and law.has_no_forces:
+        raise LoadError(
+            f"{_WHERE}: the law has no stiffness, and a load that is given does not act, which leaves no force; "
+            "expected linear_tire(cornering=C), stiffness=k for a wheel that carries alone, or load_acts=True"
+        )
     if stiffness is not None and isinstance(law, LinearTire) and not (law.per_load or law.has_no_forces):
         raise LoadError(
             f"{_WHERE}: stiffness, with a linear tyre whose forces don't depend on the load, so that it would steer "

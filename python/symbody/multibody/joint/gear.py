@@ -46,4 +46,4 @@ def gear(
     where = f"gear {name}"
     check_coupled(where, first, second, ("revolute", "revolute"))
     r1, r2 = pitch_radius(where, radius1), pitch_radius(where, radius2)
-    return coupling("gear", name, Mesh(first, second, (r1, -r2 if internal else r2)))
+    return coupling("gear", name, Mesh(first, second, (r1, -r2 if internal else r2), internal=internal))

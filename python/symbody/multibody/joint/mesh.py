@@ -14,7 +14,7 @@ from symbody.symbolic.given.arguments import brief
 from .closure import AXES, Closure, Sides
 from .joint import Joint, Mounting
 from .link import Link
-from .pair import Pair, SlideAndTurn
+from .pair import Pair, Size, SlideAndTurn
 from .pitch_cone import PitchCones
 
 __all__ = ["Mesh", "check_coupled", "coupling", "pitch_radius"]
@@ -31,8 +31,19 @@ class Mesh(Pair):
 
     names: ClassVar[tuple[str, ...]] = ()  # type: ignore[misc]
 
-    def __init__(self, first: Joint, second: Joint, radii: tuple[Expr, ...]) -> None:
-        self.first, self.second, self.radii = first, second, radii
+    def __init__(
+        self, first: Joint, second: Joint, radii: tuple[Expr, ...], *, internal: bool = False
+    ) -> None:
+        self.first, self.second, self.radii, self.internal = first, second, radii, internal
+
+    @property
+    def sizes(self) -> tuple[Size, ...]:
+        """The radii of the pitch circles; that of an internal gear counts as negative in the mesh."""
+        names = ("radius",) if len(self.radii) == 1 else ("radius1", "radius2")
+        signs = (1, -1 if self.internal else 1)
+        return tuple(
+            Size(name, sign * radius) for name, sign, radius in zip(names, signs, self.radii, strict=False)
+        )
 
     @property
     def coupled(self) -> tuple[Joint, ...]:

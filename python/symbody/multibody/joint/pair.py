@@ -13,7 +13,23 @@ from .closure import AXES, Closure, Sides, along, held_point, holds_by_itself, p
 from .joint_angle import angles, over_all_turns, turning_axis
 from .limit import Limit
 
-__all__ = ["Pair", "SlideAndTurn", "Travel", "held_senses", "held_turns", "turns_back"]
+__all__ = ["Pair", "Size", "SlideAndTurn", "Travel", "held_senses", "held_turns", "turns_back"]
+
+
+class Size(NamedTuple):
+    """A dimension of a pair, of which not all values make sense.
+
+    Attributes:
+        name: the argument by which it was given.
+        value: the dimension.
+        least: the least value that makes sense, 0, or None if negative ones do.
+        may_vanish: whether zero makes sense.
+    """
+
+    name: str
+    value: Expr
+    least: int | None = 0
+    may_vanish: bool = False
 
 
 class Travel(NamedTuple):
@@ -56,6 +72,11 @@ class Pair(ABC):
         """Return the same where the joint opens a tree, in forms that may use its coordinates."""
         del coordinates
         return self.closures(sides)
+
+    @property
+    def sizes(self) -> tuple[Size, ...]:
+        """The dimensions of the pair."""
+        return ()
 
     @property
     def coupled(self) -> tuple[Any, ...]:

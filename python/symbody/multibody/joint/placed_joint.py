@@ -75,6 +75,22 @@ class PlacedJoint:
         return self.joint.name
 
     @property
+    def coordinate(self) -> Expr:
+        """The coordinate of a joint that has one.
+
+        Raises:
+            JointError: it has another number of coordinates, or none, because it closes a loop.
+        """
+        if len(self.coordinates) == 1:
+            return self.coordinates[0]
+        if self.opens:
+            return self.joint.coordinate
+        raise JointError(
+            f"{self} closes a loop, and has no coordinate; expected that of a joint of the tree, or freedom(), which "
+            "loads take in its place"
+        )
+
+    @property
     def opens(self) -> bool:
         """Whether it opens the tree; else it closes a loop."""
         return self.outboard is not None

@@ -15,7 +15,7 @@ from .closure import Closure, Sides
 from .joint import Coordinates, Joint, Loop, Part, joined, mounted
 from .limit import Limit, LimitsByName
 from .link import Place
-from .pair import Pair
+from .pair import Pair, Size
 
 
 @checked(JointError)
@@ -93,6 +93,18 @@ class Contact(Pair):
 
     def __init__(self, circle: Expr, crown: Expr) -> None:
         self.circle, self.crown = circle, crown
+
+    @property
+    def sizes(self) -> tuple[Size, ...]:
+        """The radius of the wheel, and those of its circle and its cross-section, which are within it."""
+        wheel = Size("radius", self.circle + self.crown)
+        if self.crown.is_zero:
+            return (wheel,)
+        return (
+            wheel,
+            Size("crown", self.crown, may_vanish=True),
+            Size("radius - crown", self.circle, may_vanish=True),
+        )
 
     @property
     def own_limits(self) -> tuple[Limit, ...]:

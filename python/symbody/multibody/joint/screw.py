@@ -16,7 +16,7 @@ from .closure import AXES, Closure, Sides, along
 from .joint import Coordinate, Joint, Loop, Part, joined, mounted
 from .limit import Limits
 from .link import Place
-from .pair import Pair, Travel, held_senses, held_turns
+from .pair import Pair, Size, Travel, held_senses, held_turns
 
 
 @checked(JointError)
@@ -74,6 +74,11 @@ class Thread(Pair):
 
     def __init__(self, axis: str, pitch: Expr) -> None:
         self.axis, self.pitch = axis, pitch
+
+    @property
+    def sizes(self) -> tuple[Size, ...]:
+        """The pitch: positive or negative."""
+        return (Size("pitch", self.pitch, least=None),)
 
     def motion(self, coordinates: Sequence[Expr]) -> Frame:
         (angle,) = coordinates

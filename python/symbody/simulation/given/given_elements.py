@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from symbody.codegen import CompiledFunction, lambdify
 from symbody.errors import notify
@@ -17,7 +17,7 @@ from symbody.symbolic.given.arguments import brief
 
 from .given_bodies import counted_cases
 
-__all__ = ["warn_of_negative_sizes"]
+__all__ = ["size_in_cases", "warn_of_negative_sizes"]
 
 
 def warn_of_negative_sizes(system: Variables, given: Mapping[Expr, ArrayLike], where: str) -> None:
@@ -44,14 +44,19 @@ def warn_of_negative_sizes(system: Variables, given: Mapping[Expr, ArrayLike], w
 
 def _fault(name: str, size: Expr, given: Mapping[Expr, ArrayLike]) -> tuple[str, str] | None:
     """Return the cases in which a size is negative, and what is wrong; None if nothing is, or if it is not known."""
-    names, function = _function(size)
-    if not given.keys() >= {*names}:
-        return None
-    values = np.ravel(np.asarray(function(*(given[each] for each in names)), float))
+    values = size_in_cases(size, given)
     places = np.flatnonzero(values < 0)
     if not len(places):
         return None
     return counted_cases(places, len(values)), negative_fault(name, float(values[places[0]]))
+
+
+def size_in_cases(size: Expr, given: Mapping[Expr, ArrayLike]) -> NDArray[np.float64]:
+    """Return the value of a size, or one for each case; none if symbols in it have no values."""
+    names, function = _function(size)
+    if not given.keys() >= {*names}:
+        return np.empty(0)
+    return np.ravel(np.asarray(function(*(given[each] for each in names)), float))
 
 
 @lru_cache(maxsize=512)

@@ -12,6 +12,7 @@ from symbody.simulation.given.differentiated import differentiated_by
 from symbody.simulation.given.event import Event
 from symbody.simulation.given.given_bodies import warn_of_impossible_bodies
 from symbody.simulation.given.given_elements import warn_of_negative_sizes
+from symbody.simulation.given.given_joints import warn_of_senseless_dimensions
 from symbody.simulation.given.options import Options, check_options, constraint_handling, instants_of
 from symbody.simulation.given.unused import warn_of_unused
 from symbody.simulation.given.values import given_inputs, state_values, zero_parameters
@@ -99,7 +100,7 @@ def task_of(
 
 
 def warn_of_odd_values(task: Task, parameters: Mapping[Expr, ArrayLike], where: str = "simulate") -> None:
-    """Warn of parameters without a use, of impossible masses and inertias, and of negative resistances.
+    """Warn of parameters without a use, of impossible bodies, negative resistances, and senseless joints.
 
     Args:
         task: the task.
@@ -111,3 +112,4 @@ def warn_of_odd_values(task: Task, parameters: Mapping[Expr, ArrayLike], where: 
     warn_of_unused(equations, parameters, observed, where)
     warn_of_impossible_bodies(equations.system, parameters, where)
     warn_of_negative_sizes(equations.system, parameters, where)
+    warn_of_senseless_dimensions(equations.system, parameters, where)

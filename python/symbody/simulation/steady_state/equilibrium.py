@@ -176,7 +176,7 @@ def equilibrium(
     *,
     guess: Mapping[Expr, ArrayLike] | None = None,
     fixed: Mapping[Expr, ArrayLike] | None = None,
-    t: float = 0.0,
+    t: float | None = None,
     inputs: Mapping[Expr, ExprLike] | None = None,
 ) -> Equilibrium:
     """Return a position near a guess in which the system stays at rest.
@@ -194,7 +194,8 @@ def equilibrium(
         guess: coordinates and states near the equilibrium. By default, they are zero, and floating frames are not
             rotated.
         fixed: the values of coordinates that are held; the result has the forces that hold them.
-        t: the time in loads and constraints, in s.
+        t: the time in loads and constraints, in s: an instant at which forces are in balance. By default it is 0, and
+            a notice tells if the system does not stay at rest later.
         inputs: expressions of time and coordinates for the input functions of time.
 
     Raises:
@@ -213,8 +214,8 @@ def equilibrium(
     """
     with reporting(_WHERE):
         given = given_inputs(eqs, inputs, where=_WHERE)
-        place = _place(eqs, parameters, guess, fixed, t, given)
-        found, notices = replace(_result(place), inputs=given), list(place.notices())
+        place = _place(eqs, parameters, guess, fixed, t or 0.0, given)
+        found, notices = replace(_result(place), inputs=given), list(place.notices(at_instant=t is not None))
     for notice in notices:
         notify(f"{_WHERE}: {notice}")
     return found

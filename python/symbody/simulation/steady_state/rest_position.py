@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -12,12 +12,19 @@ from numpy.typing import NDArray
 from symbody.simulation.constraint.kinematics import Kinematics
 from symbody.simulation.constraint.singular_position import is_singular
 from symbody.simulation.steady_state.force_balance import Balance
+from symbody.symbolic import free_symbols
+from symbody.symbolic import t as time
 
 from .undetermined_forces import UndeterminedForces
 
 __all__ = ["RestPosition"]
 
 Array = NDArray[np.float64]
+
+_LATER = (0.0618, 0.7, 3.3)
+"""How much later, in s, a balance is looked at again; no period divides all of them."""
+_MOVED = 1e-6
+"""The relative residual beyond which a condition no longer holds."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,8 +78,31 @@ class RestPosition:
         is_unknown = self.is_singular_held if is_held else self.is_singular
         return np.full(max(1, len(found)), np.nan, complex) if is_unknown else found
 
-    def notices(self) -> Iterator[str]:
-        """Yield notices of undetermined forces and unknown eigenvalues."""
+    def leaving(self) -> str:
+        """Return the name of a condition that does not hold at other times, or nothing."""
+        if time not in free_symbols(self.problem.conditions.expressions):
+            return ""
+        for later in _LATER:
+            then = replace(self.problem, t=self.problem.t + later)
+            forces = then.first_forces(self.q)
+            left = np.abs(then.values(self.q, forces)[0] / then.scale(self.q, forces))
+            if not left.max() <= _MOVED:
+                return self.problem.conditions.names[int(np.argmax(np.nan_to_num(left, nan=np.inf)))]
+        return ""
+
+    def notices(self, *, at_instant: bool) -> Iterator[str]:
+        """Yield notices of undetermined forces, of unknown eigenvalues, and of a balance at one instant alone.
+
+        Args:
+            at_instant: whether the user asked for the balance at an instant.
+        """
+        moved = "" if at_instant else self.leaving()
+        if moved:
+            now = f"t={self.problem.t:g}"
+            yield (
+                f"{moved.rstrip(',')} depends on the time: forces are in balance at {now}, but the system does not "
+                f"stay at rest; pass {now} if this instant is meant, or give loads, inputs and frames that are constant"
+            )
         if self.undetermined.groups:
             yield self.undetermined.notice()
         if self.is_singular or self.is_singular_held:

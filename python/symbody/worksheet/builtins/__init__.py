@@ -15,12 +15,16 @@ from symbody.worksheet.builtins import (
     containers,
     eigenvalues,
     elementary,
+    extrema,
+    factors,
     files,
     integrals,
     matrices,
+    minors,
     motions,
     plots,
     plots_of_functions,
+    row_echelon,
     sets,
     solving,
     structural,
@@ -32,6 +36,7 @@ from symbody.worksheet.builtins import (
 )
 from symbody.worksheet.builtins.display import display
 from symbody.worksheet.builtins.forms import FORMS, dollar, repeated
+from symbody.worksheet.builtins.missing import MISSING
 from symbody.worksheet.builtins.structural import elementwise, items_of
 from symbody.worksheet.commands import mbsymba
 from symbody.worksheet.evaluation.arithmetic import rebuilt
@@ -42,6 +47,7 @@ from symbody.worksheet.values.value import NULL, Builtin, Reference, String, Une
 
 __all__ = [
     "FORMS",
+    "MISSING",
     "applied_sum",
     "command",
     "display",
@@ -65,12 +71,16 @@ _FAMILIES = (
         integrals,
         transforms,
         algebra,
+        factors,
+        extrema,
         solving,
         structural,
         containers,
         sets,
         arrays,
         matrices,
+        row_echelon,
+        minors,
         eigenvalues,
     ),
     *(texts, files, display_family, code, motions, plots, plots_of_functions),

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable
 from functools import partial
 
 from symbody.errors import ExpressionError, WorksheetError
-from symbody.symbolic import Expr, combine_trig, expand_trig, factor_terms, number
+from symbody.symbolic import Expr, combine_trig, expand_trig, number
 from symbody.symbolic import collect as collected
 from symbody.symbolic import expand as expanded
 from symbody.symbolic import simplify as simplified
@@ -17,6 +17,7 @@ from symbody.worksheet.evaluation.entrywise import entrywise
 from symbody.worksheet.evaluation.session import Command, Session
 from symbody.worksheet.mathematics.polynomial import coefficients, degree, reduced
 from symbody.worksheet.printing.print import text_of
+from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.numeric import as_integer
 from symbody.worksheet.values.structure import tree_of
 from symbody.worksheet.values.value import (
@@ -277,16 +278,20 @@ def _division(*, remainder: bool) -> Command:
 
 
 def isolate(session: Session, equation: Value, unknown: Value) -> Value:
-    """isolate(equation, x): the equation solved for x."""
+    """isolate(equation, x): the equation solved for x; of several solutions, the first one."""
     by = scalar(session, unknown)
     left, right = (equation.left, equation.right) if isinstance(equation, Relation) else (equation, number(0))
     residual = scalar(session, left) - scalar(session, right)
     solution = eliminated([residual], [by]) if is_linear([residual], [by]) else None
-    if not solution or by not in solution:
-        raise WorksheetError(
-            f"isolate: the equation is not linear in {session.text(by)}; expected one that is, or solve"
-        )
-    return Relation("=", by, solution[by])
+    if solution and by in solution:
+        return Relation("=", by, solution[by])
+    found = session.call(symbol("solve"), (residual, by))
+    first = found.items[0] if isinstance(found, Sequence) and found.items else found
+    if not isinstance(first, Expr) or first.has(by):
+        raise WorksheetError(f"isolate: no solution for {session.text(by)} was found")
+    if isinstance(found, Sequence):
+        session.notice(f"isolate: {len(found.items)} solutions for {session.text(by)}; the first one is used")
+    return Relation("=", by, first)
 
 
 def algebraic_subs(session: Session, rule: Value, value: Value) -> Value:
@@ -305,7 +310,6 @@ COMMANDS: dict[str, Command] = {
     "simplify": simplify,
     "expand": _rewriting(_expanded),
     "combine": _rewriting(combine_trig),
-    "factor": _rewriting(factor_terms),
     "normal": _rewriting(simplified),
     "radsimp": _rewriting(simplified),
     "rationalize": _rewriting(simplified),

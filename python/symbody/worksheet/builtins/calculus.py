@@ -11,9 +11,26 @@ from symbody.worksheet.evaluation.arithmetic import scalar
 from symbody.worksheet.evaluation.derivative_rules import by_rules, derived
 from symbody.worksheet.evaluation.entrywise import entrywise
 from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.mathematics.order_term import (
+    order_of_derivative,
+    order_term,
+    order_terms,
+    without_order,
+)
+from symbody.worksheet.printing.print import text_of
+from symbody.worksheet.sheet import syntax
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.numeric import as_integer
-from symbody.worksheet.values.value import Array, Listed, MapleSet, Relation, Sequence, Unevaluated, Value
+from symbody.worksheet.values.value import (
+    Array,
+    Listed,
+    MapleSet,
+    ProcedureValue,
+    Relation,
+    Sequence,
+    Unevaluated,
+    Value,
+)
 
 __all__ = ["COMMANDS", "derivative_at", "diff"]
 
@@ -46,16 +63,34 @@ def derivative(session: Session, value: Expr, by: Expr) -> Expr:
             )
         dummy = symbol("_variable")
         return by_rules(session, value.subs({by: dummy}).diff(dummy).subs({dummy: by}))
+    terms = order_terms(value)
+    if terms:
+        kept = [order_of_derivative(each) for each in terms if not each.diff(by).is_zero]
+        return by_rules(session, without_order(value).diff(by) + sum(kept, start=number(0)))
     return derived(session, value, by)
 
 
 def derivative_operator(session: Session, function: Value) -> Value:
-    """D(f): the derivative of a function, to be applied."""
+    """D(f): the derivative of a function, to be applied; that of an operator ``x -> e`` is one, too."""
+    held = session.resolve(function)
+    if isinstance(held, ProcedureValue) and isinstance(held.definition, syntax.Arrow):
+        return _derived_operator(session, function, held)
     if isinstance(function, Expr) and function.kind not in ("symbol",):
         raise WorksheetError(
             f"D: {session.text(function)[:60]} is not a function; expected a name or an operator"
         )
     return Unevaluated(symbol("D"), (function,))
+
+
+def _derived_operator(session: Session, function: Value, operator: ProcedureValue) -> Value:
+    parameters = operator.definition.parameters
+    if len(parameters) != 1:
+        raise WorksheetError(f"D: an operator of {len(parameters)} arguments; expected D[1](f), D[2](f), ..")
+    variable = symbol(parameters[0].name)
+    value = session.call(function, (variable,))
+    if not isinstance(value, Expr):
+        return Unevaluated(symbol("D"), (function,))
+    return session.parsed(f"{parameters[0].name} -> {text_of(derivative(session, value, variable))}")
 
 
 def derivative_at(session: Session, operator: Unevaluated, arguments: tuple[Value, ...]) -> Value:
@@ -113,21 +148,30 @@ def hessian_of(session: Session, function: Value, variables: Value) -> Value:
 
 
 def taylor(session: Session, value: Value, place: Value, order: Value | None = None) -> Value:
-    """taylor(e, x = a, n): the polynomial of the terms below (x - a)^n."""
+    """taylor(e, x = a, n): the terms below (x - a)^n, and O((x - a)^n) unless these are all."""
     left, at = (place.left, place.right) if isinstance(place, Relation) else (place, number(0))
     variable, point = scalar(session, left), scalar(session, at)
     count = as_integer(order) if order is not None else 6
-    if count is None or not 0 < count <= 30:
-        raise WorksheetError("taylor: the order is not an integer from 1 to 30")
 
     def expanded(each: Expr) -> Expr:
-        slope, total = each, number(0)
-        for k in range(count):
-            total = total + slope.subs({variable: point}) * (variable - point) ** k / factorial(k)
-            slope = derivative(session, slope, variable)
-        return total
+        total = _below(session, each, variable, point, count)
+        return total if total == each else total + order_term((variable - point) ** (count or 0))
 
     return entrywise(session, value, expanded)
+
+
+def _below(session: Session, value: Expr, variable: Expr, point: Expr, count: int | None) -> Expr:
+    """Return the terms of a series whose exponent is below a number."""
+    if count is None or not 0 < count <= _HIGHEST:
+        raise WorksheetError(f"taylor: the order is not an integer from 1 to {_HIGHEST}")
+    slope, total = value, number(0)
+    for k in range(count):
+        total = total + slope.subs({variable: point}) * (variable - point) ** k / factorial(k)
+        slope = derivative(session, slope, variable)
+    return total
+
+
+_HIGHEST = 30
 
 
 def several_taylor(session: Session, value: Value, variables: Value, order: Value | None = None) -> Value:
@@ -142,9 +186,10 @@ def several_taylor(session: Session, value: Value, variables: Value, order: Valu
     scale = symbol("_scale")
     along = {x: a + scale * (x - a) for x, a in points.items()}
 
+    count = as_integer(order) if order is not None else 6
+
     def expanded(each: Expr) -> Value:
-        made = taylor(session, each.subs(along), scale, order)
-        return made.subs({scale: number(1)}) if isinstance(made, Expr) else made
+        return _below(session, each.subs(along), scale, number(0), count).subs({scale: number(1)})
 
     return entrywise(session, value, expanded)
 

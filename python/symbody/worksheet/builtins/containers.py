@@ -12,9 +12,10 @@ from symbody.worksheet.builtins.structural import operands
 from symbody.worksheet.builtins.texts import unparsed
 from symbody.worksheet.evaluation.arithmetic import scalar
 from symbody.worksheet.evaluation.current import set_of
-from symbody.worksheet.evaluation.entrywise import copied, parts_of
+from symbody.worksheet.evaluation.entrywise import copied, entrywise, parts_of
 from symbody.worksheet.evaluation.select import key_of
 from symbody.worksheet.evaluation.session import Command, Session, sequence
+from symbody.worksheet.mathematics.order_term import without_order
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.numeric import as_integer
 from symbody.worksheet.values.value import (
@@ -175,6 +176,14 @@ def _same(session: Session, value: Value, *options: Value) -> Value:
     return value
 
 
+def _to_polynomial(session: Session, value: Value, *options: Value) -> Value:
+    return entrywise(session, value, without_order)
+
+
+def _to_radians(session: Session, value: Value, *options: Value) -> Value:
+    return scalar(session, value).subs({symbol("degrees"): pi / 180})
+
+
 def _to_degrees(session: Session, value: Value, *options: Value) -> Value:
     return scalar(session, value) * 180 / pi * symbol("degrees")
 
@@ -199,6 +208,7 @@ _CONVERSIONS: dict[str, Command] = {
     "fraction": _to_fraction,
     "float": _to_decimal,
     "degrees": _to_degrees,
+    "radians": _to_radians,
     "exp": _same,
     "trig": _same,
     "sincos": _same,
@@ -207,7 +217,7 @@ _CONVERSIONS: dict[str, Command] = {
     "radical": _same,
     "global": _same,
     "local": _same,
-    "polynom": _same,
+    "polynom": _to_polynomial,
 }
 
 

@@ -38,7 +38,7 @@ from symbody.worksheet.mathematics.quadrature import integral_number
 from symbody.worksheet.values.complex_number import as_complex, of_number
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.numeric import as_float, as_integer, decimal, with_decimals
-from symbody.worksheet.values.structure import Tree, tree_of, walk
+from symbody.worksheet.values.structure import Tree, is_negative, tree_of, walk
 from symbody.worksheet.values.value import (
     Array,
     Boolean,
@@ -162,13 +162,16 @@ def _half_away(value: float | Fraction) -> int:
     return math.floor(abs(exact) + Fraction(1, 2)) * (1 if exact >= 0 else -1)
 
 
+_LARGEST_FACTORIAL = 5000
+
+
 def factorial(session: Session, n: Value) -> Value:
     """N!."""
     count = as_integer(n)
     if count is None:
         return Unevaluated(symbol("factorial"), (n,))
-    if not 0 <= count <= 5000:
-        raise WorksheetError(f"the factorial of {count}; expected an integer from 0 to 5000")
+    if not 0 <= count <= _LARGEST_FACTORIAL:
+        raise WorksheetError(f"the factorial of {count}; expected an integer from 0 to {_LARGEST_FACTORIAL}")
     return number(math.factorial(count))
 
 
@@ -226,6 +229,43 @@ def _fraction_part(which: int) -> Command:
 
 def _factors(tree: Tree) -> tuple[Tree, ...]:
     return tree.parts if tree.kind == "product" else (tree,)
+
+
+def fractional_part(session: Session, x: Value) -> Value:
+    """frac(x): what is left of a number without its whole part; it has the sign of the number."""
+    argument = scalar(session, x)
+    if argument.is_number:
+        return argument - number(math.trunc(Fraction(*argument.ratio)))
+    found = as_float(argument)
+    return Unevaluated(symbol("frac"), (x,)) if found is None else argument - number(math.trunc(found))
+
+
+def binomial(session: Session, n: Value, k: Value) -> Value:
+    """binomial(n, k), of whole numbers."""
+    a, b = as_integer(n), as_integer(k)
+    if a is None or b is None or not 0 <= a <= _LARGEST_FACTORIAL:
+        return Unevaluated(symbol("binomial"), (n, k))
+    return number(math.comb(a, b) if b >= 0 else 0)
+
+
+def step(session: Session, x: Value) -> Value:
+    """Heaviside(x): 0 below zero, and 1 above."""
+    argument = scalar(session, x)
+    if argument.is_zero:
+        return Unevaluated(symbol("Heaviside"), (x,))
+    return (1 + sign(argument)) / 2
+
+
+def leading_sign(session: Session, p: Value) -> Value:
+    """sign(p): the sign of the number before the first term of a polynomial."""
+    polynomial = scalar(session, p)
+    if not polynomial.is_number:
+        session.notice(
+            "sign(p) is the sign of the number before the first term; that of a value is signum(p)"
+        )
+    tree = tree_of(polynomial)
+    first = tree.parts[0] if tree.kind == "sum" else tree
+    return number(-1 if is_negative(first) else 1)
 
 
 def piecewise(session: Session, *pairs: Value) -> Value:
@@ -353,13 +393,15 @@ COMMANDS: dict[str, Command] = {
     "trunc": _rounded(math.trunc),
     "round": _rounded(_half_away),
     "factorial": factorial,
+    "frac": fractional_part,
+    "binomial": binomial,
+    "Heaviside": step,
+    "sign": leading_sign,
     "modp": _integers(_modp),
     "iquo": _integers(_iquo),
     "irem": _integers(_irem),
     "igcd": _integers(math.gcd),
     "ilcm": _integers(math.lcm),
-    "gcd": _integers(math.gcd),
-    "lcm": _integers(math.lcm),
     "isprime": is_prime,
     "numer": _fraction_part(0),
     "denom": _fraction_part(1),

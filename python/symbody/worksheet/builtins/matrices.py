@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from symbody.errors import WorksheetError
 from symbody.symbolic import Abs, Expr, Matrix, jacobian, number, sqrt
 from symbody.worksheet.builtins import arrays
 from symbody.worksheet.builtins.arrays import array_of, filled, from_columns, from_rows
+from symbody.worksheet.builtins.row_echelon import solved
 from symbody.worksheet.evaluation.arithmetic import (
     binary,
     identity,
@@ -19,6 +20,7 @@ from symbody.worksheet.evaluation.arithmetic import (
 )
 from symbody.worksheet.evaluation.entrywise import parts_of
 from symbody.worksheet.evaluation.session import Command, Session, sequence
+from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.numeric import as_integer
 from symbody.worksheet.values.value import (
     Array,
@@ -77,9 +79,14 @@ def multiply(session: Session, *values: Value) -> Value:
     return total
 
 
-def matrix_sum(session: Session, a: Value, b: Value) -> Value:
-    """matadd(A, B)."""
-    return binary(session, "+", array_of(session, a, "matadd"), array_of(session, b, "matadd"))
+def matrix_sum(
+    session: Session, a: Value, b: Value, first: Value | None = None, second: Value | None = None
+) -> Value:
+    """matadd(A, B [, x, y]): A + B, or x A + y B."""
+    one, other = array_of(session, a, "matadd"), array_of(session, b, "matadd")
+    x = number(1) if first is None else first
+    y = number(1) if second is None else second
+    return binary(session, "+", binary(session, "*", x, one), binary(session, "*", y, other))
 
 
 def scaled(session: Session, value: Value, factor: Value) -> Value:
@@ -109,17 +116,37 @@ def dot(session: Session, a: Value, b: Value, *options: Value) -> Value:
     return total
 
 
-def norm(session: Session, value: Value, kind: Value | None = None) -> Value:
-    """norm(v, n): the norm of a vector; by default the largest entry, as in Maple."""
+def norm(session: Session, value: Value, kind: Value | None = None, *options: Value) -> Value:
+    """norm(v, n): the norm of a vector or a matrix; by default the infinity norm, as in Maple."""
     array = array_of(session, value, "norm")
-    entries = [scalar(session, each) for each in array.entries]
-    which = getattr(kind, "name", "") if isinstance(kind, Expr) and kind.kind == "symbol" else ""
-    if as_integer(kind) == 1:
-        return sum((Abs(each) for each in entries), start=number(0))
-    if which == "infinity" or kind is None:
-        sizes = [Abs(each) for each in entries]
-        return session.call(Reference("max"), tuple(sizes)) if entries else number(0)
-    return sqrt(sum((each**2 for each in entries), start=number(0)))
+    rows = [[Abs(scalar(session, each)) for each in row] for row in _rows(array)]
+    is_matrix = array.rows > 1 and array.columns > 1
+    if (kind is not None and _is_called(kind, "frobenius")) or (
+        not is_matrix and _is_called(kind, "euclidean", 2)
+    ):
+        return sqrt(sum((each**2 for row in rows for each in row), start=number(0)))
+    if kind is None or _is_called(kind, "infinity"):
+        return _largest(session, rows)
+    if _is_called(kind, "1", 1):
+        return _largest(session, list(zip(*rows, strict=True)))
+    n = as_integer(kind)
+    if is_matrix or n is None or n < 1:
+        raise WorksheetError(
+            f"norm: the kind {session.text(kind)}; expected 1, infinity or Frobenius of a matrix, of a vector also "
+            "Euclidean or a whole number"
+        )
+    return sum((each**n for row in rows for each in row), start=number(0)) ** (number(1) / n)
+
+
+def _is_called(kind: Value | None, name: str, count: int | None = None) -> bool:
+    word = kind.name if isinstance(kind, Expr) and kind.kind == "symbol" else ""
+    return word.lower() == name or (count is not None and kind is not None and as_integer(kind) == count)
+
+
+def _largest(session: Session, rows: Sequence[Sequence[Expr]]) -> Value:
+    """Return the largest sum of a row."""
+    sums = tuple(sum(row, start=number(0)) for row in rows)
+    return session.call(Reference("max"), sums) if sums else number(0)
 
 
 def sub_matrix(session: Session, value: Value, rows: Value, columns: Value) -> Value:
@@ -212,11 +239,15 @@ def _residual(session: Session, equation: Value) -> Expr:
     return scalar(session, equation)
 
 
-def linear_solve(session: Session, matrix: Value, right: Value, *options: Value) -> Value:
-    """LinearSolve(A, b)."""
+def linear_solve(session: Session, matrix: Value, right: Value | None = None, *options: Value) -> Value:
+    """LinearSolve(A, b), LinearSolve(<A | b>); unknowns that the matrix leaves free are ``_t[1]``, .."""
     array = array_of(session, matrix, "LinearSolve")
+    if right is None or isinstance(right, Relation):
+        return solved(session, array, None, "LinearSolve")
     column_ = array_of(session, right, "LinearSolve")
-    return matrix_product(session, inverted(array), column_)
+    if array.rows == array.columns == len(column_.entries) and not Matrix(_rows(array)).det().is_zero:
+        return matrix_product(session, inverted(array), column_)
+    return solved(session, array, column_, "LinearSolve")
 
 
 def beside(session: Session, *values: Value) -> Value:
@@ -251,6 +282,38 @@ def are_equal(session: Session, a: Value, b: Value) -> Value:
     return Boolean(
         truth=sizes and [*map(session.current, one.entries)] == [*map(session.current, other.entries)]
     )
+
+
+def mapped(session: Session, function: Value, value: Value, *rest: Value) -> Value:
+    """Map(f, A, ..): f of each entry, put in its place: A itself changes; of what is no matrix, map(f, A, ..)."""
+    array = session.resolve(value)
+    if not isinstance(array, Array):
+        return session.call(symbol("map"), (function, value, *rest))
+    array.entries = [session.call(function, (session.current(each), *rest)) for each in array.entries]
+    array.frame, array.attributes = None, ()
+    if isinstance(value, Reference):
+        session.touch(value.name)
+    return value
+
+
+def zipped(session: Session, function: Value, a: Value, b: Value) -> Value:
+    """Zip(f, A, B): f of each two entries at the same place."""
+    one, other = array_of(session, a, "Zip"), array_of(session, b, "Zip")
+    if (one.rows, one.columns) != (other.rows, other.columns):
+        raise WorksheetError("Zip: two matrices of different sizes; expected the same size")
+    pairs = zip(one.entries, other.entries, strict=True)
+    return replace(one, entries=[session.call(function, pair) for pair in pairs], attributes=(), frame=None)
+
+
+def unit_vector(session: Session, place: Value, count: Value) -> Value:
+    """UnitVector(i, n): the i-th of the n unit vectors."""
+    made = zero_vector(session, count)
+    assert isinstance(made, Array)
+    i = as_integer(place)
+    if i is None or not 1 <= i <= len(made.entries):
+        raise WorksheetError(f"UnitVector: expected a place from 1 to {len(made.entries)}")
+    made.entries[i - 1] = number(1)
+    return made
 
 
 def rank(session: Session, value: Value) -> Value:
@@ -304,6 +367,13 @@ _NEW: dict[str, Command] = {
     "Normalize": normalized,
     "Equal": are_equal,
     "Rank": rank,
+    "Map": mapped,
+    "Zip": zipped,
+    "UnitVector": unit_vector,
+    "MatrixNorm": norm,
+    "VectorAdd": matrix_sum,
+    "MatrixScalarMultiply": scaled,
+    "VectorScalarMultiply": scaled,
 }
 
 _OLD: dict[str, Command] = {

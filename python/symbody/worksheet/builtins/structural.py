@@ -390,8 +390,11 @@ def of_type(session: Session, value: Value, kind: Value) -> Value:
     return Boolean(is_type(session, value, kind))
 
 
-def whattype(session: Session, value: Value) -> Value:
-    """whattype(e): the basic type of e."""
+def whattype(session: Session, *values: Value) -> Value:
+    """whattype(e): the basic type of e; of several values, exprseq."""
+    if len(values) != 1:
+        return symbol("exprseq")
+    (value,) = values
     if isinstance(value, Expr):
         if value.is_number:
             return symbol("float" if value.is_decimal else "integer" if value.ratio[1] == 1 else "fraction")

@@ -80,6 +80,7 @@ def _with_derivatives(value: Expr, mapping: Mapping[Value, Value]) -> dict[Expr,
         key = symbol(old.name) if isinstance(old, Reference) else old
         if isinstance(key, Expr):
             scalars[key] = symbol(new.name) if isinstance(new, Reference) else new
+    scalars |= _of_applications(value, scalars)
     names = {old.name: new for old, new in scalars.items() if old.kind == "symbol"}
     functions = {old.name: old.order for old in scalars if old.kind == "time_function"}
     if not names and not functions:
@@ -91,6 +92,39 @@ def _with_derivatives(value: Expr, mapping: Mapping[Value, Value]) -> dict[Expr,
             if new_value is not None:
                 scalars[variable] = new_value
     return scalars | _renamed(value, names)
+
+
+def _of_applications(value: Expr, scalars: Mapping[Expr, Value]) -> dict[Expr, Value]:
+    """Return what becomes of the derivatives of functions such as y(x), if y(x) or a lower derivative is replaced."""
+    keys = [old for old, new in scalars.items() if old.kind == "application" and isinstance(new, Expr)]
+    keys.sort(key=lambda key: -sum(key.orders))
+    made: dict[Expr, Value] = {}
+    for node in post_order([value], lambda node: node.args, lambda node: node.id) if keys else ():
+        key = next((key for key in keys if _is_derivative_of(node, key)), None)
+        if key is None or node in scalars:
+            continue
+        slope = scalars[key]
+        for argument, order, own in zip(node.args, node.orders, key.orders, strict=True):
+            for _ in range(order - own):
+                slope = slope.diff(argument) if isinstance(slope, Expr) else slope
+        made[node] = slope
+    return made
+
+
+def _is_derivative_of(node: Expr, key: Expr) -> bool:
+    """Whether a node is a derivative of a function of variables by them."""
+    return (
+        node.kind == "application"
+        and node.name == key.name
+        and node.args == key.args
+        and node.orders != key.orders
+        and all(order >= own for order, own in zip(node.orders, key.orders, strict=True))
+        and all(
+            argument.is_variable
+            for argument, order, own in zip(node.args, node.orders, key.orders, strict=True)
+            if order > own
+        )
+    )
 
 
 def _moved(

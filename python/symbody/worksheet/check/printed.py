@@ -253,6 +253,14 @@ class _Values:
         made = arithmetic(self._scalar(left), self._scalar(right))
         return normal(made) if self.is_complex else made
 
+    def arrow(self, node: syntax.Arrow) -> Value:
+        """Return an operator as its body at places, so that names of parameters don't count."""
+        if isinstance(node.body, syntax.If):
+            raise NotComparable("an operator with conditions has no value")
+        names = {symbol(each.name): symbol(f"_place{i}") for i, each in enumerate(node.parameters)}
+        body = self._scalar(node.body)
+        return Unevaluated(symbol("->"), (symbol(f"_{len(names)}"), sb.subs(body, names)))
+
     def call(self, node: syntax.Call) -> Value:
         match node:
             case syntax.Call(function=syntax.Name(name="diff" | "Diff"), arguments=(of, *variables)):
@@ -317,6 +325,7 @@ _READERS: Mapping[type, Callable[[_Values, Any], Value]] = {
     syntax.Prefix: _Values.prefix,
     syntax.Infix: _Values.infix,
     syntax.Call: _Values.call,
+    syntax.Arrow: _Values.arrow,
 }
 
 

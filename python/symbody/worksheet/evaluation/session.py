@@ -34,6 +34,7 @@ class Scope:
         parent: the scope in which the procedure was written, or None for the session.
         last: the last values, for ``%``.
         name: what the procedure is called by.
+        parameters: the names of the parameters that have an argument.
         missing: the parameters for which the call has no argument, by their places.
     """
 
@@ -43,6 +44,7 @@ class Scope:
     parent: Scope | None = None
     last: list[Value] = field(default_factory=list)
     name: str = ""
+    parameters: set[str] = field(default_factory=set)
     missing: dict[str, int] = field(default_factory=dict)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, UndefinedFunction
 from symbody.worksheet.evaluation.select import assigned_entry, key_of
-from symbody.worksheet.evaluation.session import Session
+from symbody.worksheet.evaluation.session import Scope, Session
 from symbody.worksheet.interpreter.evaluate import Evaluator
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.values.numeric import as_float
@@ -66,6 +66,9 @@ class Assignments:
             raise WorksheetError(f"attempting to assign to {name} which is protected", target.place)
         scope = session.scope
         while scope is not None:
+            if name in scope.parameters and (given := _given_name(scope.names[name])) is not None:
+                self._to_caller(scope, given, value, target)
+                return
             if name in scope.names or name in scope.local:
                 scope.names[name] = value
                 return
@@ -78,6 +81,16 @@ class Assignments:
         if isinstance(value, Reference) and value.name == name:
             return  # of the table that it is already
         session.assign(name, self._without_cycle(name, value, target))
+
+    def _to_caller(self, scope: Scope, given: str, value: Value, target: syntax.Expression) -> None:
+        """Give a name that the caller has passed a value there: ``f(x, 'y')`` with ``y := ..`` in f."""
+        scopes = self.session.scopes
+        place = next((i for i, each in enumerate(scopes) if each is scope), 0)
+        inner, scopes[place:] = scopes[place:], []
+        try:
+            self.name(given, value, target)
+        finally:
+            scopes.extend(inner)
 
     def _set_option(self, name: str, amount: int) -> None:
         if name == "Digits":
@@ -157,6 +170,11 @@ class Assignments:
             session.touch(name)
             return
         session.remember(name, arguments, value)
+
+
+def _given_name(value: Value) -> str | None:
+    """Return the name that an argument is, if a procedure can give it a value."""
+    return value.name if isinstance(value, Expr) and value.kind == "symbol" else None
 
 
 def _with_item(session: Session, whole: Listed, indices: tuple[Value, ...], value: Value) -> Value:

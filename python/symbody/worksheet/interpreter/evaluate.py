@@ -405,6 +405,9 @@ class Evaluator:
         if name.startswith("evalf["):
             base, (digits,) = self.session.indexed[name]
             return self.call(symbol(base), (*arguments, digits))
+        if name.startswith("log[") and len(arguments) == 1:
+            above, below = (self.call(symbol("ln"), (each,)) for each in (arguments[0], self._base(name)))
+            return self.operated("/", above, below)
         if name.startswith("D[") and len(arguments) == 1:
             return Unevaluated(symbol(name), arguments)
         found = builtins.command(self.session, name)
@@ -412,6 +415,10 @@ class Evaluator:
             return self._command(name, found, arguments)
         self._notice_unknown(name, arguments)
         return self._application(name, arguments)
+
+    def _base(self, name: str) -> Value:
+        """Return the base of a logarithm, ``log[b]``."""
+        return self.session.indexed[name][1][0]
 
     def _command(self, name: str, function: Callable[..., Value], arguments: tuple[Value, ...]) -> Value:
         if any(isinstance(each, Quoted) for each in arguments) and name not in ("print", "show"):
@@ -441,6 +448,9 @@ class Evaluator:
     def _notice_unknown(self, name: str, arguments: tuple[Value, ...]) -> None:
         if len(arguments) == 1 and isinstance(arguments[0], Expr) and arguments[0].kind == "symbol":
             return  # f(t) and f(x) are functions
+        if name in builtins.MISSING:
+            self.session.notice(f"{name} of Maple is not there; it comes back unevaluated")
+            return
         close = difflib.get_close_matches(name, builtins.known_names(self.session), 1, 0.75)
         if close:
             self.session.notice(f"{name} is not a command; did you mean {close[0]}?")

@@ -185,6 +185,7 @@ def _bind(session: Session, scope: Scope, parameters: Iterable[syntax.Parameter]
         if i < len(positional):
             _check(session, parameter, positional[i], i, scope.name)
             scope.names[parameter.name] = positional[i]
+            scope.parameters.add(parameter.name)
         elif parameter.default is not None:
             scope.names[parameter.name] = session.evaluate(parameter.default)
         else:

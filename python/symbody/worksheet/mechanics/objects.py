@@ -15,7 +15,24 @@ from symbody.worksheet.mechanics import frame_face
 from symbody.worksheet.mechanics.modes import Mechanics, mechanics
 from symbody.worksheet.mechanics.shortest import shortest
 from symbody.worksheet.mechanics.small_variables import entered, entered_frame, left, left_frame, result
-from symbody.worksheet.values.value import Array, Listed, MapleSet, Reference, Table, Value
+from symbody.worksheet.printing.print import text_of
+from symbody.worksheet.values.value import (
+    Array,
+    Boolean,
+    Builtin,
+    Listed,
+    MapleSet,
+    Plot,
+    ProcedureValue,
+    Quoted,
+    Range,
+    Reference,
+    Relation,
+    String,
+    Table,
+    Unevaluated,
+    Value,
+)
 from symbody.worksheet.values.value import Sequence as Several
 
 if TYPE_CHECKING:
@@ -302,7 +319,16 @@ _WORDS: dict[type, str] = {
     Several: "sequence",
     Expr: "expression",
     Reference: "name without a value",
+    Boolean: "truth value",
+    Builtin: "command",
+    Plot: "drawing",
+    ProcedureValue: "procedure",
+    Quoted: "quoted expression",
+    Range: "range",
+    Relation: "relation",
+    String: "text",
 }
+"""What each kind of value is called in messages; objects and calls have words of their own (`described`)."""
 
 
 def described(value: Value) -> str:
@@ -311,7 +337,9 @@ def described(value: Value) -> str:
         return f"a {kind_of(value) or 'table'}"
     if isinstance(value, Expr):
         return f"an expression, {str(value)[:60]}"
-    word = _WORDS.get(type(value), type(value).__name__.lower())
+    if isinstance(value, Unevaluated):
+        return f"a call that nobody knows, {text_of(value)[:60]}"
+    word = _WORDS[type(value)]
     return f"an {word}" if word[0] in "aeiou" else f"a {word}"
 
 

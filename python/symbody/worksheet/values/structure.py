@@ -206,6 +206,8 @@ def product_of(parts: Iterable[Tree], value: Expr | None = None) -> Tree:
                 factors.append(factor)
     factors, content = _powers_joined(factors)
     coefficient = coefficient * content
+    if coefficient.ratio[0] < 0:
+        coefficient, factors = _sign_taken_in(coefficient, factors)
     if coefficient.is_decimal and any(map(_is_radical, factors)):
         coefficient = reduce(mul, (part.value for part in factors if _is_radical(part)), coefficient)
         coefficient = decimal(as_float(coefficient) or 0.0)
@@ -225,6 +227,26 @@ def product_of(parts: Iterable[Tree], value: Expr | None = None) -> Tree:
         value = reduce(mul, (factor.value for factor in factors))
     key = "*".join(factor.key for factor in (factors if unit else factors[1:]))
     return Tree("product", value, tuple(factors), key=key[:_KEY_LENGTH])
+
+
+def _sign_taken_in(coefficient: Expr, factors: list[Tree]) -> tuple[Expr, list[Tree]]:
+    """Return a positive number and factors, one of which takes the sign: ``(x-1)*y`` stands for ``-(1-x)*y``."""
+    for i, factor in enumerate(factors):
+        power = (
+            factor.parts[1].value.ratio
+            if factor.kind == "power" and factor.parts[1].kind == "number"
+            else (1, 1)
+        )
+        base = factor.parts[0] if factor.kind == "power" else factor
+        if base.kind != "sum" or power[1] != 1 or power[0] % 2 == 0:
+            continue
+        first, *others = base.parts
+        if first.kind == "number" and all(map(is_negative, others)):
+            turned = sum_of(product_of([tree_of(number(-1)), term]) for term in base.parts)
+            value = turned.value ** number(power[0])
+            made = turned if power[0] == 1 else _raised(value, turned, factor.parts[1])
+            return -coefficient, [*factors[:i], made, *factors[i + 1 :]]
+    return coefficient, factors
 
 
 def _powers_joined(factors: list[Tree]) -> tuple[list[Tree], Expr]:
@@ -269,8 +291,8 @@ def sum_of(parts: Iterable[Tree], value: Expr | None = None) -> Tree:
         return terms[0]
     if not terms:
         return tree_of(number(0))
-    terms.sort(key=_term_order)
-    first = next((i for i, term in enumerate(terms) if not is_negative(term) and not _is_imaginary(term)), 0)
+    terms.sort(key=_series_order if any(map(_is_order, terms)) else _term_order)
+    first = next((i for i, term in enumerate(terms) if _may_lead(term)), 0)
     terms.insert(0, terms.pop(first))
     if value is None:
         value = reduce(add, (term.value for term in terms))
@@ -341,6 +363,21 @@ def _coefficient(term: Tree) -> Expr:
 def _term_order(term: Tree) -> tuple[bool, int, str]:
     imaginary = _is_imaginary(term)
     return (term.kind == "number" or imaginary, 1 if imaginary else -_degree(term), term.key)
+
+
+def _may_lead(term: Tree) -> bool:
+    """Whether a sum may begin with a term."""
+    return not (is_negative(term) or _is_imaginary(term) or _is_order(term))
+
+
+def _is_order(term: Tree) -> bool:
+    """Whether a term is O(x^n), as series have it."""
+    return term.kind == "function" and term.name == "O" and len(term.parts) == 1
+
+
+def _series_order(term: Tree) -> tuple[bool, int, str]:
+    """Terms of a series rise in degree, and O(..) is the last one."""
+    return (_is_order(term), _degree(term) if term.kind != "number" else 0, term.key)
 
 
 def _is_imaginary(term: Tree) -> bool:

@@ -1,0 +1,131 @@
+"""Factors of polynomials, by SymPy, and of integers; common divisors of both."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable
+from importlib.util import find_spec
+from typing import Any
+
+from symbody.errors import WorksheetError
+from symbody.symbolic import Expr, UndefinedFunction, factor_terms, from_sympy, number, to_sympy
+from symbody.symbolic.expression.traverse import post_order
+from symbody.worksheet.evaluation.arithmetic import scalar
+from symbody.worksheet.evaluation.entrywise import entrywise
+from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.values.naming import symbol
+from symbody.worksheet.values.numeric import as_integer
+from symbody.worksheet.values.value import Unevaluated, Value
+
+__all__ = ["COMMANDS"]
+
+_LONGEST = 600
+"""Characters of the longest expression that is factored completely; of longer ones, common factors are taken out."""
+_MOST = 10**24
+"""The largest integer that is factored."""
+
+
+def factor(session: Session, value: Value, *options: Value) -> Value:
+    """factor(p): a product of polynomials that have no factors with rational coefficients."""
+
+    def rewrite(each: Expr) -> Expr:
+        session.limits.check()
+        return _factored(each) or factor_terms(each)
+
+    return entrywise(session, value, rewrite, keeps_value=True)
+
+
+def _factored(value: Expr) -> Expr | None:
+    """Return the product of the factors; None if there are none, or for what is no rational function."""
+    if len(str(value)) > _LONGEST or find_spec("sympy") is None:
+        return None
+    import sympy  # noqa: PLC0415 - optional
+
+    held = _parts(value)
+    if held is None or not held:
+        return None
+    found = from_sympy(sympy.factor(to_sympy(value.subs(held))))
+    if not isinstance(found, Expr) or found.kind == "sum":
+        return None
+    return found.subs({new: old for old, new in held.items()})
+
+
+def _parts(value: Expr) -> dict[Expr, Expr] | None:
+    """Return the names and functions of which a rational function is made, with symbols for them; None for another."""
+    held: dict[Expr, Expr] = {}
+    for node in post_order([value], _inner, lambda node: node.id):
+        if node.kind == "number" and node.is_decimal:
+            return None
+        if node.kind not in ("number", "sum", "product") and not _is_power(node):
+            held.setdefault(node, symbol(f"_part{len(held)}"))
+    return held
+
+
+def _is_power(node: Expr) -> bool:
+    return node.kind == "power" and node.args[1].is_number and node.args[1].ratio[1] == 1
+
+
+def _inner(node: Expr) -> Iterable[Expr]:
+    if _is_power(node):
+        return node.args[:1]
+    return node.args if node.kind in ("sum", "product") else ()
+
+
+# --- integers ---------------------------------------------------------------------------------------------------------
+
+
+def integer_factors(session: Session, value: Value, *options: Value) -> Value:
+    """ifactor(n): the prime factors of an integer or a fraction, printed as ``(p)."""
+    expression = scalar(session, value)
+    if not expression.is_number or expression.is_decimal:
+        return Unevaluated(symbol("ifactor"), (value,))
+    above, below = expression.ratio
+    if max(abs(above), below) > _MOST:
+        raise WorksheetError(f"ifactor: an integer of {len(str(abs(above)))} digits; expected at most 24")
+    if above == 0:
+        return number(0)
+    total = number(1 if above > 0 else -1)
+    for whole, exponent in ((abs(above), 1), (below, -1)):
+        for prime, power in _primes(whole):
+            total = total * UndefinedFunction("")(number(prime)) ** (exponent * power)
+    return total
+
+
+def _primes(n: int) -> list[tuple[int, int]]:
+    """Return the prime factors of a number with their powers."""
+    import sympy  # noqa: PLC0415 - optional
+
+    return sorted(sympy.factorint(n).items())
+
+
+# --- common divisors --------------------------------------------------------------------------------------------------
+
+
+def _common(name: str, of_integers: Callable[[int, int], int]) -> Command:
+    """Return gcd or lcm, of integers and of polynomials."""
+
+    def command(session: Session, a: Value, b: Value) -> Value:
+        x, y = as_integer(a), as_integer(b)
+        if x is not None and y is not None:
+            return number(of_integers(x, y))
+        p, q = scalar(session, a), scalar(session, b)
+        held = {} if find_spec("sympy") is None else _parts(p + symbol("_between") * q)
+        if not held:
+            return Unevaluated(symbol(name), (a, b))
+        import sympy  # noqa: PLC0415 - optional
+
+        made: Any = getattr(sympy, name)(*(to_sympy(each.subs(held)) for each in (p, q)))
+        found = from_sympy(made)
+        if not isinstance(found, Expr):
+            return Unevaluated(symbol(name), (a, b))
+        return found.subs({new: old for old, new in held.items()})
+
+    return command
+
+
+COMMANDS: dict[str, Command] = {
+    "factor": factor,
+    "ifactor": integer_factors,
+    "gcd": _common("gcd", math.gcd),
+    "lcm": _common("lcm", math.lcm),
+}

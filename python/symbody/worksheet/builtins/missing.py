@@ -1,0 +1,35 @@
+"""Commands that Maple has and that are missing here: a call comes back as it was written, with a note that says so."""
+
+from __future__ import annotations
+
+__all__ = ["MISSING"]
+
+_BY_PURPOSE = {
+    "solving and analysis": (
+        "eliminate isolve msolve rsolve pdsolve odetest discont extrema interp spline fourier invfourier "
+        "laurent asympt singular residue numapprox chebyshev pade minimax implicitdiff plotcompare"
+    ),
+    "forms": (
+        "frontend powsubs trigsubs radnormal compoly sqrfree resultant discrim sturm realroot content "
+        "primpart prem divide roots irreduc completesquare asubs fnormal shake evalr"
+    ),
+    "assumptions": "about coulditbe property",
+    "numbers": (
+        "ifactors ithprime nextprime prevprime divisors primes rand randpoly randmatrix GAMMA Beta Zeta erf "
+        "erfc BesselJ BesselY EllipticF EllipticK EllipticE LambertW Dirac Si Ci Ei arcsec arccsc arcsinh "
+        "arccosh arctanh sech csch coth"
+    ),
+    "matrices": (
+        "JordanForm LUDecomposition QRDecomposition SingularValues ConditionNumber ConstantMatrix "
+        "ConstantVector MatrixFunction RandomMatrix RandomVector BandMatrix ToeplitzMatrix HilbertMatrix "
+        "HessianMatrix CompanionMatrix CharacteristicMatrix MinimalPolynomial SchurForm HermitianTranspose "
+        "OuterProductMatrix VectorAngle BilinearForm GramSchmidt LeastSquares ColumnSpace RowSpace SumBasis "
+        "IntersectionBasis IsDefinite IsOrthogonal IsUnitary JordanBlockMatrix ColumnOperation RowOperation "
+        "Pivot Permanent MatrixPower KroneckerProduct exponential jordan frobenius hadamard swaprow swapcol "
+        "mulrow mulcol addrow addcol angle orthog definite"
+    ),
+    "the system": "process tracelast debug showstat stopat profile iostatus",
+}
+"""Their names, by what they are for. A name that gets a command leaves this table."""
+
+MISSING = frozenset(name for names in _BY_PURPOSE.values() for name in names.split())

@@ -1,0 +1,28 @@
+"""Commands of Maple that are missing are told where they are used, and what came out of them is named."""
+
+from symbody.worksheet import builtins
+from symbody.worksheet.interpreter.interpret import Interpreter
+from tests.worksheet.printed_by import failures, printed
+
+
+def test_no_command_is_called_missing() -> None:
+    known = {
+        *builtins.KERNEL,
+        *builtins.FORMS,
+        *(name for each in builtins.PACKAGES.values() for name in each),
+    }
+    assert not builtins.MISSING & known
+
+
+def test_a_missing_command_comes_back_with_a_note() -> None:
+    interpreter = Interpreter()
+    assert printed("eliminate({x+y=3},{x});", interpreter=interpreter) == ["eliminate({x+y = 3},{x})"]
+    assert "eliminate of Maple is not there; it comes back unevaluated" in interpreter.session.notices
+
+
+def test_what_is_no_object_is_named() -> None:
+    found = failures(
+        "with(MBSymba_r6): comp_XYZ(eliminate([1,2])); comp_X([1]..2); comp_X(a=b); comp_X(true);"
+    )
+    kinds = [message.partition(": ")[2].partition(";")[0] for message in found]
+    assert kinds == ["a call that nobody knows, eliminate([1, 2])", "a range", "a relation", "a truth value"]
