@@ -1367,6 +1367,15 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     ),
     (
         errors.ModelError,
+        lambda: reaction(pendulum(), A, on=ground),
+        (
+            "reaction: on = ground, but the reaction of bodies that are cut off acts on them, here on A, and what "
+            "holds them may act on several others; expected no on, that of a joint (P), or -reaction(...) for its "
+            "opposite"
+        ),
+    ),
+    (
+        errors.ModelError,
         lambda: reaction(pendulum(), revolute("Q", ground, B)),
         "reaction: revolute Q isn't a joint of System(1 body, 0 loads, 1 coordinate); its joints are P",
     ),

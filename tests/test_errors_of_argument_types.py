@@ -106,6 +106,12 @@ ROWS: list[Row] = [
     ),
     (sb.assemble, {"joints": [pin]}, "assemble", "joints=joints tolerance=small"),
     (sb.Link, {"name": "L"}, "Link L", f"name=text {INERTIA} center=place"),
+    (
+        sb.Link.of_inertia,
+        {"name": "L", "mass": 1, "inertia": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]},
+        "Link.of_inertia",
+        "name=text mass=scalar inertia=tensor center=place about=place",
+    ),
     (sb.Body, {"place": ground, "mass": 1}, "Body", f"place=center {INERTIA} name=text"),
     (
         sb.Body.of_inertia,
