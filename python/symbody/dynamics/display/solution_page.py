@@ -1,0 +1,86 @@
+"""Solved equations of motion on a page: each acceleration and each multiplier in its form for the reader."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+from symbody.multibody import System, Variables
+from symbody.symbolic import Expr, cost, latex, substitute
+from symbody.symbolic.calculus.reader import Reader
+from symbody.symbolic.expression.latex_layout import aligned, broken
+from symbody.symbolic.given.arguments import counted
+
+from .difference import differences
+from .page import indented
+from .row import printed
+from .short_names import Definition, shortened
+from .summary import READABLE
+
+
+@dataclass(frozen=True)
+class SolutionPage:
+    """Accelerations and multipliers in the form for the reader.
+
+    Attributes:
+        system: the system to which the equations belong.
+        values: the accelerations and multipliers, and their values.
+    """
+
+    system: Variables
+    values: Mapping[Expr, Expr]
+
+    @property
+    def is_readable(self) -> bool:
+        """Whether the values are short enough to be written out."""
+        return cost(list(self.values.values())).total <= READABLE
+
+    def description(self) -> str:
+        """Return a line for each value, after the quantities that have names; of long values, their sizes."""
+        if self.is_readable:
+            definitions, rows = self._rows("text")
+            texts = [f"{name} := {value}" for name, value in definitions]
+            texts += [f"{unknown} = {side}" for unknown, side in rows]
+            if self._solved:
+                texts.append(f"{', '.join(map(str, self._solved))}: {self._note}")
+        else:
+            texts = [f"{unknown}: {size}" for unknown, size in self._sizes]
+            texts.append("Too long to be read at once. One of them: readable(solution.accelerations[0]).")
+        title = f"ACCELERATIONS of {', '.join(map(str, self.system.speeds))}"
+        return "\n".join([title, *(line for text in texts for line in indented(text))])
+
+    def latex(self) -> str:
+        """Return a row for each value in LaTeX, after the quantities that have names; of long values, their sizes."""
+        if not self.is_readable:
+            sizes = [rf"{latex(unknown)} &\colon \text{{{size}}}" for unknown, size in self._sizes]
+            return aligned(sizes)
+        definitions, rows = self._rows("latex")
+        named = [*definitions, *((latex(unknown), side) for unknown, side in rows)]
+        made = [line for name, value in named for line in broken(f"{name} &= ", value)]
+        if self._solved:
+            made.append(rf"&{', '.join(map(latex, self._solved))} \colon \text{{{self._note}}}")
+        return aligned(made)
+
+    @cached_property
+    def _solved(self) -> tuple[Expr, ...]:
+        """The unknowns that a linear system gives at run time."""
+        return tuple(unknown for unknown, value in self.values.items() if value.kind == "solution")
+
+    @property
+    def _note(self) -> str:
+        return f"by a linear system of {counted(len(self._solved), 'equation')} that is solved at run time"
+
+    @property
+    def _sizes(self) -> list[tuple[Expr, str]]:
+        return [(unknown, counted(cost(value).total, "operation")) for unknown, value in self.values.items()]
+
+    def _rows(self, notation: str) -> tuple[list[Definition], list[tuple[Expr, str]]]:
+        """Return named quantities, and the values that have a form, by the names of those that are solved for."""
+        reader = Reader(differences(self.system) if isinstance(self.system, System) else ())
+        names = {self.values[unknown]: unknown for unknown in self._solved}
+        given = {unknown: value for unknown, value in self.values.items() if unknown not in self._solved}
+        forms = [reader(value) for value in substitute(list(given.values()), names)]
+        definitions, texts = printed(forms, notation, self.system)
+        definitions, sides = shortened(texts, (), definitions, notation)
+        return definitions, list(zip(given, sides, strict=True))
