@@ -32,8 +32,11 @@ from symbody.symbolic import (
     are_small,
     cost,
     derivation,
+    free_symbols,
     ldl_solve,
+    number,
     saddle_point_solve,
+    subs,
     substitute,
     without_idle_symbols,
 )
@@ -129,8 +132,56 @@ def forward_dynamics(eqs: Equations, *, method: str = "auto", baumgarte: Damping
         raise ModelError(
             "forward_dynamics: Baumgarte's stabilisation without constraints; leave baumgarte out"
         )
-    found = _METHODS[method](eqs, baumgarte)
+    found = _without_scale(_METHODS[method](eqs, baumgarte), eqs, method, baumgarte)
     return replace(found, equation_names=_equation_names(eqs, found.method))
+
+
+def _without_scale(
+    found: ForwardDynamics, eqs: Equations, method: str, baumgarte: Damping
+) -> ForwardDynamics:
+    """Return a solution whose accelerations are free of a factor of all equations, such as the mass of a rolling disc.
+
+    ``M u' = f + phi_q^T lambda`` times m has the same accelerations, and m times the multipliers.
+
+    Args:
+        found: the solution with the factor.
+        eqs: the equations of motion.
+        method: the method by which they are solved.
+        baumgarte: omega and zeta of the stabilisation.
+    """
+    scale = _scale(eqs, found.accelerations)
+    if scale is None:
+        return found
+    other = _METHODS[method](subs(eqs, {scale: 1}), baumgarte)
+    other = replace(other, multipliers=tuple(scale * each for each in other.multipliers))
+    is_same = (*other.accelerations, *other.multipliers) == (*found.accelerations, *found.multipliers)
+    is_shorter = _operations(other) <= _operations(found)
+    return other if is_same and is_shorter and not other.conditions else found
+
+
+def _operations(solution: ForwardDynamics) -> int:
+    return cost((*solution.accelerations, *solution.multipliers)).total
+
+
+def _scale(eqs: Equations, accelerations: Sequence[Expr]) -> Expr | None:
+    """Return a parameter of the accelerations that is a factor of the mass matrix and of all forces."""
+    entries = [entry for entry in (*eqs.mass_matrix.entries, *eqs.bias) if not entry.is_zero]
+    names = free_symbols(accelerations)
+    candidates = {leaf for leaf in names if leaf.kind == "symbol"}.intersection(
+        *(entry.free_symbols for entry in entries)
+    )
+    for each in sorted(candidates, key=str):
+        if all(each * part == entry for entry, part in zip(entries, _at_one(entries, each), strict=True)):
+            return each
+    return None
+
+
+def _at_one(entries: Sequence[Expr], symbol: Expr) -> Sequence[Expr]:
+    """Return expressions at the value 1 of a symbol; zeros if one of them isn't defined there."""
+    try:
+        return substitute(entries, {symbol: number(1)})
+    except ExpressionError:
+        return [number(0) for _ in entries]
 
 
 def _equation_names(eqs: Equations, method: str) -> tuple[str, ...]:
