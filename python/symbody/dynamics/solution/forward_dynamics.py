@@ -149,7 +149,7 @@ def _without_scale(
         method: the method by which they are solved.
         baumgarte: omega and zeta of the stabilisation.
     """
-    scale = _scale(eqs, found.accelerations)
+    scale = _scale(eqs, found.accelerations) if found.method != "articulated_body" else None
     if scale is None:
         return found
     other = _METHODS[method](subs(eqs, {scale: 1}), baumgarte)
@@ -164,24 +164,20 @@ def _operations(solution: ForwardDynamics) -> int:
 
 
 def _scale(eqs: Equations, accelerations: Sequence[Expr]) -> Expr | None:
-    """Return a parameter of the accelerations that is a factor of the mass matrix and of all forces."""
-    entries = [entry for entry in (*eqs.mass_matrix.entries, *eqs.bias) if not entry.is_zero]
-    names = free_symbols(accelerations)
-    candidates = {leaf for leaf in names if leaf.kind == "symbol"}.intersection(
-        *(entry.free_symbols for entry in entries)
-    )
+    """Return a parameter of the accelerations that multiplies all equations: ``r(m, lambda) = m r(1, lambda/m)``."""
+    residuals = [residual for residual in eqs.residuals if not residual.is_zero]
+    candidates = {leaf for leaf in free_symbols(accelerations) if leaf.kind == "symbol"}
+    for residual in residuals:
+        candidates &= residual.free_symbols
     for each in sorted(candidates, key=str):
-        if all(each * part == entry for entry, part in zip(entries, _at_one(entries, each), strict=True)):
+        unknowns = {multiplier: multiplier / each for multiplier in eqs.multipliers}
+        try:
+            at_one = substitute(substitute(residuals, {each: number(1)}), unknowns)
+        except ExpressionError:  # undefined there
+            continue
+        if all(each * part == residual for residual, part in zip(residuals, at_one, strict=True)):
             return each
     return None
-
-
-def _at_one(entries: Sequence[Expr], symbol: Expr) -> Sequence[Expr]:
-    """Return expressions at the value 1 of a symbol; zeros if one of them isn't defined there."""
-    try:
-        return substitute(entries, {symbol: number(1)})
-    except ExpressionError:
-        return [number(0) for _ in entries]
 
 
 def _equation_names(eqs: Equations, method: str) -> tuple[str, ...]:
