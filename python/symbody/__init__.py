@@ -161,6 +161,8 @@ if TYPE_CHECKING:
         stops,
         study,
         sweep,
+        time_histories,
+        time_history,
     )
     from symbody.symbolic import (
         Abs,
@@ -430,6 +432,8 @@ __all__ = [
     "taylor",
     "time_derivative",
     "time_derivatives",
+    "time_histories",
+    "time_history",
     "tire",
     "tire_file",
     "tire_kinematics",

@@ -23,6 +23,7 @@ from symbody import (
     System,
     Vector,
     center_of_mass,
+    cos,
     functions_of_time,
     ground,
     lagrange_equations,
@@ -32,6 +33,7 @@ from symbody import (
     rotate,
     simulate,
     simulate_many,
+    sin,
     sqrt,
     symbols,
     t,
@@ -101,6 +103,29 @@ def test_models(name: str, method: str, monkeypatch: pytest.MonkeyPatch) -> None
     equations, instants = newton_euler(model.system), np.linspace(0, 0.4, 5)
     options = {"method": method, "rtol": 1e-6, "atol": 1e-8, "guess": model.guess, "threads": 1}
     assert_same(*in_both_ways(monkeypatch, equations, varied(model, 3), model.initial, instants, **options))
+
+
+@pytest.mark.parametrize("method", ["dop853", "tsit5"])
+def test_linkages_swing(method: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """They turn back, and some of their steps are rejected: motions take these by themselves, and lanes go on."""
+    (a, b, x, y), (m, l) = functions_of_time("a b x y"), symbols("m l")
+    arms = [Point(rotate("Z", q), l, 0, 0) for q in (a, b)]
+    left, right = (Body(arm, m) for arm in arms)
+    tip = Body(translate(x, y, 0), m)
+    reach = [
+        (x - offset - l * cos(q)) ** 2 + (y - l * sin(q)) ** 2 - (1.5 * l) ** 2
+        for q, offset in ((a, 0), (b, l))
+    ]
+    gravity = Vector(ground, 0, -9.81, 0)
+    five_bar = System([left, right, tip], coordinates=[a, b, x, y], constraints=reach, gravity=gravity)
+    starts = np.random.default_rng(2).uniform(-0.3, 0.3, (2, CASES))
+    initial = {a: -2.2 + starts[0], b: -0.9 + starts[1]}
+    given = newton_euler(five_bar), {m: 1.0, l: np.linspace(0.5, 1, CASES)}, initial, np.linspace(0, 4, 6)
+    options: dict[str, Any] = {"method": method, "rtol": 1e-6, "atol": 1e-6, "guess": {x: 0.3, y: -1.5}}
+    alone, together = in_both_ways(monkeypatch, *given, **options, threads=1)
+    assert_same(alone, together)
+    assert together.results.counts[:, 1].max() > 0
+    assert together.completed.all()
 
 
 @pytest.mark.parametrize("name", ["four_bar", "slider_crank", "rolling_disc"])

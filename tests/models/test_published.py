@@ -131,6 +131,21 @@ def test_elbow_manipulator() -> None:
     assert [each.subs(rest) for each in equations.bias] == [0, *(parse(w, model.names) for w in ELBOW_WEIGHT)]
 
 
+@pytest.mark.parametrize("theta", [0.5, 1.0, np.pi / 2])
+def test_nutation_of_the_gyroscope_in_gimbals(theta: float) -> None:
+    """``w = H sin(theta)/sqrt(A0 B0)``, H = C phi', by the moments about the outer and the inner axis [Magnus 1971].
+
+    The rotor's axis is parallel to the outer axis where theta is zero.
+    """
+    model = models.gyroscope_in_gimbals()
+    found = eigenvalues(model, {"theta": theta, "phi'": 300.0})
+    p = {str(symbol): value for symbol, value in model.parameters.items()}
+    outer = p["C2"] + (p["A"] + p["B1"]) * np.sin(theta) ** 2 + p["C1"] * np.cos(theta) ** 2
+    nutation = p["C"] * 300 * np.sin(theta) / np.sqrt(outer * (p["A"] + p["A1"]))
+    assert_allclose(found.imag.max(), nutation, rtol=1e-9)
+    assert_allclose(found.real, 0, atol=1e-6)
+
+
 def test_heavy_top_is_that_of_the_reference() -> None:
     model, problem = models.heavy_top(), heavy_top()
     assert newton_euler(model.system).residuals == problem.equations.residuals

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+import warnings
 from collections.abc import Callable
 
 import numpy as np
@@ -16,6 +17,7 @@ from symbody import (
     Link,
     Mechanism,
     ModelNotice,
+    Motion,
     System,
     assemble,
     cylindrical,
@@ -23,6 +25,7 @@ from symbody import (
     ground,
     mobility,
     newton_euler,
+    pi,
     revolute,
     rotate,
     simulate,
@@ -188,6 +191,48 @@ def test_a_rounded_loop_moves_with_the_freedoms_that_its_message_tells() -> None
     np.testing.assert_allclose(np.tan(motion[A] / 2) * np.tan(motion[B] / 2), ratio, rtol=1e-5)
     assert 0 < np.ptp(motion[C]) < 1e-5  # the slide
     assert motion.energy_drift < 1e-8
+
+
+def six_bars(third: Callable[..., Joint]) -> Mechanism:
+    """Return Bricard's loop of six bars and twists of 90 degrees, of lengths that are rounded."""
+    lengths = (1, 1.00001, 1, 0.99999, 1, 1.00001)
+    bars = [Link(f"bar{k}", 1, 0.1, 0.1, 0.1) for k in range(5)]
+    ahead = [
+        translate(length, 0, 0) * rotate("X", (-1) ** k * pi / 2) for k, length in enumerate(lengths[:5])
+    ]
+    joints = [revolute("H0", ground, bars[0])]
+    for k in range(4):
+        make = third if k == 1 else revolute
+        joints.append(make(f"H{k + 1}", bars[k], bars[k + 1], at=ahead[k]))
+    back = rotate("X", pi / 2) * translate(-lengths[5], 0, 0)
+    return assemble([*joints, revolute("H5", ground, bars[4], at=back, to=ahead[4])])
+
+
+def moved_bars(made: Mechanism) -> Motion:
+    """Return the motion from hinges that turn by two angles in turn."""
+    angles = [1.9, math.acos(-math.cos(1.9) / (1 + math.cos(1.9)))]
+    hinges = {f"H{k}": angles[k % 2] for k in range(6)}
+    at = {q: hinges[joint.name] for joint in made.joints for q in joint.coordinates}
+    first = made.joint("H0").coordinate
+    start = {first: at.pop(first), time_derivative(first): 1.0}
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", ".*leave no motion at almost every position", ModelNotice)
+        return simulate(newton_euler(made.system()), {}, start, guess=at, t=(0, 1))
+
+
+def test_a_rounded_loop_of_bricard_moves_with_the_freedom_that_its_message_tells() -> None:
+    """``cos(a) + cos(b) + cos(a) cos(b) = 0`` [Chen, You & Tarnai 2005]."""
+    with pytest.raises(
+        ConstraintError, match=r"have 1 more freedom in all, such as a cylindrical joint in place of"
+    ):
+        moved_bars(six_bars(revolute))
+    made = six_bars(cylindrical)
+    motion = moved_bars(made)
+    a, b = (motion[made.joint(name).coordinate] for name in ("H0", "H1"))
+    assert np.ptp(a) > 0.4
+    np.testing.assert_allclose(np.cos(a) + np.cos(b) + np.cos(a) * np.cos(b), 0, atol=1e-4)
+    slide = motion[made.joint("H2").freedom("s").value]
+    assert 0 < np.ptp(slide) < 1e-4
 
 
 def test_cranks_in_a_row_that_close_but_for_rounding_are_named() -> None:

@@ -10,7 +10,7 @@ use crate::tolerances::Tolerances;
 
 /// Changes of a speed up to this many tolerances, at the largest value of any speed so far, are explained by the errors
 /// of explicit methods, and of implicit ones.
-const TOLERANCES: (f64, f64) = (30.0, 1000.0);
+pub(crate) const TOLERANCES: (f64, f64) = (30.0, 1000.0);
 /// Changes are also explained if they take at most this fraction of a relative tolerance from the kinetic energy; the
 /// correction is orthogonal in that metric.
 const ENERGY: f64 = 0.01;
@@ -34,10 +34,27 @@ impl Branch {
 
     /// The largest change of a speed that a correction may make after a step from one state to another.
     pub fn bound(&mut self, before: &[f64], after: &[f64]) -> f64 {
-        let Tolerances { relative, absolute, .. } = self.tolerances;
         let here = before.iter().chain(after).fold(0.0, |size: f64, speed| size.max(speed.abs()));
         self.largest = self.largest.max(here);
-        let least = self.explained * (absolute + relative * self.largest);
-        least.max((ENERGY * relative).max(ROUNDING).sqrt() * here)
+        bound(&self.tolerances, self.explained, self.largest, here)
     }
+
+    /// The largest speed so far.
+    pub fn largest(&self) -> f64 {
+        self.largest
+    }
+
+    /// Note the largest speed in steps that somebody else has bounded.
+    pub fn note(&mut self, largest: f64) {
+        self.largest = self.largest.max(largest);
+    }
+}
+
+/// The largest change of a speed that is explained by so many tolerances, for the largest speed so far, and at the
+/// ends of a step.
+#[inline]
+pub(crate) fn bound(tolerances: &Tolerances, explained: f64, largest: f64, here: f64) -> f64 {
+    let Tolerances { relative, absolute, .. } = *tolerances;
+    let least = explained * (absolute + relative * largest);
+    least.max((ENERGY * relative).max(ROUNDING).sqrt() * here)
 }

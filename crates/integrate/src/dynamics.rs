@@ -31,9 +31,19 @@ pub struct Dynamics<F = BoundCode> {
     pub events: Option<(F, Vec<EventKind>)>,
 }
 
+impl<F> Dynamics<F> {
+    /// Whether there are constraints that are kept by corrections.
+    pub fn has_constraints(&self) -> bool {
+        self.position_correction.is_some() || self.velocity_correction.is_some()
+    }
+}
+
 impl Dynamics<MachineCode> {
     /// The number of the rates among all functions.
     pub(crate) const RATES: usize = 0;
+    /// The numbers of the corrections of positions and of velocities.
+    pub(crate) const POSITIONS: usize = 2;
+    pub(crate) const VELOCITIES: usize = 3;
     /// The number of the functions of the events.
     pub(crate) const EVENTS: usize = 6;
 

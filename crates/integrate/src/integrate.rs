@@ -161,16 +161,44 @@ impl Course<'_> {
         run: &mut Run,
     ) -> Result<usize, Failure> {
         let has_events = self.watch.is_needed() && !stepper.looks_for_events();
-        if self.projection.is_needed() || has_events || self.record.trail > 0 {
+        let before = stepper.statistics().steps;
+        let until = self.record.instants.get(run.reached).copied().unwrap_or(end);
+        let stretch = Stretch { until, steps: LOOK.0 - step % LOOK.0 };
+        if has_events || self.record.trail > 0 {
             self.step_and_land(stepper, end, run)?;
             return Ok(1);
         }
-        let before = stepper.statistics().steps;
-        let until = self.record.instants.get(run.reached).copied().unwrap_or(end);
-        stepper.advance(end, Stretch { until, steps: LOOK.0 - step % LOOK.0 })?;
+        if self.projection.is_needed() {
+            return self.advance_and_land(stepper, (end, stretch), run);
+        }
+        stepper.advance(end, stretch)?;
         self.state.copy_from_slice(stepper.state());
         self.is_read_well(stepper, run)?;
         Ok(stepper.statistics().steps - before)
+    }
+
+    /// Take several steps whose ends are on the constraints, or one by all ways out of trouble; return how many.
+    fn advance_and_land(
+        &mut self,
+        stepper: &mut dyn Stepper,
+        (end, stretch): (f64, Stretch),
+        run: &mut Run,
+    ) -> Result<usize, Failure> {
+        let (before, largest) = (stepper.statistics().steps, self.branch.largest());
+        let states = (&mut run.end.1[..], &mut self.state[..]);
+        let Some(landing) = stepper.advance_on_constraints(end, stretch, largest, states) else {
+            self.step_and_land(stepper, end, run)?;
+            return Ok(1);
+        };
+        run.end.0 = landing.start;
+        self.branch.note(landing.largest_speed);
+        let speeds = self.projection.speeds();
+        self.projection.bound = self.branch.bound(&run.end.1[speeds.clone()], &stepper.state()[speeds]);
+        let taken = stepper.statistics().steps - before;
+        if !self.is_read_well(stepper, run)? && stepper.retract(AGAIN[0]) {
+            self.try_lengths(stepper, end, run, (AGAIN, 1))?;
+        }
+        Ok(taken)
     }
 
     /// Take a step whose end is on the constraints, and on the branch of the state before it.
@@ -180,8 +208,20 @@ impl Course<'_> {
     /// uncertain.
     fn step_and_land(&mut self, stepper: &mut dyn Stepper, end: f64, run: &mut Run) -> Result<(), Failure> {
         let parts = if stepper.is_held_back() { CROSS } else { AGAIN };
-        let (mut first, mut tried) = (None, 1.0);
-        for time in 0.. {
+        self.try_lengths(stepper, end, run, (parts, 0))
+    }
+
+    /// Try the regular length of a step, and these parts of it, after some that were tried.
+    fn try_lengths(
+        &mut self,
+        stepper: &mut dyn Stepper,
+        end: f64,
+        run: &mut Run,
+        (parts, after): ([f64; 12], usize),
+    ) -> Result<(), Failure> {
+        let mut first = None;
+        let mut tried = if after == 0 { 1.0 } else { parts[after - 1] };
+        for time in after.. {
             let is_last = !self.projection.is_needed() || time == parts.len();
             if is_last || stepper.starts_well() {
                 match stepper.step(end).and_then(|()| self.land(stepper, &run.end.1)) {

@@ -32,14 +32,23 @@ pub(crate) struct StepResults<'a> {
     pub errors: &'a mut [Vec<f64>],
 }
 
-/// The start of a motion that takes its steps in a lane.
+/// A motion that takes its next steps in a lane.
 pub(crate) struct Beginning<'a> {
     pub t: f64,
     pub end: f64,
     pub state: &'a [f64],
     /// The rates there.
     pub rates: &'a [f64],
-    /// The first step to try.
+    /// The largest magnitude or change of each entry so far, and the state at the start of the motion.
+    pub sizes: &'a [f64],
+    pub origin: &'a [f64],
+    /// The state and the rates at the last stage of the step before.
+    pub last_stage: (&'a [f64], &'a [f64]),
+    /// The start and the length of the step before, and the logarithm of its error.
+    pub last: (f64, f64),
+    pub last_error: f64,
+    pub stiff_steps: u32,
+    /// The next step to try.
     pub step: f64,
     /// The power of an error that is proportional to the step.
     pub exponent: f64,
@@ -56,6 +65,28 @@ pub(crate) struct Arrival {
     pub has_crossing: Option<bool>,
     /// Why there is no further step.
     pub failure: Option<Failure>,
+    /// Where steps end on the constraints.
+    pub landing: Option<Landed>,
+}
+
+/// The end of steps on the constraints.
+pub(crate) struct Landed {
+    /// Whether the motion takes the next step itself.
+    pub is_own_turn: bool,
+    /// The largest speed so far.
+    pub largest_speed: f64,
+    pub step: f64,
+    pub last_error: f64,
+    pub stiff_steps: u32,
+}
+
+/// The memory for what a motion knows at the end of steps on the constraints.
+pub(crate) struct LandingResults<'a> {
+    /// The state on the constraints.
+    pub state: &'a mut [f64],
+    pub sizes: &'a mut [f64],
+    /// The state and the rates at the last stage of the last step.
+    pub last_stage: (&'a mut [f64], &'a mut [f64]),
 }
 
 /// The place of a motion in a crew.
@@ -111,7 +142,7 @@ impl Lane {
         self.crew.read_rates(self.number, 0, first);
     }
 
-    /// Begin a motion without constraints, which takes its steps by [`Self::advance`].
+    /// Begin a motion, or continue one, which takes its next steps by [`Self::advance`].
     pub(crate) fn begin(&self, beginning: &Beginning<'_>) {
         self.crew.begin(self.number, beginning);
     }
@@ -120,12 +151,33 @@ impl Lane {
     pub(crate) fn advance(
         &self,
         stretch: Stretch,
-        statistics: Statistics,
+        (statistics, largest_speed): (Statistics, f64),
         (before, after): (&mut [f64], &mut [f64]),
     ) -> Arrival {
-        self.crew.put_stretch(self.number, stretch, statistics);
+        self.crew.put_stretch(self.number, stretch, statistics, largest_speed);
         self.wait_for(Request::Stretch);
         self.crew.read_arrival(self.number, before, after)
+    }
+
+    /// Whether steps of motions with constraints are taken by [`Self::advance`].
+    pub(crate) fn keeps_constraints(&self) -> bool {
+        self.crew.keeps_constraints()
+    }
+
+    /// Read what is known at the end of steps on the constraints.
+    pub(crate) fn read_landing(&self, results: LandingResults<'_>) {
+        self.crew.read_landing(self.number, results);
+    }
+
+    /// Whether the functions of several motions are evaluated together. Motions that take several steps at a time seldom
+    /// need the same function.
+    pub(crate) fn shares_functions(&self) -> bool {
+        self.crew.shares_functions()
+    }
+
+    /// Note that code for one state was run, which may have noted something of its motion.
+    pub(crate) fn note_code_for_one(&self) {
+        self.crew.note_code_for_one();
     }
 
     /// Whether the rates at the stages of the dense output of the last step are there.
@@ -174,8 +226,12 @@ pub(crate) trait Desk {
     fn read_step(&self, lane: usize, results: StepResults<'_>);
     fn read_rates(&self, lane: usize, stage: usize, rates: &mut [f64]);
     fn begin(&self, lane: usize, beginning: &Beginning<'_>);
-    fn put_stretch(&self, lane: usize, stretch: Stretch, statistics: Statistics);
+    fn put_stretch(&self, lane: usize, stretch: Stretch, statistics: Statistics, largest_speed: f64);
     fn read_arrival(&self, lane: usize, before: &mut [f64], after: &mut [f64]) -> Arrival;
+    fn keeps_constraints(&self) -> bool;
+    fn read_landing(&self, lane: usize, results: LandingResults<'_>);
+    fn shares_functions(&self) -> bool;
+    fn note_code_for_one(&self);
     fn has_dense_stages(&self) -> bool;
     fn looks_for_events(&self) -> bool;
     fn read_event_values(&self, lane: usize, start: &mut [f64], ends: &mut [f64]);

@@ -147,7 +147,12 @@ impl BoundCode {
         assert_eq!(state.len(), self.code.states, "the state of compiled code");
         assert_eq!(out.len(), self.code.outputs, "the outputs of compiled code");
         if let Some(lane) = &self.lane {
-            return lane.evaluate(t, state, out);
+            if lane.shares_functions() {
+                return lane.evaluate(t, state, out);
+            }
+            if self.code.conditions() != Some(0) {
+                lane.note_code_for_one();
+            }
         }
         let mut inputs = self.inputs.borrow_mut();
         inputs[0] = t;

@@ -12,10 +12,10 @@ use crate::machine_code::BoundCode;
 use crate::stepper::Stepper;
 
 /// The iteration ends after corrections below this, relative to the state: the next ones would be their squares.
-const SMALL: f64 = 1e-9;
+pub(crate) const SMALL: f64 = 1e-9;
 /// If corrections are still this large after the last iteration, the projection fails.
-const LARGE: f64 = 1e-6;
-const ITERATIONS: usize = 8;
+pub(crate) const LARGE: f64 = 1e-6;
+pub(crate) const ITERATIONS: usize = 8;
 
 /// Projects states onto the constraints.
 pub struct Projection<'a> {
@@ -32,7 +32,7 @@ impl<'a> Projection<'a> {
 
     /// Whether there are constraints.
     pub fn is_needed(&self) -> bool {
-        self.dynamics.position_correction.is_some() || self.dynamics.velocity_correction.is_some()
+        self.dynamics.has_constraints()
     }
 
     /// The places of the speeds in the state.

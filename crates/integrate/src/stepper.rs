@@ -31,6 +31,15 @@ pub struct Stretch {
     pub steps: usize,
 }
 
+/// The last of several steps, each of which ends on the constraints.
+#[derive(Clone, Copy, Debug)]
+pub struct Landing {
+    /// Where it starts.
+    pub start: f64,
+    /// The largest speed at the ends of all steps so far.
+    pub largest_speed: f64,
+}
+
 /// What is known of events in the last step.
 #[derive(Clone, Copy, Debug)]
 pub enum Sight {
@@ -65,6 +74,19 @@ pub trait Stepper {
     /// Advance by accepted steps, one at least. Nothing happens between them, and only the last one can be read.
     fn advance(&mut self, end: f64, _stretch: Stretch) -> Result<(), Failure> {
         self.step(end)
+    }
+
+    /// Take steps that end on the constraints, as long as they are accepted at once and nothing points to a singular
+    /// position; `None` if the next step is not of this kind. Write the state at the start of the last one, and the state
+    /// on the constraints at its end. `largest_speed` is that of the motion so far.
+    fn advance_on_constraints(
+        &mut self,
+        _end: f64,
+        _stretch: Stretch,
+        _largest_speed: f64,
+        _states: (&mut [f64], &mut [f64]),
+    ) -> Option<Landing> {
+        None
     }
 
     /// Whether the steps of [`Self::advance`] end at the first in which an event may happen.

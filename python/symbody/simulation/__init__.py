@@ -8,6 +8,7 @@ from symbody.simulation.constraint.mobility import Mobility, mobility
 from symbody.simulation.constraint.redundant_constraints import Redundancy, redundant_constraints
 from symbody.simulation.given.event import Event
 from symbody.simulation.given.stop import stops
+from symbody.simulation.given.time_history import time_histories, time_history
 from symbody.simulation.inverse.inverse_dynamics import InverseDynamics, inverse_dynamics
 from symbody.simulation.linear.critical_value import CriticalValue
 from symbody.simulation.linear.frequency_response import FrequencyResponse, frequency_response
@@ -91,4 +92,6 @@ __all__ = [
     "stops",
     "study",
     "sweep",
+    "time_histories",
+    "time_history",
 ]

@@ -213,11 +213,41 @@ def test_a_value_that_comes_later_reaches_what_was_made_before() -> None:
 
 def test_what_has_no_text_is_written_as_its_value(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)  # the sheet draws
-    text = program("y := isolate(a*x + b = 0, x);\nplot(y, b = 0..1);\n", "values")
-    assert "# values of line 1: y := isolate(a*x + b = 0, x);\ny = {x: -b/a}\n" in text
+    text = program("y := numer((a + x)/b);\nplot(y, b = 0..1);\n", "values")
+    assert "# values of line 1: y := numer((a + x)/b);\ny = a + x\n" in text
     assert "# left out, line 2: plot(y, b = 0..1);" in text
-    a, b, x = sb.symbols("a b x")
-    assert run(text)["y"] == {x: -b / a}
+    a, x = sb.symbols("a x")
+    assert run(text)["y"] == a + x
+
+
+def test_linear_algebra_is_that_of_a_matrix() -> None:
+    text = program(
+        "with(LinearAlgebra): A := Matrix([[2, 1], [1, k]]): v := <1, 2>:\n"
+        "s := LinearSolve(A, v): n := Norm(s, 2): p := DotProduct(v, A . v): r := Row(A, 2):\n"
+        "c := Multiply(A, A)[1, 2]:\n"
+        "q := CrossProduct(<1, 0, 0>, <0, 1, 0>): T := Trace(A): R := SubMatrix(A, 1..2, 2..2):\n",
+        "algebra",
+    )
+    assert "# values" not in text
+    assert "s = A.inverse() @ v\n" in text
+    made = run(text)
+    assert made["A"] @ made["s"] == made["v"]
+    assert made["q"] == sb.Matrix.column([0, 0, 1])
+
+
+def test_equations_that_are_not_linear_are_solved() -> None:
+    text = program(
+        "r := solve(x^2 - a, x): y := isolate(a*z + b = 0, z): f := D(u -> u^3): w := f(2):\n"
+        "s := fsolve({p^2 + q = 3, p - q = 1}, {p = 0..2, q = 0..1}):\n"
+        "m := max(1, 3, 2), min(a, b): g := gcd(12, 18):\n",
+        "roots",
+    )
+    assert "# values" not in text
+    assert "y = {z: sb.solve(a*z + b, z)[z]}\n" in text
+    made = run(text)
+    p, q = sb.symbols("p q")
+    assert made["w"] == 12
+    assert made["s"][p] ** 2 + made["s"][q] == pytest.approx(3)
 
 
 def test_pictures_are_those_of_matplotlib() -> None:

@@ -10,6 +10,7 @@
 mod columns;
 mod control;
 mod crossings;
+mod landing;
 mod norms;
 mod stages;
 mod stretch;
@@ -22,15 +23,16 @@ use corosensei::stack::DefaultStack;
 use corosensei::{Coroutine, CoroutineResult, Yielder};
 
 use crate::dynamics::Dynamics;
-use crate::lane::{Arrival, Beginning, Desk, Lane, Request, StepResults};
+use crate::lane::{Arrival, Beginning, Desk, LandingResults, Lane, Request, StepResults};
 use crate::machine_code::MachineCode;
 use crate::runge_kutta::Tableau;
 use crate::stepper::{Statistics, Stretch};
 use crate::tolerances::Tolerances;
 use columns::{Columns, Waiting, read, write};
 use crossings::Crossings;
+use landing::{Corrections, Landings};
 use stages::StepColumns;
-use stretch::Stretches;
+use stretch::{Functions, Stretches};
 
 /// The memory of the stack of a motion; only what is used is taken from the system.
 const STACK: usize = 1 << 20;
@@ -43,8 +45,19 @@ struct Crew<const W: usize> {
     of_rows: Vec<RefCell<Option<Columns<W>>>>,
     step: RefCell<StepColumns<W>>,
     stretches: RefCell<Stretches<W>>,
+    /// Whether motions wait together for functions, since they take steps one by one.
+    shares_functions: bool,
     /// Whether code for one state was run for a motion since it was resumed.
     can_have_noted: Cell<bool>,
+}
+
+/// The numbers of coordinates and of speeds that constraints change, if lanes can keep all of these by the corrections.
+fn kept_by_lanes(dynamics: &Dynamics<MachineCode>) -> Option<(usize, usize)> {
+    let codes = [&dynamics.position_correction, &dynamics.velocity_correction];
+    let are_there = codes.into_iter().flatten().all(|code| code.conditions().is_some());
+    let is_plain = dynamics.sensitivity_correction.is_none() && dynamics.events.is_none();
+    let [coordinates, speeds] = codes.map(|code| code.as_ref().map_or(0, MachineCode::outputs));
+    (are_there && is_plain && speeds > 0).then_some((coordinates, speeds))
 }
 
 impl<const W: usize> Crew<W> {
@@ -54,12 +67,16 @@ impl<const W: usize> Crew<W> {
         let entries = dynamics.rates.outputs();
         let events = dynamics.events.as_ref().filter(|(code, _)| code.conditions().is_some());
         let crossings = events.map(|(_, kinds)| Crossings::new(tableau, kinds, entries));
+        let has_constraints = dynamics.has_constraints();
+        let kept = if has_constraints { kept_by_lanes(dynamics) } else { None };
+        let landings = kept.map(|kept| Landings::new(tolerances, kept, entries));
         Self {
             tableau,
             functions: columns(),
             of_rows: columns(),
             step: RefCell::new(StepColumns::new(tableau, entries)),
-            stretches: RefCell::new(Stretches::new(tableau, tolerances, entries, crossings)),
+            shares_functions: has_constraints && landings.is_none(),
+            stretches: RefCell::new(Stretches::new(tableau, tolerances, entries, crossings, landings)),
             can_have_noted: Cell::new(false),
         }
     }
@@ -82,22 +99,43 @@ impl<const W: usize> Crew<W> {
 
     /// Take a step of all lanes.
     fn serve_steps(&self, requests: &mut [Option<Request>; W], noted: &mut dyn FnMut(usize)) {
-        let lanes = requests.map(|request| request.is_some());
-        let mut is_done = lanes;
+        let alone = requests.map(|request| request == Some(Request::Step));
+        let lanes = requests.map(|request| request == Some(Request::Stretch));
+        let mut is_over = [false; W];
         self.columns(Dynamics::<MachineCode>::RATES, |rates| {
-            let (mut step, mut waiting) = (self.step.borrow_mut(), Waiting { lanes, noted });
-            if requests.contains(&Some(Request::Stretch)) {
-                let mut events = self.functions[Dynamics::<MachineCode>::EVENTS].borrow_mut();
-                let functions = (rates, events.as_mut());
-                is_done = self.stretches.borrow_mut().take(&mut step, functions, &mut waiting);
+            let mut step = self.step.borrow_mut();
+            if lanes.contains(&true) {
+                is_over = self.take_stretches(&mut step, rates, &mut Waiting { lanes, noted }, &alone);
             } else {
+                let mut waiting = Waiting { lanes: alone, noted };
                 step.take_first(rates, &mut waiting);
                 step.take(self.tableau, rates, &mut waiting);
             }
         });
-        for (request, _) in requests.iter_mut().zip(is_done).filter(|(_, is_done)| *is_done) {
-            *request = None;
+        for (request, (is_over, is_alone)) in requests.iter_mut().zip(is_over.into_iter().zip(alone)) {
+            if is_over || is_alone {
+                *request = None;
+            }
         }
+    }
+
+    /// Take a step of motions that take several, and of others that take one; return which of the former look at it.
+    fn take_stretches(
+        &self,
+        step: &mut StepColumns<W>,
+        rates: &mut Columns<W>,
+        waiting: &mut Waiting<'_, W>,
+        others: &[bool; W],
+    ) -> [bool; W] {
+        let [mut positions, mut velocities, mut events] = [
+            Dynamics::<MachineCode>::POSITIONS,
+            Dynamics::<MachineCode>::VELOCITIES,
+            Dynamics::<MachineCode>::EVENTS,
+        ]
+        .map(|number| self.functions[number].borrow_mut());
+        let corrections = Corrections { positions: positions.as_mut(), velocities: velocities.as_mut() };
+        let functions = Functions { rates, events: events.as_mut(), corrections };
+        self.stretches.borrow_mut().take(step, functions, waiting, others)
     }
 
     fn columns(&self, function: usize, then: impl FnOnce(&mut Columns<W>)) {
@@ -155,12 +193,28 @@ impl<const W: usize> Desk for Crew<W> {
         self.stretches.borrow_mut().begin(lane, beginning, &mut self.step.borrow_mut());
     }
 
-    fn put_stretch(&self, lane: usize, stretch: Stretch, statistics: Statistics) {
-        self.stretches.borrow_mut().put(lane, stretch, statistics);
+    fn put_stretch(&self, lane: usize, stretch: Stretch, statistics: Statistics, largest_speed: f64) {
+        self.stretches.borrow_mut().put(lane, stretch, statistics, largest_speed);
     }
 
     fn read_arrival(&self, lane: usize, before: &mut [f64], after: &mut [f64]) -> Arrival {
         self.stretches.borrow().arrival(lane, before, after, &self.step.borrow())
+    }
+
+    fn keeps_constraints(&self) -> bool {
+        self.stretches.borrow().keeps_constraints()
+    }
+
+    fn read_landing(&self, lane: usize, results: LandingResults<'_>) {
+        self.stretches.borrow().read_landing(lane, results, &self.step.borrow());
+    }
+
+    fn shares_functions(&self) -> bool {
+        self.shares_functions
+    }
+
+    fn note_code_for_one(&self) {
+        self.can_have_noted.set(true);
     }
 
     fn has_dense_stages(&self) -> bool {

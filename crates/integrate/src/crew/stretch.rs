@@ -1,15 +1,17 @@
-//! Accepted steps, one after another, of a motion without constraints in each lane: the control of a motion alone, in
-//! vectors. A lane stops where its motion looks at a step.
+//! Accepted steps, one after another, of a motion in each lane: the control of a motion alone, in vectors. A lane stops
+//! where its motion looks at a step; with constraints, also before a step that is rejected, that does not land on the
+//! constraints, or that starts where its rates may be noise.
 
 use crate::failure::Failure;
-use crate::lane::{Arrival, Beginning};
-use crate::runge_kutta::{Tableau, error_of_step, note_stiffness, steepness};
+use crate::lane::{Arrival, Beginning, Landed, LandingResults};
+use crate::runge_kutta::{HELD_BACK, NOISE, SLOW, Tableau, error_of_step, steepness};
 use crate::stepper::{Statistics, Stretch};
 use crate::tolerances::Tolerances;
 
 use super::columns::{Columns, Waiting, read, write};
 use super::control::Control;
 use super::crossings::Crossings;
+use super::landing::{Corrections, Landings};
 use super::norms::{Distances, Squares};
 use super::stages::StepColumns;
 use super::vectors::{Loop, in_vectors};
@@ -29,6 +31,16 @@ pub(super) struct Stretches<const W: usize> {
     last_rates: Vec<[f64; W]>,
     has_dense_stages: bool,
     crossings: Option<Crossings<W>>,
+    landings: Option<Landings<W>>,
+    /// The ends of the last accepted steps, before they were put onto the constraints.
+    ends: Vec<[f64; W]>,
+}
+
+/// The functions that steps need.
+pub(super) struct Functions<'a, const W: usize> {
+    pub rates: &'a mut Columns<W>,
+    pub events: Option<&'a mut Columns<W>>,
+    pub corrections: Corrections<'a, W>,
 }
 
 impl<const W: usize> Stretches<W> {
@@ -37,6 +49,7 @@ impl<const W: usize> Stretches<W> {
         tolerances: Tolerances,
         entries: usize,
         crossings: Option<Crossings<W>>,
+        landings: Option<Landings<W>>,
     ) -> Self {
         let zeros = || vec![[0.0; W]; entries];
         Self {
@@ -50,26 +63,27 @@ impl<const W: usize> Stretches<W> {
             last_rates: zeros(),
             has_dense_stages: false,
             crossings,
+            landings,
+            ends: zeros(),
         }
     }
 
     pub fn begin(&mut self, lane: usize, beginning: &Beginning<'_>, step: &mut StepColumns<W>) {
-        let state = beginning.state;
-        write(lane, state, &mut step.before);
+        write(lane, beginning.state, &mut step.before);
         write(lane, beginning.rates, &mut step.rates);
-        write(lane, state, &mut self.origins);
-        for (sizes, x) in self.sizes.iter_mut().zip(state) {
-            sizes[lane] = x.abs();
-        }
+        write(lane, beginning.origin, &mut self.origins);
+        write(lane, beginning.sizes, &mut self.sizes);
+        write(lane, beginning.last_stage.0, &mut self.last_stage);
+        write(lane, beginning.last_stage.1, &mut self.last_rates);
         self.lanes[lane] = Some(Control::new(beginning));
         if let Some(crossings) = &mut self.crossings {
             crossings.begin(lane);
         }
     }
 
-    pub fn put(&mut self, lane: usize, stretch: Stretch, statistics: Statistics) {
+    pub fn put(&mut self, lane: usize, stretch: Stretch, statistics: Statistics, largest_speed: f64) {
         if let Some(control) = &mut self.lanes[lane] {
-            (control.stretch, control.statistics) = (stretch, statistics);
+            control.put(stretch, statistics, largest_speed);
         }
     }
 
@@ -82,14 +96,34 @@ impl<const W: usize> Stretches<W> {
     ) -> Arrival {
         let control = self.lanes[lane].as_ref().expect("a motion that has begun");
         read(lane, &self.starts, before);
-        read(lane, &step.before, after);
+        read(lane, if self.landings.is_some() { &self.ends } else { &step.before }, after);
         Arrival {
             last: control.last,
             t: control.t,
             statistics: control.statistics,
             has_crossing: self.crossings.as_ref().map(|crossings| crossings.found[lane]),
             failure: control.failure.clone(),
+            landing: self.landings.as_ref().map(|_| Landed {
+                is_own_turn: control.is_own_turn,
+                largest_speed: control.largest_speed,
+                step: control.step,
+                last_error: control.last_error,
+                stiff_steps: control.stiff_steps,
+            }),
         }
+    }
+
+    pub fn read_landing(&self, lane: usize, results: LandingResults<'_>, step: &StepColumns<W>) {
+        let LandingResults { state, sizes, last_stage: (last_stage, last_rates) } = results;
+        read(lane, &step.before, state);
+        read(lane, &self.sizes, sizes);
+        read(lane, &self.last_stage, last_stage);
+        read(lane, &self.last_rates, last_rates);
+    }
+
+    /// Whether motions keep constraints.
+    pub fn keeps_constraints(&self) -> bool {
+        self.landings.is_some()
     }
 
     pub fn has_dense_stages(&self) -> bool {
@@ -101,30 +135,79 @@ impl<const W: usize> Stretches<W> {
         self.crossings.as_ref()
     }
 
-    /// Try a step of each lane that is not waiting for its motion, and return which lanes now do.
+    /// Try a step of each lane that is not waiting for its motion, and return which lanes now do. Others may wait for a
+    /// step of their own, which is taken as well.
     pub fn take(
         &mut self,
         step: &mut StepColumns<W>,
-        (function, events): (&mut Columns<W>, Option<&mut Columns<W>>),
+        functions: Functions<'_, W>,
         waiting: &mut Waiting<'_, W>,
+        others: &[bool; W],
     ) -> [bool; W] {
-        self.take_first(step, function, waiting);
-        self.check_first(step, waiting);
-        self.choose_lengths(step, waiting);
-        step.take(self.tableau, function, waiting);
+        let Functions { rates, events, mut corrections } = functions;
+        let lanes = waiting.lanes;
+        let mut all = Waiting {
+            lanes: std::array::from_fn(|lane| lanes[lane] || others[lane]),
+            noted: &mut *waiting.noted,
+        };
+        self.check_turning(step, &lanes);
+        self.take_first(step, rates, (&mut all, &lanes));
+        self.check_first(step, &lanes);
+        self.choose_lengths(step, &lanes);
+        step.take(self.tableau, rates, &mut all);
         let errors = self.errors(step);
-        let accepted = self.decide(&errors, step, waiting);
-        self.add_dense_stages(&accepted, step, function, waiting);
+        let passed = self.pass(&errors, &lanes);
+        let accepted = self.land(passed, step, &mut corrections, waiting);
+        self.decide(&errors, &accepted, step, &lanes);
+        self.add_dense_stages(&accepted, step, rates, waiting);
         if let Some(events) = events {
             self.look_for_events(&accepted, step, events, waiting);
         }
         let has_crossing = self.crossings.as_ref().map_or([false; W], |crossings| crossings.found);
         let is_over: [bool; W] = std::array::from_fn(|lane| {
             let is_over = self.lanes[lane].as_ref().is_none_or(Control::is_over);
-            waiting.lanes[lane] && (is_over || has_crossing[lane])
+            lanes[lane] && (is_over || has_crossing[lane])
         });
         self.move_on(accepted, step);
         is_over
+    }
+
+    /// Leave steps to motions that turn back, where rounding errors may decide on their directions, and to those that the
+    /// longest step holds back, which may leap over a singular position.
+    fn check_turning(&mut self, step: &StepColumns<W>, lanes: &[bool; W]) {
+        let Some(landings) = &self.landings else { return };
+        let (now, ever) = (landings.fastest_of(&step.before), landings.fastest_of(&self.sizes));
+        for (lane, control) in self.lanes.iter_mut().enumerate() {
+            let Some(control) = control.as_mut().filter(|_| lanes[lane]) else { continue };
+            let turns_back = control.statistics.steps > 0 && now[lane] < SLOW * ever[lane];
+            control.is_own_turn |= turns_back || control.step > HELD_BACK * self.tolerances.max_step;
+        }
+    }
+
+    /// The lanes whose steps are as accurate as they should be.
+    fn pass(&self, errors: &[f64; W], lanes: &[bool; W]) -> [bool; W] {
+        let goes_on = |lane: usize| self.lanes[lane].as_ref().is_some_and(Control::goes_on);
+        std::array::from_fn(|lane| lanes[lane] && goes_on(lane) && errors[lane] <= 1.0)
+    }
+
+    /// Put the ends of steps onto the constraints, if there are any; return which of the steps are accepted.
+    fn land(
+        &mut self,
+        passed: [bool; W],
+        step: &StepColumns<W>,
+        corrections: &mut Corrections<'_, W>,
+        waiting: &mut Waiting<'_, W>,
+    ) -> [bool; W] {
+        let Some(landings) = &mut self.landings else { return passed };
+        if !passed.contains(&true) {
+            return passed;
+        }
+        let (mut ends, mut largest) = ([0.0; W], [0.0; W]);
+        for (lane, control) in self.lanes.iter().enumerate() {
+            let Some(control) = control else { continue };
+            (ends[lane], largest[lane]) = (control.end_of_step(step.h[lane]), control.largest_speed);
+        }
+        landings.land((&passed, &ends, &largest), step, corrections, waiting)
     }
 
     /// Write the rates at the starts of the steps; those at the end of the step before, if the method has evaluated them.
@@ -132,18 +215,20 @@ impl<const W: usize> Stretches<W> {
         &mut self,
         step: &mut StepColumns<W>,
         function: &mut Columns<W>,
-        waiting: &mut Waiting<'_, W>,
+        (waiting, lanes): (&mut Waiting<'_, W>, &[bool; W]),
     ) {
         let mut is_new = [false; W];
         for (lane, control) in self.lanes.iter_mut().enumerate() {
-            let Some(control) = control.as_mut().filter(|_| waiting.lanes[lane]) else { continue };
+            let Some(control) = control.as_mut().filter(|_| lanes[lane]) else { continue };
             step.t[lane] = control.t;
-            is_new[lane] = !control.was_rejected && control.statistics.steps > 0;
+            is_new[lane] = !control.was_rejected() && control.statistics.steps > 0;
         }
-        if !self.tableau.evaluates_end {
+        // Onto the constraints, the end of the step before has moved.
+        if self.landings.is_some() || !self.tableau.evaluates_end {
+            let is_counted = self.landings.is_none();
             for (control, is_new) in self.lanes.iter_mut().zip(is_new) {
                 if let Some(control) = control {
-                    control.statistics.evaluations += usize::from(is_new);
+                    control.statistics.evaluations += usize::from(is_new && is_counted);
                 }
             }
             return step.take_first(function, waiting);
@@ -155,17 +240,20 @@ impl<const W: usize> Stretches<W> {
         }
     }
 
-    fn choose_lengths(&mut self, step: &mut StepColumns<W>, waiting: &Waiting<'_, W>) {
+    fn choose_lengths(&mut self, step: &mut StepColumns<W>, lanes: &[bool; W]) {
+        let is_landing = self.landings.is_some();
         for (lane, control) in self.lanes.iter_mut().enumerate() {
-            let Some(control) = control.as_mut().filter(|_| waiting.lanes[lane]) else { continue };
-            let length =
-                if control.failure.is_none() { control.length(self.tolerances.max_step) } else { None };
+            let Some(control) = control.as_mut().filter(|_| lanes[lane]) else { continue };
+            let length = if control.goes_on() { control.length(self.tolerances.max_step) } else { None };
+            if is_landing && control.failure.take().is_some() {
+                control.is_own_turn = true;
+            }
             step.h[lane] = length.unwrap_or(0.0);
         }
     }
 
     /// Check the rates at the starts of new steps, and whether stability has bounded the steps before them.
-    fn check_first(&mut self, step: &StepColumns<W>, waiting: &Waiting<'_, W>) {
+    fn check_first(&mut self, step: &StepColumns<W>, lanes: &[bool; W]) {
         let mut rates = [0.0; W];
         let mut states = [0.0; W];
         let mut sizes = [0.0; W];
@@ -176,18 +264,21 @@ impl<const W: usize> Stretches<W> {
             // A sum of zeros, unless a rate is not finite.
             zeros: &mut sizes,
         });
+        let is_landing = self.landings.is_some();
         for (lane, control) in self.lanes.iter_mut().enumerate() {
-            let is_waiting = |control: &&mut Control| waiting.lanes[lane] && control.failure.is_none();
+            let is_waiting = |control: &&mut Control| lanes[lane] && control.goes_on();
             let Some(control) = control.as_mut().filter(is_waiting) else { continue };
-            if control.was_rejected {
+            if control.was_rejected() {
                 continue;
             }
-            if sizes[lane].is_nan() {
+            let is_first = control.statistics.steps == 0;
+            let steepness = if is_first { 0.0 } else { steepness(control.last.1, rates[lane], states[lane]) };
+            if is_landing && (sizes[lane].is_nan() || steepness.is_nan() || steepness > NOISE) {
+                control.is_own_turn = true;
+            } else if sizes[lane].is_nan() {
                 control.failure = Some(Failure::NotFinite { t: control.t });
-            } else if control.statistics.steps > 0 {
-                let is_at_bound =
-                    steepness(control.last.1, rates[lane], states[lane]) > self.tableau.stability;
-                control.statistics.stiff |= note_stiffness(&mut control.stiff_steps, is_at_bound);
+            } else if !is_first {
+                control.note_stiffness(steepness > self.tableau.stability);
             }
         }
     }
@@ -206,23 +297,24 @@ impl<const W: usize> Stretches<W> {
         })
     }
 
-    /// Accept or reject the steps; return which are accepted.
-    fn decide(&mut self, errors: &[f64; W], step: &StepColumns<W>, waiting: &Waiting<'_, W>) -> [bool; W] {
+    /// Continue after the steps that are accepted, and before the others.
+    fn decide(&mut self, errors: &[f64; W], accepted: &[bool; W], step: &StepColumns<W>, lanes: &[bool; W]) {
         let evaluated = self.tableau.stages - usize::from(!self.tableau.evaluates_end);
-        let mut accepted = [false; W];
         for (lane, control) in self.lanes.iter_mut().enumerate() {
-            let is_waiting = |control: &&mut Control| waiting.lanes[lane] && control.failure.is_none();
+            let is_waiting = |control: &&mut Control| lanes[lane] && control.failure.is_none();
             let Some(control) = control.as_mut().filter(is_waiting) else { continue };
+            if let Some(landings) = &self.landings {
+                if !accepted[lane] {
+                    control.leave();
+                    continue;
+                }
+                control.largest_speed = control.largest_speed.max(landings.fastest[lane]);
+                control.statistics.evaluations += usize::from(control.statistics.steps > 0);
+            }
             control.statistics.evaluations += evaluated;
             let (h, error) = (step.h[lane], errors[lane]);
-            if error <= 1.0 {
-                control.accept(h, error);
-                accepted[lane] = true;
-            } else {
-                control.reject(h, error);
-            }
+            if accepted[lane] { control.accept(h, error) } else { control.reject(h, error) }
         }
-        accepted
     }
 
     /// Evaluate the stages of the dense output, if a motion looks into its step.
@@ -291,15 +383,18 @@ impl<const W: usize> Loop for Moves<'_, W> {
         let Self { stretches, step, accepted, last } = self;
         for i in 0..step.entries {
             blend(&mut stretches.starts[i], &step.before[i], &accepted);
-            blend(&mut step.before[i], &step.after[i], &accepted);
             blend(&mut stretches.last_stage[i], &step.last_stage[i], &accepted);
             blend(&mut stretches.last_rates[i], &step.rates[last + i], &accepted);
-            if i >= stretches.tolerances.controlled {
-                let (x, origin, mut sizes) = (step.before[i], stretches.origins[i], stretches.sizes[i]);
-                for lane in 0..W {
-                    sizes[lane] = sizes[lane].max(x[lane].abs()).max((x[lane] - origin[lane]).abs());
-                }
-                stretches.sizes[i] = sizes;
+            let (x, origin, mut sizes) = (step.after[i], stretches.origins[i], stretches.sizes[i]);
+            for lane in 0..W {
+                sizes[lane] = sizes[lane].max(x[lane].abs()).max((x[lane] - origin[lane]).abs());
+            }
+            blend(&mut stretches.sizes[i], &sizes, &accepted);
+            if let Some(landings) = &stretches.landings {
+                blend(&mut stretches.ends[i], &step.after[i], &accepted);
+                blend(&mut step.before[i], &landings.states[i], &accepted);
+            } else {
+                blend(&mut step.before[i], &step.after[i], &accepted);
             }
         }
     }

@@ -39,7 +39,7 @@ impl RungeKutta<'_> {
     /// Evaluate the stages of the dense output of the last step.
     fn add_stages(&mut self) {
         let ((t, h), &Tableau { stages, c, a, .. }) = (self.last, self.tableau);
-        if let Some(lane) = self.lane_of_stretches().filter(Lane::has_dense_stages) {
+        if let Some(lane) = self.free_lane().filter(Lane::has_dense_stages) {
             for place in stages..c.len() {
                 lane.read_rates(place, self.stages.row_mut(place));
             }
@@ -56,7 +56,7 @@ impl RungeKutta<'_> {
 
     /// Compute the terms of the dense output of the last step.
     pub(super) fn prepare_dense(&mut self) {
-        if let Some(lane) = self.lane_of_stretches().filter(Lane::looks_for_events) {
+        if let Some(lane) = self.free_lane().filter(Lane::looks_for_events) {
             lane.read_terms(&mut self.dense);
             self.is_dense = true;
             return;

@@ -1,9 +1,9 @@
 //! Steps in a lane of a crew: one beside those of other motions, or several that the crew controls.
 
-use super::{First, RungeKutta, Tableau};
+use super::{First, RungeKutta, Tableau, Turn};
 use crate::failure::Failure;
-use crate::lane::{Lane, StepResults};
-use crate::stepper::Stretch;
+use crate::lane::{Beginning, Landed, LandingResults, Lane, StepResults};
+use crate::stepper::{Landing, Stretch};
 
 impl RungeKutta<'_> {
     /// The lane in which the next step is taken, if it is.
@@ -11,9 +11,33 @@ impl RungeKutta<'_> {
         self.rates.lane().filter(|_| !self.is_careful).cloned()
     }
 
-    /// The lane in which several steps are taken at a time: without constraints, nothing happens between them.
-    pub(super) fn lane_of_stretches(&self) -> Option<Lane> {
+    /// The lane in which several steps are taken at a time, of a motion without constraints: nothing happens between them.
+    pub(super) fn free_lane(&self) -> Option<Lane> {
         self.rates.lane().filter(|_| !self.projection.is_needed()).cloned()
+    }
+
+    /// The lane in which several steps are taken that end on the constraints.
+    pub(super) fn lane_on_constraints(&self) -> Option<Lane> {
+        self.rates.lane().filter(|lane| self.projection.is_needed() && lane.keeps_constraints()).cloned()
+    }
+
+    /// Tell the lane where the motion is.
+    pub(super) fn begin_in_lane(&mut self, lane: &Lane, end: f64) {
+        lane.begin(&Beginning {
+            t: self.t,
+            end,
+            state: &self.state,
+            rates: self.stages.row(0),
+            sizes: &self.sizes,
+            origin: &self.origin,
+            last_stage: (&self.last_stage, self.stages.row(self.tableau.stages - 1)),
+            last: self.last,
+            last_error: self.last_error,
+            stiff_steps: self.stiff_steps,
+            step: self.step,
+            exponent: self.exponent(),
+        });
+        self.turn = Turn::Lane;
     }
 
     /// The same step, together with those of other motions. The rates at its start are evaluated with it.
@@ -44,9 +68,7 @@ impl RungeKutta<'_> {
     /// Read the rates at all stages of the last step from its lane, if it was taken in one.
     pub(super) fn fetch_rates(&mut self) {
         if let Some(lane) = self.rates.lane().filter(|_| !self.are_rates_here) {
-            let has_first = self.lane_of_stretches().is_none();
-            for stage in usize::from(has_first)..self.tableau.stages + usize::from(self.tableau.evaluates_end)
-            {
+            for stage in 0..self.tableau.stages + usize::from(self.tableau.evaluates_end) {
                 lane.read_rates(stage, self.stages.row_mut(stage));
             }
             self.are_rates_here = true;
@@ -59,7 +81,8 @@ impl RungeKutta<'_> {
             return Err(failure);
         }
         let steps = self.statistics.steps;
-        let arrival = lane.advance(stretch, self.statistics, (&mut self.before, &mut self.after));
+        let known = (self.statistics, 0.0);
+        let arrival = lane.advance(stretch, known, (&mut self.before, &mut self.after));
         self.state.copy_from_slice(&self.after);
         (self.t, self.last, self.statistics) = (arrival.t, arrival.last, arrival.statistics);
         (self.is_dense, self.are_rates_here) = (false, false);
@@ -71,5 +94,41 @@ impl RungeKutta<'_> {
                 Ok(())
             }
         }
+    }
+
+    /// Take several steps that end on the constraints, up to where the motion looks at one or takes the next itself.
+    ///
+    /// Write the state at the start of the last step, and the state on the constraints at its end.
+    pub(super) fn land_in_lane(
+        &mut self,
+        lane: &Lane,
+        end: f64,
+        (stretch, largest_speed): (Stretch, f64),
+        (start, landed): (&mut [f64], &mut [f64]),
+    ) -> Option<Landing> {
+        if self.turn == Turn::Motion || self.is_held_back() || self.regular > 0.0 {
+            return None;
+        }
+        if self.turn == Turn::Unknown {
+            self.begin_in_lane(lane, end);
+        }
+        let (steps, known) = (self.statistics.steps, (self.statistics, largest_speed));
+        let arrival = lane.advance(stretch, known, (&mut self.before, &mut self.after));
+        let Landed { is_own_turn, largest_speed, step, last_error, stiff_steps } = arrival.landing?;
+        self.turn = if is_own_turn { Turn::Motion } else { Turn::Lane };
+        if arrival.statistics.steps == steps {
+            return None;
+        }
+        (self.t, self.last, self.statistics) = (arrival.t, arrival.last, arrival.statistics);
+        (self.step, self.last_error, self.stiff_steps) = (step, last_error, stiff_steps);
+        (self.last_regular, self.crossing) = (self.last.1, 0.0);
+        (self.is_dense, self.are_rates_here, self.is_careful) = (false, false, false);
+        self.first = First::Unknown;
+        let last_rates = self.stages.row_mut(self.tableau.stages - 1);
+        let last_stage = (&mut self.last_stage[..], last_rates);
+        lane.read_landing(LandingResults { state: &mut *landed, sizes: &mut self.sizes, last_stage });
+        self.state.copy_from_slice(&self.after);
+        start.copy_from_slice(&self.before);
+        Some(Landing { start: self.last.0, largest_speed })
     }
 }

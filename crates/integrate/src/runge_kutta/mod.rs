@@ -16,10 +16,9 @@ mod tsit5;
 
 use crate::dynamics::Dynamics;
 use crate::failure::Failure;
-use crate::lane::Beginning;
 use crate::machine_code::BoundCode;
 use crate::projection::{Projection, Tangent};
-use crate::stepper::{Sight, Statistics, Stepper, Stretch};
+use crate::stepper::{Landing, Sight, Statistics, Stepper, Stretch};
 use crate::tolerances::Tolerances;
 pub(crate) use control::{
     LEAST_ERROR, error_of_step, factor_after, factor_after_rejection, is_last, is_too_short, note_stiffness,
@@ -27,6 +26,7 @@ pub(crate) use control::{
 };
 pub(crate) use dense::{between, hermite_terms, terms};
 pub use dop853::DOP853;
+pub(crate) use near_singular::{HELD_BACK, NOISE, SLOW};
 pub use stages::Stages;
 pub use tableau::{Row, Tableau};
 pub use tsit5::TSIT5;
@@ -38,6 +38,16 @@ enum First {
     /// Among the stages, as the rates at the end of the last step.
     AtEnd,
     InPlace,
+}
+
+/// Who takes the next step of a motion with constraints in a lane.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Turn {
+    /// The lane doesn't know where the motion is.
+    Unknown,
+    Lane,
+    /// The lane leaves it to the motion.
+    Motion,
 }
 
 /// A method during an integration.
@@ -93,6 +103,7 @@ pub struct RungeKutta<'a> {
     statistics: Statistics,
     /// Why the step after the last one failed, if several were taken at once.
     failure: Option<Failure>,
+    turn: Turn,
     /// Whether an event may happen in the last step, if the crew looks for events.
     has_crossing: Option<bool>,
 }
@@ -139,13 +150,12 @@ impl<'a> RungeKutta<'a> {
             stiff_steps: 0,
             statistics: Statistics::default(),
             failure: None,
+            turn: Turn::Unknown,
             has_crossing: None,
         };
         new.step = new.first_step(end);
-        if let Some(lane) = new.lane_of_stretches() {
-            let (state, rates) = (&new.state, new.stages.row(0));
-            let (step, exponent) = (new.step, new.exponent());
-            lane.begin(&Beginning { t, end, state, rates, step, exponent });
+        if let Some(lane) = new.free_lane() {
+            new.begin_in_lane(&lane, end);
         }
         new
     }
@@ -265,10 +275,10 @@ impl Stepper for RungeKutta<'_> {
     }
 
     fn step(&mut self, end: f64) -> Result<(), Failure> {
-        if self.lane_of_stretches().is_some() {
+        if self.free_lane().is_some() {
             return self.advance(end, Stretch { until: f64::NEG_INFINITY, steps: 1 });
         }
-        self.is_careful = false;
+        (self.is_careful, self.turn) = (false, Turn::Unknown);
         // In a lane, unknown rates are evaluated with the step.
         if !matches!(self.first, First::Unknown) || self.lane().is_none() {
             self.evaluate_first();
@@ -310,14 +320,25 @@ impl Stepper for RungeKutta<'_> {
     }
 
     fn advance(&mut self, end: f64, stretch: Stretch) -> Result<(), Failure> {
-        match self.lane_of_stretches() {
+        match self.free_lane() {
             Some(lane) => self.advance_in_lane(&lane, stretch),
             None => self.step(end),
         }
     }
 
+    fn advance_on_constraints(
+        &mut self,
+        end: f64,
+        stretch: Stretch,
+        largest_speed: f64,
+        states: (&mut [f64], &mut [f64]),
+    ) -> Option<Landing> {
+        let lane = self.lane_on_constraints()?;
+        self.land_in_lane(&lane, end, (stretch, largest_speed), states)
+    }
+
     fn looks_for_events(&self) -> bool {
-        self.lane_of_stretches().is_some_and(|lane| lane.looks_for_events())
+        self.free_lane().is_some_and(|lane| lane.looks_for_events())
     }
 
     fn sight(&self) -> Sight {
@@ -329,7 +350,7 @@ impl Stepper for RungeKutta<'_> {
     }
 
     fn read_event_values(&self, start: &mut [f64], ends: &mut [f64]) {
-        if let Some(lane) = self.lane_of_stretches() {
+        if let Some(lane) = self.free_lane() {
             lane.read_event_values(start, ends);
         }
     }

@@ -13,7 +13,7 @@ use super::{First, RungeKutta};
 
 /// If the estimate of the step times the largest eigenvalue exceeds this, the rates at the end of the step are noise,
 /// provided that their change leads off the constraints.
-const NOISE: f64 = 30.0;
+pub(crate) const NOISE: f64 = 30.0;
 /// A dense output whose slope in the middle is off by more than the first number of tolerances is noise if most of
 /// the defect leads off the constraints. Otherwise smooth motions have about ten, and more than the second number is
 /// an error.
@@ -26,9 +26,9 @@ const BEFORE: f64 = 0.01;
 /// Rounding errors that change a speed by more than this fraction of it decide on the branch.
 const UNDECIDED: f64 = 1e-6;
 /// A motion whose speeds are below this fraction of the largest so far may turn back.
-const SLOW: f64 = 0.01;
+pub(crate) const SLOW: f64 = 0.01;
 /// A step is held back by `max_step` if accuracy allows a step at least this many times longer.
-const HELD_BACK: f64 = 2.0;
+pub(crate) const HELD_BACK: f64 = 2.0;
 
 impl RungeKutta<'_> {
     /// Whether the rates at the state agree with those of the neighbouring state at which the last stage was evaluated,

@@ -18,6 +18,7 @@ from .contradiction import contradiction_between, contradictory_equations
 from .gauss_newton import gauss_newton
 from .kinematics import Kinematics, neutral_position
 from .least_norm import least_norm
+from .many_systems import added
 from .open_loop import open_joints
 from .opposite_axes import check_senses
 
@@ -185,7 +186,7 @@ def term_sizes(q: Array, phi_q: Array, sizes: Array) -> Array:
 
 def term_sizes_of_many(q: Array, phi_q: Array, sizes: Array) -> Array:
     """Return `term_sizes` at k positions: of coordinates (n, k), slopes (m, n, k) and sizes (m, k)."""
-    of_coordinates = (np.abs(phi_q) * np.maximum(np.abs(q), 1)).sum(axis=1)
+    of_coordinates = added(np.abs(phi_q) * np.maximum(np.abs(q), 1), 1)
     scale = np.maximum(sizes, 1e-3 * of_coordinates)
     return np.where(np.isfinite(scale) & (scale > 0), scale, 1.0)
 

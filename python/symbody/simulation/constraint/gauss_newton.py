@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+
+from .many_systems import added, shortest_solutions
 
 __all__ = ["Linearization", "gauss_newton", "gauss_newton_of_many"]
 
@@ -14,12 +17,14 @@ Linearization = Callable[[Array], tuple[Array, Array]]
 """Returns values and their Jacobian, which need not be finite."""
 
 LinearizationOfMany = Callable[[Array, NDArray[np.intp]], tuple[Array, Array]]
-"""The same for some of many problems: at points (k, n), and with the numbers of the problems, shape (k,)."""
+"""The same for some of many problems: at points (n, k), and with the numbers of the problems, shape (k,)."""
 
 _STEPS = 200
 _LARGEST_DAMPING = 1e12
 _ROUNDING = 4e-16
 """A value that counts as zero."""
+_DEPENDENT = 1e-13
+"""A part of a row, or of the singular values, that counts as a rounding error."""
 _NEARLY = 1e-11
 """A value below which a step that hardly improves it is the last one: rounding errors dominate."""
 
@@ -61,56 +66,60 @@ def gauss_newton(linearization: Linearization, start: Array, most: int = _STEPS)
 def _damped_step(F: Array, J: Array, mu: float) -> Array:
     """Return ``d = -J^T (J J^T + mu 1)^-1 F``, without singular values that are rounding errors."""
     U, s, Vt = np.linalg.svd(J, full_matrices=False)
-    kept = s > 1e-13 * s.max(initial=0.0)
+    kept = s > _DEPENDENT * s.max(initial=0.0)
     s, U, Vt = s[kept], U[:, kept], Vt[kept]
     step: Array = -(Vt.T @ (s / (s * s + mu) * (U.T @ F)))
     return step
 
 
 def gauss_newton_of_many(linearization: LinearizationOfMany, start: Array, most: int) -> Array:
-    """Return the points of `gauss_newton` for k problems, which do not depend on each other.
+    """Return the points of `gauss_newton` for k problems, which do not depend on each other; shape (n, k).
 
     Args:
-        linearization: the values (k, m) and Jacobians (k, m, n) of some problems.
-        start: the starts, shape (k, n).
+        linearization: the values (m, k) and Jacobians (m, n, k) of some problems.
+        start: the starts, shape (n, k).
         most: the largest number of steps.
     """
-    x, left = start.copy(), np.arange(len(start))
-    damping = np.full(len(start), 1e-2)
+    x, left = start.copy(), np.arange(start.shape[1])
+    damping = np.full(len(left), 1e-2)
     F, J = linearization(x, left)
-    m = F.shape[1]
+    m = len(F)
     for _ in range(most):
-        error = (F * F).sum(axis=1)
-        goes_on = np.isfinite(error) & np.isfinite(J).all(axis=(1, 2)) & (error > m * _ROUNDING**2)
+        error = added(F * F, 0)
+        goes_on = np.isfinite(error) & np.isfinite(J).all(axis=(0, 1)) & (error > m * _ROUNDING**2)
         goes_on &= damping <= _LARGEST_DAMPING
-        left, damping, F, J, error = (each[goes_on] for each in (left, damping, F, J, error))
+        left, damping, F, J, error = _some(goes_on, left, damping, F, J, error)
         if not len(left):
             break
         step = _damped_steps(F, J, damping * error)
-        expected = error - ((F + (J * step[:, None, :]).sum(axis=2)) ** 2).sum(axis=1)
-        goes_on = (expected > 1e-16 * error) & (
-            np.abs(step).max(axis=1) > 1e-16 * np.abs(x[left]).max(axis=1)
+        expected = error - added((F + added(J * step, 1)) ** 2, 0)
+        at = x[:, left]
+        goes_on = (expected > 1e-16 * error) & (np.abs(step).max(axis=0) > 1e-16 * np.abs(at).max(axis=0))
+        left, damping, F, J, error, step, expected, at = _some(
+            goes_on, left, damping, F, J, error, step, expected, at
         )
-        left, damping, F, J, error, step, expected = (
-            each[goes_on] for each in (left, damping, F, J, error, step, expected)
-        )
-        F_next, J_next = linearization(x[left] + step, left)
-        gain = (error - (F_next * F_next).sum(axis=1)) / expected
+        F_next, J_next = linearization(at + step, left)
+        gain = (error - added(F_next * F_next, 0)) / expected
         is_better = gain > 1e-4
-        x[left[is_better]] += step[is_better]
-        F = np.where(is_better[:, None], F_next, F)
-        J = np.where(is_better[:, None, None], J_next, J)
+        x[:, left] = np.where(is_better, at + step, at)
+        F, J = np.where(is_better, F_next, F), np.where(is_better, J_next, J)
         damping = np.where(
             gain > 0.75, np.maximum(damping / 5, 1e-8), np.where(gain > 0.25, damping, 4 * damping)
         )
-        goes_on = ~((gain < 0.5) & (error <= m * _NEARLY**2))
-        left, damping, F, J = (each[goes_on] for each in (left, damping, F, J))
+        left, damping, F, J = _some(~((gain < 0.5) & (error <= m * _NEARLY**2)), left, damping, F, J)
     return x
 
 
+def _some(chosen: NDArray[np.bool_], *columns: Any) -> tuple[Any, ...]:
+    """Return the chosen columns of each array."""
+    return columns if chosen.all() else tuple(each[..., chosen] for each in columns)
+
+
 def _damped_steps(F: Array, J: Array, mu: Array) -> Array:
-    """Return `_damped_step` for each problem."""
-    U, s, Vt = np.linalg.svd(J, full_matrices=False)
-    is_kept = s > 1e-13 * s.max(axis=1, keepdims=True, initial=0.0)
-    along = np.where(is_kept, s / (s * s + mu[:, None]), 0.0) * (U * F[:, :, None]).sum(axis=1)
-    return np.asarray(-(Vt * along[:, :, None]).sum(axis=1))
+    """Return `_damped_step` for each problem: the shortest (d, e) with ``J d + sqrt(mu) e = -F``."""
+    m, n, count = J.shape
+    both = np.zeros((m, n + m, count))
+    both[:, :n] = J
+    for place, row in enumerate(both):
+        row[n + place] = np.sqrt(mu)
+    return shortest_solutions(both, -F, _DEPENDENT)[:n]

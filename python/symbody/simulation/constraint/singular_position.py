@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from symbody.symbolic import Expr
 
 from .kinematics import Kinematics
+from .many_systems import least_ratios
 from .vanishing_combinations import vanishing_combinations
 from .walk import CANCELLED, ConfigurationSpace, scaled
 
@@ -99,21 +100,30 @@ def may_be_singular_of_many(
     """
     with np.errstate(all="ignore"):
         _, phi_q, sizes = kinematics.position_of_many(t, q.T, p.T)
-        J = np.moveaxis(kinematics.velocity_of_many(t, q.T, p.T)[0][: len(kinematics.constraints)], -1, 0)
+        J = kinematics.velocity_of_many(t, q.T, p.T)[0][: len(kinematics.constraints)]
         reach = (np.abs(phi_q) * np.maximum(np.abs(q.T), 1)).sum(axis=1)
         found: NDArray[np.bool_] = (reach <= LOOK * sizes).any(axis=0)
     is_finite = (
-        np.isfinite(J).all(axis=(1, 2)) & np.isfinite(reach).all(axis=0) & np.isfinite(sizes).all(axis=0)
+        np.isfinite(J).all(axis=(0, 1)) & np.isfinite(reach).all(axis=0) & np.isfinite(sizes).all(axis=0)
     )
-    if independent and is_finite.any():
-        matrices = J[is_finite]
-        rows = np.linalg.norm(matrices, axis=2, keepdims=True)
-        by_row = matrices / np.where(rows > 0, rows, 1.0)
-        columns = np.abs(by_row).max(axis=1, keepdims=True)
-        whole = by_row / np.where(columns > ROUNDED * columns.max(axis=2, keepdims=True), columns, 1.0)
-        s = np.linalg.svd(whole, compute_uv=False)
-        found[is_finite] |= s[:, independent - 1] <= LOOK * s[:, 0]
+    if independent:
+        found[is_finite] |= _are_nearly_dependent(J[..., is_finite], independent)
     return np.asarray(found & is_finite)
+
+
+def _are_nearly_dependent(J: Array, independent: int) -> NDArray[np.bool_]:
+    """Return where the rows of k matrices (m, n, k) are dependent or nearly so, relative to each matrix itself."""
+    rows = np.sqrt((J * J).sum(axis=1, keepdims=True))
+    by_row = J / np.where(rows > 0, rows, 1.0)
+    columns = np.abs(by_row).max(axis=0, keepdims=True, initial=0.0)
+    longest = columns.max(axis=1, keepdims=True, initial=0.0)
+    whole = by_row / np.where(columns > ROUNDED * longest, columns, 1.0)
+    are_dependent = np.ones(J.shape[-1], dtype=bool)
+    if independent == len(J):
+        are_dependent = least_ratios(whole) <= LOOK
+    s = np.linalg.svd(np.moveaxis(whole[..., are_dependent], -1, 0), compute_uv=False)
+    are_dependent[are_dependent] = s[:, independent - 1] <= LOOK * s[:, 0]
+    return are_dependent
 
 
 def is_singular(kinematics: Kinematics, p: Array, t: float, q: Array, held: Sequence[Expr] = ()) -> bool:

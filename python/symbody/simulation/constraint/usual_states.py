@@ -20,6 +20,7 @@ from .consistent_position import APPROACHES, EXACT, term_sizes_of_many
 from .gauss_newton import gauss_newton_of_many
 from .kinematics import Kinematics, neutral_position
 from .least_norm import RANK, row_sizes
+from .many_systems import added, least_ratios, shortest_solutions, within_kernels
 from .opposite_axes import are_turned
 
 __all__ = ["UsualStates", "usual_states"]
@@ -65,11 +66,12 @@ def usual_states(
             np.full((count, len(system.speeds)), np.nan),
         )
         return UsualStates(*empty, np.zeros(count, dtype=bool))
+    columns = np.ascontiguousarray(p.T)
     with np.errstate(all="ignore"):
-        q, are_closed = _positions(kinematics, p, t, fixed, guess)
-        are_closed &= ~are_turned(kinematics, p, t, q)
-        u, are_kept = _velocities(kinematics, p, t, q, fixed, guess)
-    return UsualStates(q, u, are_closed & are_kept)
+        q, are_closed = _positions(kinematics, columns, t, fixed, guess)
+        are_closed &= ~are_turned(kinematics, p, t, q.T)
+        u, are_kept = _velocities(kinematics, columns, t, q, fixed, guess)
+    return UsualStates(q.T, u.T, are_closed & are_kept)
 
 
 def _may_be_usual(kinematics: Kinematics, fixed: Mapping[Expr, Array], guess: Mapping[Expr, float]) -> bool:
@@ -84,25 +86,26 @@ def _may_be_usual(kinematics: Kinematics, fixed: Mapping[Expr, Array], guess: Ma
 def _positions(
     kinematics: Kinematics, p: Array, t: float, fixed: Mapping[Expr, Array], guess: Mapping[Expr, float]
 ) -> tuple[Array, Flags]:
-    """Return the coordinates nearest to their guess, and where they satisfy the constraints.
+    """Return the coordinates (n_q, k) nearest to their guess, and where they satisfy the constraints.
 
     Args:
         kinematics: the coordinates and constraints.
-        p: the values of the parameters, a row for each case.
+        p: the values of the parameters, a column for each case.
         t: the time.
         fixed: coordinates that are given, a value for each case.
         guess: where to look for the others.
     """
     coordinates, neutral = kinematics.system.coordinates, neutral_position(kinematics.system)
-    start = np.empty((len(p), len(coordinates)))
-    for place, (name, zero) in enumerate(zip(coordinates, neutral, strict=True)):
-        start[:, place] = fixed.get(name, guess.get(name, zero))
+    start = np.empty((len(coordinates), p.shape[1]))
+    for row, name, zero in zip(start, coordinates, neutral, strict=True):
+        row[:] = fixed.get(name, guess.get(name, zero))
     free = np.array([name not in fixed for name in coordinates])
     if not kinematics.position_constraints:
-        return start, np.asarray(np.isfinite(start).all(axis=1))
+        return start, np.asarray(np.isfinite(start).all(axis=0))
     problem = _Positions.at(kinematics, p, t, start, free)
-    found = problem.solution(start, np.arange(len(p)))
-    are_closed: Flags = np.asarray(problem.error(found, np.arange(len(p))) <= EXACT)
+    everyone = np.arange(p.shape[1])
+    found = problem.solution(start, everyone)
+    are_closed: Flags = np.asarray(problem.error(found, everyone) <= EXACT)
     problem.approach(found, start, np.flatnonzero(are_closed))
     return found, are_closed
 
@@ -123,25 +126,24 @@ class _Positions:
 
         Args:
             kinematics: the coordinates and constraints.
-            p: the values of the parameters, a row for each case.
+            p: the values of the parameters, a column for each case.
             t: the time.
-            q: the coordinates at the start, a row for each case.
+            q: the coordinates at the start, a column for each case.
             free: which coordinates are not given.
         """
-        _, phi_q, sizes = kinematics.position_of_many(t, q.T, p.T)
-        return cls(kinematics, p, t, term_sizes_of_many(q.T, phi_q, sizes).T, free)
+        _, phi_q, sizes = kinematics.position_of_many(t, q, p)
+        return cls(kinematics, p, t, term_sizes_of_many(q, phi_q, sizes), free)
 
     def linearization(self, q: Array, which: NDArray[np.intp]) -> tuple[Array, Array]:
-        """Return the scaled constraints (k, m), and their derivatives by the free coordinates (k, m, n)."""
-        phi, phi_q, _ = self.kinematics.position_of_many(self.t, q.T, self.p[which].T)
-        scale = self.scale[which]
-        slopes = np.ascontiguousarray(np.moveaxis(phi_q[:, self.free], -1, 0))
-        return phi.T / scale, slopes / scale[:, :, None]
+        """Return the scaled constraints (m, k), and their derivatives by the free coordinates (m, n, k)."""
+        phi, phi_q, _ = self.kinematics.position_of_many(self.t, q, self.p[:, which])
+        scale = self.scale[:, which]
+        return phi / scale, phi_q[:, self.free] / scale[:, None]
 
     def error(self, q: Array, which: NDArray[np.intp]) -> Array:
         """Return the largest relative violation of each motion; infinity if a constraint is not finite."""
-        phi, phi_q, sizes = self.kinematics.position_of_many(self.t, q.T, self.p[which].T)
-        error = (np.abs(phi) / term_sizes_of_many(q.T, phi_q, sizes)).max(axis=0, initial=0.0)
+        phi, phi_q, sizes = self.kinematics.position_of_many(self.t, q, self.p[:, which])
+        error = (np.abs(phi) / term_sizes_of_many(q, phi_q, sizes)).max(axis=0, initial=0.0)
         return np.asarray(np.where(np.isfinite(error), error, np.inf))
 
     def solution(self, q: Array, which: NDArray[np.intp]) -> Array:
@@ -151,11 +153,11 @@ class _Positions:
             return found
 
         def of_free(x: Array, some: NDArray[np.intp]) -> tuple[Array, Array]:
-            at = q[some]
-            at[:, self.free] = x
+            at = q[:, some]
+            at[self.free] = x
             return self.linearization(at, which[some])
 
-        found[:, self.free] = gauss_newton_of_many(of_free, q[:, self.free], _STEPS)
+        found[self.free] = gauss_newton_of_many(of_free, q[self.free], _STEPS)
         return found
 
     def approach(self, found: Array, start: Array, which: NDArray[np.intp]) -> None:
@@ -163,17 +165,20 @@ class _Positions:
 
         Each step projects the difference to the start onto the tangent space, and then returns to the constraints.
         """
-        share = np.ones(len(start))
+        share = np.ones(start.shape[1])
         for _ in range(APPROACHES):
             if not (len(which) and self.free.any()):
                 return
-            back = self._back(found[which], start[which], which)
-            is_far = np.abs(back).max(axis=1) > 1e-10 * (1 + np.abs(found[which]).max(axis=1))
-            which, back = which[is_far], back[is_far]
-            nearer = self.solution(found[which] + share[which, None] * back, which)
+            at = found[:, which]
+            back = self._back(at, start[:, which], which)
+            is_far = np.abs(back).max(axis=0) > 1e-10 * (1 + np.abs(at).max(axis=0))
+            which, back, at = which[is_far], back[:, is_far], at[:, is_far]
+            if not len(which):
+                return
+            nearer = self.solution(at + share[which] * back, which)
             is_better = self.error(nearer, which) <= EXACT
-            is_better &= _distance(nearer, start[which]) < _distance(found[which], start[which])
-            found[which[is_better]] = nearer[is_better]
+            is_better &= _distance(nearer, start[:, which]) < _distance(at, start[:, which])
+            found[:, which] = np.where(is_better, nearer, at)
             goes_on = is_better | (share[which] > 1e-3)
             share[which] = np.where(is_better, np.minimum(1.0, 2 * share[which]), share[which] / 4)
             which = which[goes_on]
@@ -181,17 +186,13 @@ class _Positions:
     def _back(self, found: Array, start: Array, which: NDArray[np.intp]) -> Array:
         """Return the differences to the start along the constraints."""
         _, J = self.linearization(found, which)
-        _, s, Vt = np.linalg.svd(J / row_sizes(J), full_matrices=False)
-        Vt = np.where((s > RANK * s.max(axis=1, keepdims=True, initial=0.0))[:, :, None], Vt, 0.0)
-        away = (start - found)[:, self.free]
-        across = (Vt * away[:, None, :]).sum(axis=2)
         back = np.zeros_like(found)
-        back[:, self.free] = away - (Vt * across[:, :, None]).sum(axis=1)
+        back[self.free] = within_kernels(J, (start - found)[self.free])
         return back
 
 
 def _distance(a: Array, b: Array) -> Array:
-    return np.asarray(np.sqrt(((a - b) ** 2).sum(axis=1)))
+    return np.asarray(np.sqrt(added((a - b) ** 2, 0)))
 
 
 def _velocities(
@@ -202,68 +203,60 @@ def _velocities(
     fixed: Mapping[Expr, Array],
     guess: Mapping[Expr, float],
 ) -> tuple[Array, Flags]:
-    """Return the speeds nearest to their guess, and where they satisfy the constraints, which are independent.
+    """Return the speeds (n, k) nearest to their guess, and where they satisfy the constraints, which are independent.
 
     Args:
         kinematics: the constraints and the kinematics.
-        p: the values of their parameters, shape (k, parameters).
+        p: the values of their parameters, shape (parameters, k).
         t: the time, in s.
-        q: the coordinates, shape (k, n_q).
+        q: the coordinates, shape (n_q, k).
         fixed: the given values, each of shape (k,).
         guess: the values near which the others should be.
     """
     speeds, m = kinematics.system.speeds, len(kinematics.constraints)
-    slopes, drifts = kinematics.velocity_of_many(t, q.T, p.T)
-    A, b = np.ascontiguousarray(np.moveaxis(slopes[:m], -1, 0)), -drifts[:m].T
-    u = np.empty((len(p), len(speeds)))
-    for place, name in enumerate(speeds):
-        u[:, place] = fixed.get(name, guess.get(name, 0.0))
+    slopes, drifts = kinematics.velocity_of_many(t, q, p)
+    A, b = slopes[:m], -drifts[:m]
+    u = np.empty((len(speeds), p.shape[1]))
+    for row, name in zip(u, speeds, strict=True):
+        row[:] = fixed.get(name, guess.get(name, 0.0))
     free = np.array([name not in fixed for name in speeds])
-    is_finite = np.isfinite(A).all(axis=(1, 2)) & np.isfinite(b).all(axis=1) & np.isfinite(u).all(axis=1)
-    A, b, u = (np.where(is_finite.reshape(-1, *[1] * (x.ndim - 1)), x, 0.0) for x in (A, b, u))
+    is_finite = np.isfinite(A).all(axis=(0, 1)) & np.isfinite(b).all(axis=0) & np.isfinite(u).all(axis=0)
+    A, b, u = (np.where(is_finite, x, 0.0) for x in (A, b, u))
     if free.any():
-        u[:, free] += _least_norm(A[:, :, free], b - (A * u[:, None, :]).sum(axis=2))
-    are_kept = is_finite & (_violations(kinematics, p, t, q, (A, b, u)) <= EXACT).all(axis=1)
+        u[free] += shortest_solutions(A[:, free], b - added(A * u, 1))
+    are_kept = is_finite & (_violations(kinematics, p, t, q, (A, b, u)) <= EXACT).all(axis=0)
     return u, are_kept & _are_regular(kinematics, A)
 
 
 def _violations(
     kinematics: Kinematics, p: Array, t: float, q: Array, equations: tuple[Array, Array, Array]
 ) -> Array:
-    """Return the residuals of ``A u = b`` relative to the sizes of their terms, shape (k, m).
+    """Return the residuals of ``A u = b`` relative to the sizes of their terms, shape (m, k).
 
     Args:
         kinematics: the coordinates and constraints.
-        p: the values of the parameters, a row for each case.
+        p: the values of the parameters, a column for each case.
         t: the time.
-        q: the coordinates, a row for each case.
+        q: the coordinates, a column for each case.
         equations: A, b and u.
     """
     A, b, u = equations
-    sizes = kinematics.position_of_many(t, q.T, p.T)[2].T
+    sizes = kinematics.position_of_many(t, q, p)[2]
     usual = np.zeros(b.shape)
     where = list(kinematics.system.holonomic)
-    of_joints = np.where(np.isfinite(sizes), sizes, 0.0) / np.abs(q).max(axis=1, initial=1.0)[:, None]
-    usual[:, where] = of_joints[:, : len(where)]
-    size = np.maximum(np.abs(A).sum(axis=2), usual) * np.abs(u).max(axis=1, initial=0.0)[:, None] + np.abs(b)
-    off: Array = np.abs((A * u[:, None, :]).sum(axis=2) - b) / np.where(size > 0, size, 1)
-    return off
-
-
-def _least_norm(A: Array, b: Array) -> Array:
-    """Return the shortest solutions of many linear systems, as in `least_norm`."""
-    size = row_sizes(A)
-    U, s, Vt = np.linalg.svd(A / size, full_matrices=False)
-    is_kept = s > RANK * s.max(axis=1, keepdims=True, initial=0.0)
-    along = (U * (b / size[:, :, 0])[:, :, None]).sum(axis=1)
-    along = np.where(is_kept, along / np.where(is_kept, s, 1.0), 0.0)
-    return np.asarray((Vt * along[:, :, None]).sum(axis=1))
+    of_joints = np.where(np.isfinite(sizes), sizes, 0.0) / np.abs(q).max(axis=0, initial=1.0)
+    usual[where] = of_joints[: len(where)]
+    size = np.maximum(added(np.abs(A), 1), usual) * np.abs(u).max(axis=0, initial=0.0) + np.abs(b)
+    return np.asarray(np.abs(added(A * u, 1) - b) / np.where(size > 0, size, 1))
 
 
 def _are_regular(kinematics: Kinematics, A: Array) -> Flags:
     """Return where all constraints are independent, and leave a motion, shape (k,)."""
-    m, n = A.shape[1:]
+    m, n, count = A.shape
     if kinematics.rank < m or m > n or (m == n and not kinematics.is_rheonomic):
-        return np.zeros(len(A), dtype=bool)
-    s = np.linalg.svd(A / row_sizes(A), compute_uv=False)
-    return np.asarray(s[:, -1] > RANK * s[:, 0])
+        return np.zeros(count, dtype=bool)
+    are_regular = least_ratios(A / row_sizes(np.moveaxis(A, -1, 0)).T.reshape(m, 1, count)) > RANK
+    others = np.moveaxis(A[..., ~are_regular], -1, 0)
+    s = np.linalg.svd(others / row_sizes(others), compute_uv=False)
+    are_regular[~are_regular] = s[:, -1] > RANK * s[:, 0]
+    return np.asarray(are_regular)

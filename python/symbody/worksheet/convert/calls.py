@@ -5,7 +5,9 @@ from __future__ import annotations
 from symbody.symbolic import Expr
 from symbody.worksheet.convert.files import FILES
 from symbody.worksheet.convert.joint_calls import JOINTS
+from symbody.worksheet.convert.list_calls import LISTS
 from symbody.worksheet.convert.maple_calls import MAPLE
+from symbody.worksheet.convert.matrix_calls import MATRICES
 from symbody.worksheet.convert.mechanics_calls import MECHANICS
 from symbody.worksheet.convert.name_text import concatenation
 from symbody.worksheet.convert.names import NoText, identifier
@@ -18,7 +20,7 @@ from symbody.worksheet.sheet import syntax
 
 __all__ = ["arrow", "call"]
 
-_TABLES = (MECHANICS, JOINTS, MAPLE, NUMBERS, PICTURES, FILES)
+_TABLES = (MECHANICS, JOINTS, MAPLE, MATRICES, LISTS, NUMBERS, PICTURES, FILES)
 
 
 def call(to: Writer, node: syntax.Call) -> str:
@@ -118,4 +120,5 @@ _PACKAGES = {
     "CodeGeneration",
     "StringTools",
     "FileTools",
+    "VectorCalculus",
 }

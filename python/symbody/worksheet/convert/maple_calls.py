@@ -14,7 +14,7 @@ from symbody.worksheet.convert.operations import SUM, grouped
 from symbody.worksheet.convert.selections import key
 from symbody.worksheet.convert.sequences import comprehension, items
 from symbody.worksheet.convert.sheet_names import names_in
-from symbody.worksheet.convert.substitutions import generated, simplified, solution, substitution
+from symbody.worksheet.convert.substitutions import generated, isolated, simplified, solution, substitution
 from symbody.worksheet.convert.writer import Arguments, Writer
 from symbody.worksheet.sheet import syntax
 
@@ -116,7 +116,7 @@ def _part(text: Writer, arguments: Arguments) -> str:
 
 def _count(text: Writer, arguments: Arguments) -> str:
     whole = text.text(arguments[0])
-    if not isinstance(text.value(whole), list | tuple | None):
+    if not isinstance(text.value(whole), list | tuple | dict | None):
         raise NoText("nops")
     return f"len({whole})"
 
@@ -288,7 +288,8 @@ def _member(text: Writer, arguments: Arguments) -> str:
 
 def _unapplied(text: Writer, arguments: Arguments) -> str:
     """Return ``unapply(e, x)`` as a function."""
-    whole, names = text.text(arguments[0]), [text.text(each) for each in arguments[1:]]
+    variables = [part for each in arguments[1:] for part in getattr(each, "items", (each,))]
+    whole, names = text.text(arguments[0]), [text.text(each) for each in variables]
     changes = ", ".join(f"{name}: {name}_" for name in names)
     return f"lambda {', '.join(f'{name}_' for name in names)}: sb.subs({whole}, {{{changes}}})"
 
@@ -365,6 +366,7 @@ MAPLE: Mapping[str, Call] = {
     "table": _table,
     "show": _shown,
     "print": _shown,
+    "isolate": isolated,
     "unapply": _unapplied,
     "jacobian": _jacobian,
     **dict.fromkeys(("GenerateMatrix", "genmatrix"), generated),

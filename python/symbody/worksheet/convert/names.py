@@ -11,7 +11,8 @@ from symbody.symbolic import Expr, symbol, time_function
 
 __all__ = ["Names", "NoText", "identifier"]
 
-_MODULES = """import pickle
+_MODULES = """import math
+import pickle
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -38,6 +39,7 @@ _TAKEN = frozenset(
         "dict",
         "np",
         "plt",
+        "math",
         "scipy",
     }
 )
@@ -127,7 +129,7 @@ class Names:
         kept = {
             text: made
             for text, made in self.values.items()
-            if text in {"sb", "Path", "pickle", "np", "plt", "scipy", "__builtins__"}
+            if text in {"sb", "Path", "math", "pickle", "np", "plt", "scipy", "__builtins__"}
             or (text in self.symbols and str(made) == self.symbols[text] and made not in self.small)
         }
         self.used |= self.values.keys() - kept.keys()

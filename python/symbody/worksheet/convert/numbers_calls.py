@@ -19,8 +19,20 @@ Call: TypeAlias = Callable[[Writer, Arguments], str]
 def _root(text: Writer, arguments: Arguments) -> str:
     """Return a root of one equation between two bounds, by Brent's method."""
     residual = residual_text(text, arguments[0])
+    if isinstance(text.value(residual), list):
+        return _roots(text, residual, arguments[1:])
     variable, first, last = range_of(text, arguments[1:])
     return f"scipy.optimize.brentq(sb.lambdify([{variable}], {residual}), {first}, {last})"
+
+
+def _roots(text: Writer, residuals: str, arguments: Arguments) -> str:
+    """Return a root of several equations, from the middle of the ranges of the unknowns."""
+    ranges = [part for each in arguments for part in getattr(each, "items", (each,))]
+    places = [range_of(text, (each,)) for each in ranges]
+    names = ", ".join(name for name, _, _ in places)
+    start = ", ".join(f"({first} + {last})/2" for _, first, last in places)
+    function = f"lambda x: sb.lambdify([{names}], {residuals})(*x)"
+    return f"dict(zip([{names}], map(float, scipy.optimize.root({function}, [{start}], tol=1e-13).x)))"
 
 
 def residual_text(text: Writer, node: syntax.Expression) -> str:

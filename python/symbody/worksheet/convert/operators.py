@@ -90,6 +90,8 @@ def _equation(to: Writer, node: syntax.Infix) -> str:
     is_known = isinstance(found, Expr) and (found.is_variable or found.kind == "application")
     if is_known and not to.as_differences:
         return f"{{{left}: {right}}}"
+    if right == "0":
+        return left
     return f"{grouped(left, SUM)} - {grouped(right, SUM + 1)}"
 
 

@@ -63,6 +63,7 @@ def converted(cells: Sequence[Cell], title: str, session: Session | None = None)
     program = Draft(tuple(cells), Interpreter(session), names, PythonText(names), Procedures(names))
     with tempfile.TemporaryDirectory() as program.folder, warnings.catch_warnings():
         warnings.simplefilter("ignore", ModelNotice)  # attempts make variables that the program doesn't have
+        warnings.simplefilter("ignore", SyntaxWarning)  # and take entries of numbers
         _write(program)
         text = _text(program, title)
     return Converted(text, program.written, program.values, program.left_out, program.failed)
@@ -143,6 +144,7 @@ def _end(body: str) -> str:
 def _imports(body: str) -> str:
     """Return the lines that import what the program needs of the standard library."""
     needed = {
+        "math.": "import math\n",
         "pickle.": "import pickle\n",
         "Path(": "from pathlib import Path\n",
         "plt.": "import matplotlib.pyplot as plt\n",

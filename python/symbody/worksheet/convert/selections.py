@@ -26,7 +26,7 @@ def selection(text: Writer, node: syntax.Selection) -> str:
         return f"{text.names.arguments}[{place(text.text(node.indices[0]))}]"
     if isinstance(node.whole, syntax.Name) and identifier(node.whole.name) not in text.names.values:
         return indexed(text, node)
-    whole = text.text(node.whole)
+    whole = grouped(text.text(node.whole))
     found = text.value(whole)
     field = _field(node.indices)
     if isinstance(found, dict):

@@ -7,7 +7,7 @@ from symbody.worksheet.convert.names import NoText
 from symbody.worksheet.convert.writer import Arguments, Writer
 from symbody.worksheet.sheet import syntax
 
-__all__ = ["differences", "generated", "simplified", "solution", "substitution"]
+__all__ = ["differences", "generated", "isolated", "simplified", "solution", "substitution"]
 
 
 def substitution(text: Writer, arguments: Arguments) -> str:
@@ -65,12 +65,33 @@ def solution(text: Writer, arguments: Arguments) -> str:
     finally:
         text.as_differences = before
     if not isinstance(text.value(equations), list):
-        return f"sb.solve({equations}, {unknowns})[{unknowns}]"
+        return _value_of(text, equations, unknowns)
     if isinstance(text.value(unknowns), Expr):
         unknowns = f"[{unknowns}]"
     equations = differences(text, equations)
     solved = f"sb.solve({equations}, {unknowns})"
     return f"[{solved}]" if isinstance(arguments[1], syntax.ListDisplay | syntax.Call) else solved
+
+
+def _value_of(text: Writer, equation: str, unknown: str) -> str:
+    """Return the solution of one equation, or a list of all that it has."""
+    linear = f"sb.solve({equation}, {unknown})[{unknown}]"
+    if text.value(linear) is not None:
+        return linear
+    found = text.value(f"sb.solutions([{equation}], [{unknown}])")
+    if not isinstance(found, list) or not found:
+        return linear
+    if len(found) == 1:
+        return f"sb.solutions([{equation}], [{unknown}])[0][{unknown}]"
+    return f"[each[{unknown}] for each in sb.solutions([{equation}], [{unknown}])]"
+
+
+def isolated(text: Writer, arguments: Arguments) -> str:
+    """Return ``isolate(equation, x)``: an equation for x."""
+    equation, unknown = arguments
+    solved = solution(text, (equation, unknown))
+    first = f"{solved}[0]" if solved.startswith("[") else solved
+    return f"{{{text.text(unknown)}: {first}}}"
 
 
 def simplified(text: Writer, arguments: Arguments) -> str:
@@ -99,6 +120,11 @@ def differences(text: Writer, equations: str) -> str:
 
 def generated(text: Writer, arguments: Arguments) -> str:
     """Return the matrix of linear equations, and their right sides."""
-    equations, unknowns = text.text(arguments[0]), text.text(arguments[1])
+    before, text.as_differences = text.as_differences, True
+    try:
+        equations = differences(text, text.text(arguments[0]))
+    finally:
+        text.as_differences = before
+    unknowns = text.text(arguments[1])
     right = f"sb.Matrix.column([-each for each in sb.subs({equations}, dict.fromkeys({unknowns}, 0))])"
     return f"(sb.jacobian({equations}, {unknowns}), {right})"

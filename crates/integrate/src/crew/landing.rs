@@ -1,0 +1,169 @@
+//! The ends of accepted steps, put onto the constraints for all lanes at once: by the corrections of a motion alone.
+//!
+//! Where a correction is too large or does not converge, the motion takes the step itself, since it knows ways out.
+
+use std::ops::Range;
+
+use crate::branch::{TOLERANCES, bound};
+use crate::projection::{ITERATIONS, LARGE, SMALL};
+use crate::tolerances::Tolerances;
+
+use super::columns::{Columns, Waiting};
+use super::stages::StepColumns;
+use super::stretch::blend;
+use super::vectors::{Loop, in_vectors};
+
+/// The changes that lead onto the constraints, to first order: of the coordinates, and of the speeds.
+pub(super) struct Corrections<'a, const W: usize> {
+    pub positions: Option<&'a mut Columns<W>>,
+    pub velocities: Option<&'a mut Columns<W>>,
+}
+
+/// The states at the ends of the steps.
+pub(super) struct Landings<const W: usize> {
+    tolerances: Tolerances,
+    coordinates: usize,
+    speeds: Range<usize>,
+    /// The states on the constraints.
+    pub states: Vec<[f64; W]>,
+    /// The largest speeds at both ends of the steps.
+    pub fastest: [f64; W],
+}
+
+impl<const W: usize> Landings<W> {
+    pub fn new(tolerances: Tolerances, (coordinates, speeds): (usize, usize), entries: usize) -> Self {
+        let speeds = coordinates..coordinates + speeds;
+        Self { tolerances, coordinates, speeds, states: vec![[0.0; W]; entries], fastest: [0.0; W] }
+    }
+
+    /// The largest speeds of some states.
+    pub fn fastest_of(&self, states: &[[f64; W]]) -> [f64; W] {
+        let mut fastest = [0.0; W];
+        in_vectors::<W>(Fastest { states: &states[self.speeds.clone()], out: &mut fastest });
+        fastest
+    }
+
+    /// Put the ends of accepted steps, at these instants, onto the constraints; return where that is done. The largest
+    /// speeds are those of the motions so far.
+    pub fn land(
+        &mut self,
+        (accepted, ends, largest): (&[bool; W], &[f64; W], &[f64; W]),
+        step: &StepColumns<W>,
+        corrections: &mut Corrections<'_, W>,
+        waiting: &mut Waiting<'_, W>,
+    ) -> [bool; W] {
+        let (before, after) = (self.fastest_of(&step.before), self.fastest_of(&step.after));
+        self.fastest = std::array::from_fn(|lane| before[lane].max(after[lane]));
+        self.states.copy_from_slice(&step.after);
+        let mut landed = *accepted;
+        if let Some(positions) = &mut corrections.positions {
+            self.close(&mut landed, ends, positions, waiting);
+        }
+        if let Some(velocities) = &mut corrections.velocities {
+            let changes = self.correct(&landed, ends, self.speeds.clone(), velocities, waiting);
+            for lane in 0..W {
+                let here = self.fastest[lane];
+                let most = bound(&self.tolerances, TOLERANCES.0, largest[lane].max(here), here);
+                landed[lane] &= changes.sizes[lane] <= most;
+            }
+        }
+        landed
+    }
+
+    /// Correct the coordinates until they satisfy the constraints.
+    fn close(
+        &mut self,
+        landed: &mut [bool; W],
+        ends: &[f64; W],
+        positions: &mut Columns<W>,
+        waiting: &mut Waiting<'_, W>,
+    ) {
+        let (mut goes_on, mut sizes) = (*landed, [f64::INFINITY; W]);
+        for _ in 0..ITERATIONS {
+            let changes = self.correct(&goes_on, ends, 0..self.coordinates, positions, waiting);
+            for lane in (0..W).filter(|&lane| goes_on[lane]) {
+                sizes[lane] = changes.sizes[lane] / changes.scales[lane];
+            }
+            // NaN is an end, too.
+            goes_on = std::array::from_fn(|lane| goes_on[lane] && sizes[lane] > SMALL);
+            if !goes_on.contains(&true) {
+                break;
+            }
+        }
+        for (landed, size) in landed.iter_mut().zip(sizes) {
+            *landed &= size <= LARGE;
+        }
+    }
+
+    /// Add a correction to some entries of the states of some lanes.
+    fn correct(
+        &mut self,
+        chosen: &[bool; W],
+        ends: &[f64; W],
+        entries: Range<usize>,
+        correction: &mut Columns<W>,
+        waiting: &mut Waiting<'_, W>,
+    ) -> Changes<W> {
+        correction.inputs[0] = *ends;
+        correction.inputs[1..=self.states.len()].copy_from_slice(&self.states);
+        correction.evaluate(&mut Waiting { lanes: *chosen, noted: &mut *waiting.noted });
+        let mut changes = Changes { sizes: [0.0; W], scales: [1.0; W] };
+        let (states, by) = (&mut self.states[entries], &correction.outputs);
+        in_vectors::<W>(Application { states, by, chosen, changes: &mut changes });
+        changes
+    }
+}
+
+/// The largest changes of an entry, NaN if one is not finite, and the largest entries, at least 1.
+struct Changes<const W: usize> {
+    sizes: [f64; W],
+    scales: [f64; W],
+}
+
+struct Application<'a, const W: usize> {
+    states: &'a mut [[f64; W]],
+    by: &'a [[f64; W]],
+    chosen: &'a [bool; W],
+    changes: &'a mut Changes<W>,
+}
+
+impl<const W: usize> Loop for Application<'_, W> {
+    #[allow(clippy::inline_always, reason = "what isn't inlined there isn't compiled for those vectors")]
+    #[inline(always)]
+    fn run(self) {
+        let (mut sizes, mut scales, mut zeros) = ([0.0_f64; W], [1.0_f64; W], [0.0; W]);
+        for (x, change) in self.states.iter_mut().zip(self.by) {
+            let (mut sum, change) = (*x, *change);
+            for lane in 0..W {
+                sum[lane] += change[lane];
+                sizes[lane] = sizes[lane].max(change[lane].abs());
+                scales[lane] = scales[lane].max(sum[lane].abs());
+                zeros[lane] += 0.0 * change[lane];
+            }
+            blend(x, &sum, self.chosen);
+        }
+        for lane in 0..W {
+            sizes[lane] += zeros[lane];
+        }
+        *self.changes = Changes { sizes, scales };
+    }
+}
+
+struct Fastest<'a, const W: usize> {
+    states: &'a [[f64; W]],
+    out: &'a mut [f64; W],
+}
+
+impl<const W: usize> Loop for Fastest<'_, W> {
+    #[allow(clippy::inline_always, reason = "what isn't inlined there isn't compiled for those vectors")]
+    #[inline(always)]
+    fn run(self) {
+        let mut fastest = [0.0_f64; W];
+        for speeds in self.states {
+            for lane in 0..W {
+                fastest[lane] = fastest[lane].max(speeds[lane].abs());
+            }
+        }
+        *self.out = fastest;
+    }
+}

@@ -1,0 +1,139 @@
+"""Linear algebra: commands of LinearAlgebra and linalg, and what the methods of a matrix say instead."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import TypeAlias
+
+from symbody.symbolic import Matrix
+from symbody.worksheet.convert.names import NoText
+from symbody.worksheet.convert.operations import PRODUCT, SUM, grouped
+from symbody.worksheet.convert.writer import Arguments, Writer
+from symbody.worksheet.sheet import syntax
+
+__all__ = ["MATRICES"]
+
+Call: TypeAlias = Callable[[Writer, Arguments], str]
+
+
+def _matrix(text: Writer, node: syntax.Expression) -> str:
+    """Return a matrix; a list of entries becomes a column."""
+    written = text.text(node)
+    found = text.value(written)
+    if isinstance(found, Matrix):
+        return grouped(written)
+    if isinstance(found, list) and found and not isinstance(found[0], list):
+        return f"sb.Matrix.column({written})"
+    raise NoText("matrix")
+
+
+def _form(form: str) -> Call:
+    """Return the writer of a command by a text with ``{0}``, ``{1}`` for matrices."""
+
+    def write(text: Writer, arguments: Arguments) -> str:
+        if "{1}" not in form and len(arguments) != 1:
+            raise NoText("matrix")
+        return form.format(*(_matrix(text, each) for each in arguments))
+
+    return write
+
+
+def _product(text: Writer, arguments: Arguments) -> str:
+    return " @ ".join(_matrix(text, each) for each in arguments)
+
+
+def _sum(text: Writer, arguments: Arguments) -> str:
+    """Return ``Add(A, B, x, y)``."""
+    factors = [grouped(text.text(each), PRODUCT) for each in arguments[2:]]
+    parts = [_matrix(text, each) for each in arguments[:2]]
+    return " + ".join(f"{x}*{part}" for x, part in zip([*factors, "1", "1"], parts, strict=False)).replace(
+        "1*", ""
+    )
+
+
+def _scaled(text: Writer, arguments: Arguments) -> str:
+    whole, factor = arguments
+    return f"{_matrix(text, whole)}*{grouped(text.text(factor), PRODUCT)}"
+
+
+def _row(text: Writer, arguments: Arguments) -> str:
+    whole, place = _matrix(text, arguments[0]), _place(text, arguments[1])
+    return f"{whole}[{place}:{int(place) + 1}, :]"
+
+
+def _column(text: Writer, arguments: Arguments) -> str:
+    whole, place = _matrix(text, arguments[0]), _place(text, arguments[1])
+    return f"{whole}[:, {place}:{int(place) + 1}]"
+
+
+def _part(text: Writer, arguments: Arguments) -> str:
+    whole, *ranges = arguments
+    return f"{_matrix(text, whole)}[{', '.join(_slice(text, each) for each in ranges)}]"
+
+
+def _slice(text: Writer, node: syntax.Expression) -> str:
+    match node:
+        case syntax.Infix(operator="..", left=first, right=last):
+            return f"{_place(text, first)}:{int(_place(text, last)) + 1}"
+    raise NoText("range")
+
+
+def _place(text: Writer, node: syntax.Expression) -> str:
+    written = text.text(node)
+    if not written.isdigit():
+        raise NoText("index")
+    return str(int(written) - 1)
+
+
+def _norm(text: Writer, arguments: Arguments) -> str:
+    if len(arguments) != 2 or text.text(arguments[1]) != "2":
+        raise NoText("Norm")
+    return f"sb.sqrt(sum(each**2 for each in {_matrix(text, arguments[0])}.entries))"
+
+
+def _zeros(text: Writer, arguments: Arguments) -> str:
+    counts = [text.text(each) for each in arguments]
+    return f"sb.zeros({counts[0]}, {counts[-1]})"
+
+
+def _diagonal(text: Writer, arguments: Arguments) -> str:
+    listed = arguments[0].items if isinstance(arguments[0], syntax.ListDisplay) else arguments
+    entries = [text.text(each) for each in listed]
+    rows = [", ".join(each if i == j else "0" for j, each in enumerate(entries)) for i in range(len(entries))]
+    return f"sb.Matrix([{', '.join(f'[{row}]' for row in rows)}])"
+
+
+def _derivatives(text: Writer, arguments: Arguments) -> str:
+    """Return the gradient of an expression, as a column."""
+    expression, variables = (text.text(each) for each in arguments)
+    return f"sb.Matrix.column([sb.diff({expression}, each) for each in {grouped(variables, SUM)}])"
+
+
+def _cross(text: Writer, arguments: Arguments) -> str:
+    one, other = (_matrix(text, each) for each in arguments)
+    return f"sb.Matrix.column(sb.symbolic.cross3({one}.entries, {other}.entries))"
+
+
+_SCALAR_PRODUCT = "sum(a*b for a, b in zip({0}.entries, {1}.entries))"
+
+MATRICES: Mapping[str, Call] = {
+    **dict.fromkeys(("Trace", "trace"), _form("sum({0}[i, i] for i in range({0}.shape[0]))")),
+    **dict.fromkeys(("Rank", "rank"), _form("{0}.rank()")),
+    **dict.fromkeys(("RowDimension", "rowdim"), _form("{0}.shape[0]")),
+    **dict.fromkeys(("ColumnDimension", "coldim"), _form("{0}.shape[1]")),
+    **dict.fromkeys(("Multiply", "MatrixMatrixMultiply", "MatrixVectorMultiply", "multiply"), _product),
+    **dict.fromkeys(("Add", "MatrixAdd", "VectorAdd", "matadd"), _sum),
+    **dict.fromkeys(("ScalarMultiply", "MatrixScalarMultiply", "VectorScalarMultiply", "scalarmul"), _scaled),
+    **dict.fromkeys(("LinearSolve", "linsolve"), _form("{0}.inverse() @ {1}")),
+    **dict.fromkeys(("DotProduct", "dotprod", "innerprod"), _form(_SCALAR_PRODUCT)),
+    **dict.fromkeys(("CrossProduct", "crossprod"), _cross),
+    **dict.fromkeys(("Row", "row"), _row),
+    **dict.fromkeys(("Column", "col"), _column),
+    **dict.fromkeys(("SubMatrix", "submatrix", "SubVector"), _part),
+    **dict.fromkeys(("Norm", "VectorNorm", "norm"), _norm),
+    "ZeroMatrix": _zeros,
+    **dict.fromkeys(("DiagonalMatrix", "diag"), _diagonal),
+    "grad": _derivatives,
+    **dict.fromkeys(("Equal", "equal"), _form("{0} == {1}")),
+}
+"""Writers by the names of commands."""
