@@ -63,9 +63,10 @@ class SolutionPage:
         return aligned(made)
 
     @cached_property
-    def _solved(self) -> tuple[Expr, ...]:
-        """The unknowns that a linear system gives at run time."""
-        return tuple(unknown for unknown, value in self.values.items() if value.kind == "solution")
+    def _solved(self) -> dict[Expr, Expr]:
+        """The unknowns that a linear system gives at run time, and each one's place in it, if need be over a factor."""
+        made = {unknown: _place_in_system(value) for unknown, value in self.values.items()}
+        return {unknown: place for unknown, place in made.items() if place is not None}
 
     @property
     def _note(self) -> str:
@@ -78,9 +79,18 @@ class SolutionPage:
     def _rows(self, notation: str) -> tuple[list[Definition], list[tuple[Expr, str]]]:
         """Return named quantities, and the values that have a form, by the names of those that are solved for."""
         reader = Reader(differences(self.system) if isinstance(self.system, System) else ())
-        names = {self.values[unknown]: unknown for unknown in self._solved}
+        names = {place: unknown * place / self.values[unknown] for unknown, place in self._solved.items()}
         given = {unknown: value for unknown, value in self.values.items() if unknown not in self._solved}
         forms = [reader(value) for value in substitute(list(given.values()), names)]
         definitions, texts = printed(forms, notation, self.system)
         definitions, sides = shortened(texts, (), definitions, notation)
         return definitions, list(zip(given, sides, strict=True))
+
+
+def _place_in_system(value: Expr) -> Expr | None:
+    """Return the unknown of a linear system that a value is, or is a multiple of; None if it is another expression."""
+    factors = value.args if value.kind == "product" else (value,)
+    places = [factor for factor in factors if factor.kind == "solution"]
+    others = [factor for factor in factors if factor.kind != "solution"]
+    is_multiple = len(places) == 1 and all(factor.kind in {"number", "symbol"} for factor in others)
+    return places[0] if is_multiple else None

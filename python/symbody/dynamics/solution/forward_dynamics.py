@@ -33,9 +33,12 @@ from symbody.symbolic import (
     are_small,
     cost,
     derivation,
+    free_symbols,
     latex,
     ldl_solve,
+    number,
     saddle_point_solve,
+    subs,
     substitute,
     without_idle_symbols,
 )
@@ -167,8 +170,52 @@ def forward_dynamics(eqs: Equations, *, method: str = "auto", baumgarte: Damping
         raise ModelError(
             "forward_dynamics: Baumgarte's stabilisation without constraints; leave baumgarte out"
         )
-    found = _METHODS[method](eqs, baumgarte)
+    found = _without_scale(_METHODS[method](eqs, baumgarte), eqs, method, baumgarte)
     return replace(found, equation_names=_equation_names(eqs, found.method), system=eqs.system)
+
+
+def _without_scale(
+    found: ForwardDynamics, eqs: Equations, method: str, baumgarte: Damping
+) -> ForwardDynamics:
+    """Return a solution whose accelerations are free of a factor of all equations, such as the mass of a rolling disc.
+
+    ``M u' = f + phi_q^T lambda`` times m has the same accelerations, and m times the multipliers.
+
+    Args:
+        found: the solution with the factor.
+        eqs: the equations of motion.
+        method: the method by which they are solved.
+        baumgarte: omega and zeta of the stabilisation.
+    """
+    scale = _scale(eqs, found.accelerations) if found.method != "articulated_body" else None
+    if scale is None:
+        return found
+    other = _METHODS[method](subs(eqs, {scale: 1}), baumgarte)
+    other = replace(other, multipliers=tuple(scale * each for each in other.multipliers))
+    is_same = (*other.accelerations, *other.multipliers) == (*found.accelerations, *found.multipliers)
+    is_shorter = _operations(other) <= _operations(found)
+    return other if is_same and is_shorter and not other.conditions else found
+
+
+def _operations(solution: ForwardDynamics) -> int:
+    return cost((*solution.accelerations, *solution.multipliers)).total
+
+
+def _scale(eqs: Equations, accelerations: Sequence[Expr]) -> Expr | None:
+    """Return a parameter of the accelerations that multiplies all equations: ``r(m, lambda) = m r(1, lambda/m)``."""
+    residuals = [residual for residual in eqs.residuals if not residual.is_zero]
+    candidates = {leaf for leaf in free_symbols(accelerations) if leaf.kind == "symbol"}
+    for residual in residuals:
+        candidates &= residual.free_symbols
+    for each in sorted(candidates, key=str):
+        unknowns = {multiplier: multiplier / each for multiplier in eqs.multipliers}
+        try:
+            at_one = substitute(substitute(residuals, {each: number(1)}), unknowns)
+        except ExpressionError:  # undefined there
+            continue
+        if all(each * part == residual for residual, part in zip(residuals, at_one, strict=True)):
+            return each
+    return None
 
 
 def _equation_names(eqs: Equations, method: str) -> tuple[str, ...]:
