@@ -338,8 +338,8 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         (
             "torsion_spring: bead doesn't move against ground about or along one axis at the rate of phi; "
             "expected the coordinate of a joint between them, or the difference of absolute ones; if several joints "
-            "are between them, put massless bodies there: Body(frame, 0); of a joint that closes a loop, give "
-            "mechanism.joint(...).freedom()"
+            "are between them, put massless bodies there: Body(frame, 0); of a wheel, or a joint that closes a loop, "
+            "give mechanism.joint(...).freedom()"
         ),
     ),
     (
@@ -348,7 +348,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         (
             "motor: bead doesn't move against ground about or along one axis at the rate of x; expected the "
             "coordinate of a joint between them, or the difference of absolute ones; if several joints are between "
-            "them, put massless bodies there: Body(frame, 0); of a joint that closes a loop, give "
+            "them, put massless bodies there: Body(frame, 0); of a wheel, or a joint that closes a loop, give "
             "mechanism.joint(...).freedom()"
         ),
     ),
