@@ -529,7 +529,7 @@ def test_christoffel(axes: str) -> None:
             Matrix([[form.mass_matrix[i, j].diff(t) for j in range(n)] for i in range(n)]) - 2 * form.coriolis
         )
         assert all(skew[i, j] == -skew[j, i] for i in range(n) for j in range(n))
-    assert r" M &= \begin{bmatrix}" in form.latex()
+    assert r" \mathbf{M} &= \begin{bmatrix}" in form.latex()
 
 
 def test_rows_parse_back() -> None:
