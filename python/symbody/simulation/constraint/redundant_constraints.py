@@ -271,7 +271,7 @@ def _pivots(places: Sequence[Array], count: int) -> tuple[int, ...]:
 
 
 def _nearly_largest(values: Array) -> NDArray[np.bool_]:
-    return values >= values.max() * (1 - _ROUNDED)
+    return np.asarray(values >= values.max() * (1 - _ROUNDED))
 
 
 def _for_speeds(system: Variables, J: Array, count: int) -> Array:
