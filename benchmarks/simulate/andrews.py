@@ -6,7 +6,7 @@ from symbody import newton_euler
 from symbody.models import andrews_mechanism
 from tests.reference.mechanisms.problem import reference
 
-from .problem import Problem
+from .problem import Problem, first_state
 
 
 def andrews() -> Problem:
@@ -16,7 +16,7 @@ def andrews() -> Problem:
         "Andrews' squeezing mechanism",
         newton_euler(model.system),
         model.parameters,
-        model.initial,
+        first_state(model),
         0.03,
         tuple(reference("andrews")["published_solution_t003"]),
     )

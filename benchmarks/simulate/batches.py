@@ -10,7 +10,7 @@ from symbody.models import slider_crank
 from . import by_diffrax, by_jax, by_mujoco
 from .panda import arm, panda
 from .panda import starts as arm_starts
-from .problem import Array, Problem
+from .problem import Array, Problem, first_state
 from .throughput import (
     FINER,
     TOLERANCES,
@@ -88,7 +88,9 @@ def _from(loosest: float) -> tuple[float, ...]:
 def linkages(count: int, duration: float = 5.0) -> Batch:
     """Return slider-cranks: three coordinates, two constraints."""
     model = slider_crank()
-    problem = Problem("slider-crank", newton_euler(model.system), model.parameters, model.initial, duration)
+    problem = Problem(
+        "slider-crank", newton_euler(model.system), model.parameters, first_state(model), duration
+    )
     states = _closed(problem, np.linspace(*CRANKS, count))
     manners = [*by_simulate_many(problem, given=1), *one_at_a_time(problem, given=1)]
     manners += [loop_of_simulate(problem), solve_ivp(problem, "DOP853")]

@@ -10,10 +10,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody import Equations, Expr
+from symbody.models import ClassicSystem
 from symbody.simulation.given.values import parameter_values
 from symbody.simulation.model.model import Model, model_of
 
 Array = NDArray[np.float64]
+
+
+def first_state(classic: ClassicSystem) -> dict[Expr, float]:
+    """Return all coordinates and speeds at the first instant, for integrators that don't close loops themselves."""
+    at_rest = dict.fromkeys(classic.system.speeds, 0.0)
+    return {**at_rest, **classic.guess, **classic.initial}
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,14 +7,17 @@ import numpy as np
 import pytest
 
 from symbody import (
+    Body,
     Force,
     Link,
     Point,
+    System,
     Torque,
     Vector,
     assemble,
     fixed,
     free_body_diagram,
+    functions_of_time,
     ground,
     motor,
     newton_euler,
@@ -22,8 +25,10 @@ from symbody import (
     prismatic,
     reaction,
     revolute,
+    rotate,
     simulate,
     spring,
+    translate,
 )
 from symbody.errors import ViewError
 
@@ -198,3 +203,21 @@ def test_no_name_lies_on_the_head_of_an_arrow(tmp_path):
         for (west, north), (east, south) in ((head.min(axis=0), head.max(axis=0)) for head in heads):
             is_beside = left > east or left + 6 * len(name) < west
             assert is_beside or base - 9 > south or base < north, name
+
+
+def test_what_holds_a_body_without_joints_is_drawn_as_its_support(tmp_path):
+    """A pendulum of a frame and one of a constraint: what reaction tells of them, and no more."""
+    theta, x, z = functions_of_time("theta x z")
+    weight = Vector(ground, 0, 0, -9.81)
+    bob = Body(rotate("Y", theta) * translate(0, 0, -1), 2, name="bob")
+    point = Body(translate(x, 0, z), 2, name="point")
+    cases = (
+        (System([bob], (), [theta], gravity=weight), bob, {theta: 0.5}, {}),
+        (System([point], (), [x, z], [x**2 + z**2 - 1], weight), point, {x: 0.5}, {z: -0.8}),
+    )
+    for system, body, initial, guess in cases:
+        equations = newton_euler(system)
+        motion = simulate(equations, {}, initial, t=(0, 0.1), guess=guess)
+        force = motion.evaluate(reaction(equations, body).force.components)[:, 0]
+        text = free_body_diagram(motion, body, tmp_path / "body.svg").read_text()
+        assert f"support {np.linalg.norm(force):.3g} N<" in text

@@ -87,7 +87,8 @@ def slider_crank() -> ClassicSystem:
         linkage.system(loads, name="Slider-crank"),
         "Lawrence Livermore National Laboratory, SUNDIALS, example idaSlCrank_dns",
         {a: 0.5, J1: 1.0, m2: 1.0, J2: 2.0, k: 1.0, c: 1.0, l0: 1.0, F: 1.0},
-        {q: pi / 2, x: cos(angle), p: angle} | {time_derivative(each): 0.0 for each in (q, x, p)},
+        {q: pi / 2, time_derivative(q): 0.0},
+        guess={x: cos(angle), p: angle},
     )
 
 
@@ -187,7 +188,8 @@ def andrews_mechanism() -> ClassicSystem:
         linkage.system([pull, drive], name="Andrews' squeezing mechanism"),
         "Hairer & Wanner, Solving Ordinary Differential Equations II, Springer 1996, sec. VII.7",
         {s[name]: value for name, value in _ANDREWS.items()},
-        dict(zip(coordinates, start, strict=True)) | {time_derivative(each): 0.0 for each in coordinates},
+        {coordinates[0]: start[0], time_derivative(coordinates[0]): 0.0},
+        guess=dict(zip(coordinates[1:], start[1:], strict=True)),
     )
 
 

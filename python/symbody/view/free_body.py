@@ -45,6 +45,9 @@ BALANCED = 1e-9
 FLAT = 1e-6
 """What is thinner than this part of its extent lies in a plane."""
 
+_SUPPORT = "support"
+"""The name of what holds a part beside joints."""
+
 COLORS = {"reaction": "#2563a8", "load": "#c0392b", "weight": "#6b5b00"}
 
 
@@ -92,12 +95,15 @@ def free_body_diagram(
 ) -> Path:
     """Draw a part that is cut off, with its loads, weights and the reactions of its joints, and return the SVG file.
 
+    What holds it beside joints, such as constraints or the coordinates of bodies without joints, is drawn as "support",
+    at the centre of mass of a body, or at the origin for several.
+
     The lengths of forces are proportional to their magnitudes, and those of moments to theirs, which stand beside the
     names, in N and N m if the model is in SI units. A moment about an axis towards the viewer is an arc, any other one
     an arrow with two heads. What is zero is not drawn, nor what acts between bodies of the part, such as a spring.
 
     Args:
-        motion: a motion of a system that `assemble` made.
+        motion: a motion of a system with bodies.
         part: a body or link, its name, or several.
         path: the file.
         t: the instant; by default the first one. The nearest instant of the motion is drawn.
@@ -235,12 +241,23 @@ def _weights(system: System, members: Sequence[Body]) -> Iterator[_Acting]:
 
 
 def _reactions(system: System, members: Sequence[Body]) -> Iterator[_Acting]:
-    """Yield the force and the moment of each joint between the part and what is cut off."""
+    """Yield the force and the moment of each joint between the part and what is cut off, then of what else holds it.
+
+    That is constraints, coordinates that several bodies share, and what is carried: all of a system without joints.
+    """
+    rest = reaction_in(system, members)
     for joint, is_child in cut_joints(system, [body.name for body in members]):
         on = joint.ends[1 if is_child else 0][0]
         found: Reaction = reaction_in(system, joint.joint, on=on)
-        yield _Acting(joint.name, "reaction", found.at, found.force)
-        yield _Acting(joint.name, "reaction", found.at, found.moment, is_moment=True)
+        yield from _of_reaction(joint.name, found)
+        there = found.about(rest.at)
+        rest = Reaction(rest.force - there.force, rest.moment - there.moment, rest.at, rest.on)
+    yield from _of_reaction(_SUPPORT, rest)
+
+
+def _of_reaction(name: str, found: Reaction) -> Iterator[_Acting]:
+    yield _Acting(name, "reaction", found.at, found.force)
+    yield _Acting(name, "reaction", found.at, found.moment, is_moment=True)
 
 
 def _entries(

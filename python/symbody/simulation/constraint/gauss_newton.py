@@ -51,7 +51,7 @@ def gauss_newton(linearization: Linearization, start: Array, most: int = _STEPS)
             break
         step = _damped_step(F, J, damping * error)
         expected = error - float(np.sum((F + J @ step) ** 2))
-        if expected <= 1e-16 * error or np.abs(step).max() <= 1e-16 * np.abs(x).max():
+        if expected <= 1e-16 * error or np.abs(step).max(initial=0.0) <= 1e-16 * np.abs(x).max(initial=0.0):
             break
         F_next, J_next = linearization(x + step)
         gain = (error - float(F_next @ F_next)) / expected
