@@ -13,8 +13,8 @@ from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.expression.latex_layout import aligned, broken
 from symbody.symbolic.given.arguments import counted
 
-from .difference import differences
 from .page import indented, shorter
+from .reader_of import reader_of
 from .row import printed, written
 from .short_names import Definition, shortened
 
@@ -71,7 +71,7 @@ class CanonicalPage:
     def _named_rows(self, notation: str) -> tuple[list[Definition], list[str]]:
         """Return named quantities, and the right sides of all rows."""
         rows = [self._terms(value) for value in (self.hamiltonian, *self.rates.values())]
-        rows += [(shorter(constraint),) for constraint in self.system.constraints]
+        rows += [(shorter(constraint, self._reader),) for constraint in self.system.constraints]
         definitions, texts = printed([term for row in rows for term in row], notation, self.system)
         remaining = iter(texts)
         return shortened([written(next(remaining) for _ in row) for row in rows], (), definitions, notation)
@@ -85,7 +85,7 @@ class CanonicalPage:
 
     @cached_property
     def _reader(self) -> Reader:
-        return Reader(differences(self.system))
+        return reader_of(self.system)
 
     # --- equations that are too long to be read ---
 

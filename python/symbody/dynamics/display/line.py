@@ -65,7 +65,7 @@ def _by_places(element: Element, reader: Reader) -> Expr:
         sum((reader(each) ** 2 for each in project(line, vector.frame.ancestor).components), start=number(0))
     )
     forms = [form for form in (reader(length), root, length) if form == length]
-    return min(forms, key=lambda form: len(str(form)))
+    return min(forms, key=reader.length)
 
 
 def named_lines(system: System) -> tuple[NamedLine, ...]:
