@@ -7,7 +7,7 @@ from collections.abc import Callable
 from symbody import Body, Point, ground, rotate, translate
 from symbody.models import ClassicSystem
 from symbody.view.drawing_options import DrawingOptions
-from symbody.view.shape import Box, Cylinder
+from symbody.view.shape import Box, Cylinder, Ellipsoid
 
 __all__ = ["drawing_of"]
 
@@ -43,7 +43,7 @@ def _skate(model: ClassicSystem) -> DrawingOptions:
 
 def _quarter_car(model: ClassicSystem) -> DrawingOptions:
     """The displacements are those from rest, so the bodies are drawn at heights above the road."""
-    bodies, (body, wheel) = _bodies(model), (0.7, 0.3)
+    bodies, (body, wheel) = _bodies(model), (0.95, 0.3)
     shapes = {
         bodies["body"]: Box(0.6, 0.4, 0.2, (0, 0, body)),
         bodies["wheel"]: Cylinder(0.3, (0, -0.1, wheel), (0, 0.1, wheel)),
@@ -75,6 +75,45 @@ def _full_car(model: ClassicSystem) -> DrawingOptions:
     return DrawingOptions(shapes=shapes, lines=lines)
 
 
+def _single_track_car(model: ClassicSystem) -> DrawingOptions:
+    """The plane of the system is the road; the front wheel is steered."""
+    body, a, b, r = _bodies(model)["car"], model["a"], model["b"], 0.3
+    axle = ((0, -r / 4, r), (0, r / 4, r))
+    places = translate(a, 0, 0) * rotate("Z", model["delta"]), translate(-b, 0, 0)
+    wheels = [Cylinder(r, *axle, body.frame * place) for place in places]
+    return DrawingOptions(shapes={body: [Box(a + b, r / 4, r / 4, ((a - b) / 2, 0, r)), *wheels]})
+
+
+def _chaplygin_sleigh(model: ClassicSystem) -> DrawingOptions:
+    """The sleigh stands on its blade and on two feet that glide."""
+    body, a, high = _bodies(model)["sleigh"], model["a"], 0.12
+    parts = [
+        Box(0.8, 0.5, FLAT, (0, 0, high)),
+        Box(0.25, FLAT / 2, high, (-a, 0, high / 2)),
+        *(Cylinder(FLAT / 2, (a, y, 0), (a, y, high)) for y in (-0.2, 0.2)),
+    ]
+    return DrawingOptions(shapes={body: parts})
+
+
+def _rattleback(model: ClassicSystem) -> DrawingOptions:
+    """The centre of the ellipsoid is above the centre of mass."""
+    a, b, c, h = (model[name] for name in "abch")
+    return DrawingOptions(shapes={_bodies(model)["rattleback"]: Ellipsoid(a, b, c, (0, 0, h))})
+
+
+def _slider_crank(model: ClassicSystem) -> DrawingOptions:
+    """The slider has no mass; it guides the middle of the rod, whose length is 2, along a rail."""
+    bodies, a, wide = _bodies(model), model["a"], 0.12
+    rail = Point(ground, 0.3, 0, 0), Point(ground, 1.6, 0, 0)
+    shapes = {
+        bodies["crank"]: Box(a, wide / 2, wide / 2, (a / 2, 0, 0)),
+        bodies["rod"]: Box(2, wide / 2, wide / 2),
+        bodies["guide"]: Box(2 * wide, wide, wide),
+    }
+    spring = Point(bodies["crank"].frame, a / 2, 0, 0), Point(bodies["rod"].frame, -0.5, 0, 0)
+    return DrawingOptions(shapes=shapes, lines=[rail, spring])
+
+
 def _snakeboard(model: ClassicSystem) -> DrawingOptions:
     bodies, l = _bodies(model), model["l"]
     axle = Box(FLAT, l, FLAT)
@@ -91,9 +130,13 @@ def _snakeboard(model: ClassicSystem) -> DrawingOptions:
 _DRAWINGS: dict[str, Callable[[ClassicSystem], DrawingOptions]] = {
     "ball_and_beam": _ball_and_beam,
     "cart_pole": _cart_pole,
+    "chaplygin_sleigh": _chaplygin_sleigh,
     "full_car": _full_car,
     "half_car": _half_car,
     "quarter_car": _quarter_car,
+    "rattleback": _rattleback,
+    "single_track_car": _single_track_car,
     "skate": _skate,
+    "slider_crank": _slider_crank,
     "snakeboard": _snakeboard,
 }

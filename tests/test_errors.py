@@ -338,8 +338,8 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         (
             "torsion_spring: bead doesn't move against ground about or along one axis at the rate of phi; "
             "expected the coordinate of a joint between them, or the difference of absolute ones; if several joints "
-            "are between them, put massless bodies there: Body(frame, 0); of a joint that closes a loop, give "
-            "mechanism.joint(...).freedom()"
+            "are between them, put massless bodies there: Body(frame, 0); of a wheel, or a joint that closes a loop, "
+            "give mechanism.joint(...).freedom()"
         ),
     ),
     (
@@ -348,7 +348,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         (
             "motor: bead doesn't move against ground about or along one axis at the rate of x; expected the "
             "coordinate of a joint between them, or the difference of absolute ones; if several joints are between "
-            "them, put massless bodies there: Body(frame, 0); of a joint that closes a loop, give "
+            "them, put massless bodies there: Body(frame, 0); of a wheel, or a joint that closes a loop, give "
             "mechanism.joint(...).freedom()"
         ),
     ),
@@ -371,15 +371,30 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     (
         errors.LoadError,
         lambda: motor(x, F, on=other, limit=-2),
-        "motor: limit = -2; expected a positive number, the largest effort",
+        "motor: limit = -2; expected a positive number, the largest effort, or (low, high)",
     ),
     (
         errors.LoadError,
         lambda: motor(x, F, on=other, limit=float("nan")),
         (
-            "motor: limit = nan is a float; expected a positive number or an expression, the largest effort, or None "
-            "for no limit"
+            "motor: limit = nan is a float; expected a positive number or an expression, the largest effort, (low, "
+            "high), or None for no limit"
         ),
+    ),
+    (
+        errors.LoadError,
+        lambda: motor(x, F, on=other, limit=(2, 2)),
+        "motor: limit = (2, 2); expected (low, high) with low less than high",
+    ),
+    (
+        errors.LoadError,
+        lambda: motor(x, F, on=other, limit=(1, 2, 3)),
+        "motor: limit = (1, 2, 3) has 3 values; expected (low, high)",
+    ),
+    (
+        errors.LoadError,
+        lambda: motor(x, F, on=other, limit=(None, None)),
+        "motor: limit = (None, None) limits nothing; expected a number on one side, or no limit",
     ),
     (
         errors.ModelError,
@@ -436,7 +451,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     (
         errors.LoadError,
         lambda: saturated(F, 0),
-        "saturated: limit = 0; expected a positive number, the largest effort",
+        "saturated: limit = 0; expected a positive number, the largest effort, or (low, high)",
     ),
     (
         errors.LoadError,
@@ -1272,7 +1287,26 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         lambda: meshed(rack, prismatic("Q", ground, B, at=(0, 2 * b, 0), axis="X"), a),
         (
             "rack G: the bar is -2*b away from the axis of revolute P, as seen along both; expected the radius, a, "
-            "or -a, and a bar across the axis"
+            "or -a"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: meshed(rack, prismatic("Q", ground, B, at=(0, a, 0), axis="Z"), a),
+        (
+            "rack G: the axis of revolute P and the direction of prismatic Q are parallel; expected a bar that slides "
+            "across the axis of its pinion: give another axis to one of them"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: meshed(
+            rack, prismatic("Q", ground, B, at=translate(0, a, 0) * rotate("Y", -pi / 6), axis="X"), a
+        ),
+        (
+            "rack G: the axis of revolute P and the direction of prismatic Q are not perpendicular: the cosine of "
+            "their angle is 0.5; expected a bar that slides across the axis of its pinion: give another axis to one of "
+            "them"
         ),
     ),
     (
@@ -1364,6 +1398,15 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         errors.JointError,
         lambda: assemble([pin]).joint(3),
         "Mechanism.joint: joint = 3 is an int; expected a joint of the mechanism, or its name",
+    ),
+    (
+        errors.ModelError,
+        lambda: reaction(pendulum(), A, on=ground),
+        (
+            "reaction: on = ground, but the reaction of bodies that are cut off acts on them, here on A, and what "
+            "holds them may act on several others; expected no on, that of a joint (P), or -reaction(...) for its "
+            "opposite"
+        ),
     ),
     (
         errors.ModelError,

@@ -49,7 +49,8 @@ EXPECTED = {
     "bodies": "a list of bodies, such as [wheel, tyre]",
     "freedom": "a coordinate of a joint, or a freedom of one, such as mechanism.joint('C').freedom()",
     "six": "six numbers, or a symmetric 6x6 matrix",
-    "limit": "a positive number or an expression, the largest effort, or None for no limit",
+    "limit": "a positive number or an expression, the largest effort, (low, high), or None for no limit",
+    "range": "a positive number or an expression, the largest effort, or (low, high)",
     "law": "the law of a tyre, such as linear_tire(cornering=6e4) or magic_formula(coefficients)",
     "coefficients": (
         "a dictionary of coefficients by the names of tyre property files, such as {'FNOMIN': 4000, 'PCY1': 1.3}"
@@ -106,6 +107,12 @@ ROWS: list[Row] = [
     ),
     (sb.assemble, {"joints": [pin]}, "assemble", "joints=joints tolerance=small"),
     (sb.Link, {"name": "L"}, "Link L", f"name=text {INERTIA} center=place"),
+    (
+        sb.Link.of_inertia,
+        {"name": "L", "mass": 1, "inertia": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]},
+        "Link.of_inertia",
+        "name=text mass=scalar inertia=tensor center=place about=place",
+    ),
     (sb.Body, {"place": ground, "mass": 1}, "Body", f"place=center {INERTIA} name=text"),
     (
         sb.Body.of_inertia,
@@ -197,7 +204,7 @@ ROWS: list[Row] = [
     (sb.tire_kinematics, ROLLING, "tire_kinematics", ROLLS),
     (sb.tire_shape, {"y": 0, "z": 1}, "tire_shape", " ".join(f"{each}=scalar" for each in SHAPE)),
     (sb.tire_file, {"path": "front.tir"}, "tire_file", "path=path"),
-    (sb.saturated, {"effort": 1, "limit": 2}, "saturated", "effort=scalar limit=scalar"),
+    (sb.saturated, {"effort": 1, "limit": 2}, "saturated", "effort=scalar limit=range"),
     (
         sb.reaction,
         {"equations": sb.newton_euler(sb.assemble([pin]).system()), "cut": "P"},

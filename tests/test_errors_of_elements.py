@@ -159,6 +159,24 @@ MISTAKES: list[tuple[Callable[[], object], str]] = [
         "magic_formula: pressure = 0; expected a positive number, in the unit of NOMPRES",
     ),
     (
+        lambda: sb.magic_formula(TIRE | {"PPX1": -0.3}, pressure=100_000),
+        (
+            "magic_formula: pressure = 100000, but NOMPRES missing; expected the nominal pressure, in the same unit, "
+            "for which the coefficients hold"
+        ),
+    ),
+    (
+        lambda: sb.magic_formula(TIRE | {"PPX1": -0.3, "INFLPRES": 100_000}),
+        (
+            "magic_formula: INFLPRES = 100000, but NOMPRES missing; expected the nominal pressure, in the same unit, "
+            "for which the coefficients hold"
+        ),
+    ),
+    (
+        lambda: sb.magic_formula(TIRE | {"PPX1": -0.3, "INFLPRES": 0, "NOMPRES": 2e5}),
+        "magic_formula: INFLPRES = 0; expected a positive number, in the unit of NOMPRES",
+    ),
+    (
         lambda: sb.magic_formula(TIRE, version=6.1),  # type: ignore[arg-type]
         "magic_formula: version = 6.1 is a float; expected '5.2' or '6.1'",
     ),
@@ -300,3 +318,28 @@ def test_coefficients_whose_effects_are_left_out_are_named(tmp_path: Path) -> No
         f"tire_file front.tir: {turning}; {leaning}"
     ]
     assert notices_of_call(found[0].law) == []
+
+
+def test_coefficients_of_the_other_set_and_pressures_without_effect_are_told() -> None:
+    across = {"FNOMIN": 4000, "UNLOADED_RADIUS": 0.3, "PCY1": 1.2, "PDY1": -1, "PKY1": -15, "PKY2": 2}
+    older, newer = across | {"PHY3": 0.03, "PKY6": 0}, across | {"PKY6": -0.9, "PKY7": 0.1, "PHY3": 0}
+    assert notices_of_call(lambda: sb.magic_formula(older)) == []
+    assert notices_of_call(lambda: sb.magic_formula(newer, version="6.1")) == []
+    assert notices_of_call(lambda: sb.magic_formula(newer)) == [
+        (
+            "magic_formula: PKY6, PKY7 of set 6.1 have no effect in version 5.2; expected version='6.1', or PHY3 for "
+            "the force of the camber"
+        )
+    ]
+    assert notices_of_call(lambda: sb.magic_formula(older, version="6.1")) == [
+        (
+            "magic_formula: PHY3 of set 5.2 has no effect in version 6.1; expected version='5.2', or PKY6 and PKY7 "
+            "for the force of the camber"
+        )
+    ]
+    assert notices_of_call(lambda: sb.magic_formula(TIRE | {"NOMPRES": 2e5}, pressure=100_000)) == [
+        (
+            "magic_formula: pressure = 100000 has no effect, because the tyre has no coefficients of the pressure; "
+            "expected some of PPX1 to PPX4, PPY1 to PPY5, PPZ1, PPZ2, PPMX1, QSY8"
+        )
+    ]

@@ -10,6 +10,7 @@ import pytest
 
 from symbody import Matrix, linear_solve, sin, sqrt, symbols
 from symbody.codegen import PreparedCode, Shortcut
+from symbody.codegen.machine.prepared_code import WORTH_LANES
 
 x, y, p, q = symbols("x y p q")
 VALUES = np.array([2.0, 3.0])
@@ -59,3 +60,13 @@ def test_parameters_are_prepared_once_for_both_ways() -> None:
 def test_no_condition_is_always_positive() -> None:
     brief = PreparedCode((), (x,), (x,), Shortcut((2 * x,), ()))
     assert brief.evaluate(np.array([]), np.array([3.0])) == [6.0]
+
+
+def test_many_states_are_evaluated_as_one() -> None:
+    """Several at a time; code for one state where a condition fails, and constants once where parameters agree."""
+    # The two ways differ, so that they can be distinguished.
+    either = PreparedCode((p,), (x,), (p * x * abs(x), p + x), Shortcut((2 * p * x**2, p + x), (x,)))
+    rows, same = np.linspace(-1, 3, WORTH_LANES + 3)[:, None], np.full((WORTH_LANES + 3, 1), 2.5)
+    for parameters in (same, np.linspace(1, 2, len(rows))[:, None]):
+        expected = [either.evaluate(*given) for given in zip(parameters, rows, strict=True)]
+        np.testing.assert_array_equal(either.evaluate_many(parameters, rows), expected)

@@ -25,6 +25,7 @@ from symbody import (
     newton_euler,
     rotate,
     sin,
+    subs,
     symbols,
     t,
     time_derivative,
@@ -305,3 +306,28 @@ def test_the_solution_does_not_depend_on_what_was_asked_before(asked: str) -> No
         return [str(acceleration) for acceleration in forward_dynamics(eqs).accelerations]
 
     assert solved(asked) == solved()
+
+
+@pytest.mark.parametrize("method", ["auto", "schur_complement", "pivoted"])
+@pytest.mark.parametrize("name", ["disc", "bob"])
+def test_a_factor_of_all_equations_is_not_in_the_accelerations(name: str, method: str) -> None:
+    """The mass of a disc that rolls, or of a bob on a rod, multiplies the forces of the constraints alone."""
+    if name == "disc":
+        eqs = newton_euler(rolling_disc().system)
+    else:
+        bob = Body(translate(x, y, 0), m)
+        eqs = newton_euler(System([bob], [], [x, y], [x**2 + y**2 - l**2], gravity=Vector(ground, 0, -g, 0)))
+    solution = forward_dynamics(eqs, method=method)
+    assert not any(m in each.free_symbols for each in solution.accelerations)
+    assert any(m in each.free_symbols for each in solution.multipliers)
+    zero = [0] * len(eqs.residuals)
+    assert [*solution.put_into(eqs, eqs.residuals)] == zero
+    unscaled = subs(eqs, {m: 2})
+    assert forward_dynamics(unscaled, method=method).accelerations == solution.accelerations
+
+
+def test_a_mass_beside_a_spring_is_no_factor() -> None:
+    body = Body(translate(x, 0, 0), m)
+    load = Force(ground, -k * x, 0, 0, at=body.center_of_mass, on=body)
+    (acceleration,) = forward_dynamics(newton_euler(System([body], [load], [x]))).accelerations
+    assert str(acceleration) == "-k*x/m"

@@ -1,18 +1,21 @@
 """Reactions of joints and of bodies that are cut off, against closed forms; in symbols and along motions."""
 
 import numpy as np
+import pytest
 
 from symbody import (
     Body,
     Constraint,
     Force,
     Link,
+    ModelNotice,
     Point,
     System,
     Torque,
     Vector,
     assemble,
     cos,
+    equilibrium,
     fixed,
     free,
     functions_of_time,
@@ -37,6 +40,7 @@ from symbody import (
     time_derivative,
     translate,
 )
+from symbody.errors import SimulationError
 
 m, l, g, a, b, h, r, I, J, T, F = symbols("m l g a b h r I J T F")
 phi, q = functions_of_time("phi q")
@@ -236,3 +240,27 @@ def test_parameters_are_substituted_in_equations_with_reactions():
     found = subs(reaction(equations, "bob"), {l: 2})
     assert str(found.at) == "centre of bob"
     assert found.moment.components == (0, 0, I * time_derivative(phi, 2))
+
+
+def test_an_equilibrium_evaluates_reactions():
+    """A triangle of two bars under its weight: each pin carries half of it, and the thrust (m g / 2) cot(alpha)."""
+    one, other = (Link(name, m, center=(l / 2, 0, 0)) for name in ("one", "other"))
+    A, B = revolute("A", ground, one), revolute("B", one, other, at=(l, 0, 0))
+    C = revolute("C", ground, other, at=(l, 0, 0), to=(l, 0, 0))
+    mechanism = assemble([A, B, C])
+    with pytest.warns(ModelNotice, match="leave no motion"):
+        equations = newton_euler(mechanism.system(gravity=weight))
+    found = equilibrium(equations, values, guess={A.coordinate: 1, B.coordinate: -2})
+    load, alpha = 1.3 * 9.81, found[A.coordinate]
+    assert alpha == pytest.approx(np.pi / 3)
+    thrust = load / 2 / np.tan(alpha)
+    left, right = (reaction(equations, pin, frame=ground).force for pin in (A, C))
+    np.testing.assert_allclose(found.evaluate(left.components), [thrust, load, 0], rtol=1e-10)
+    np.testing.assert_allclose(found.evaluate(right.components), [-thrust, load, 0], rtol=1e-10)
+    assert found[right.components[1]] == pytest.approx(load)
+    assert found[m * g * time_derivative(A.coordinate, 2)] == 0
+    assert (right.components[1] in found, [*found]) == (False, [A.coordinate, B.coordinate])
+    with pytest.raises(
+        SimulationError, match=r"^equilibrium\[\.\.\.\]: no value of F; expected an expression of"
+    ):
+        found[F * l]

@@ -20,10 +20,6 @@ MOST_BROKEN = 8e-4
 and roots had values in lanes, and is to become 0."""
 
 
-NOT_KEPT = {"a**sign(x)": {"subs(a: product)"}}
-"""Rows, and operations that break the law for them: a number instead of `a` has no power with a sign as exponent."""
-
-
 def obeys(report: congruence.Report) -> bool:
     """Whether nothing is false or crashes, and few equalities are missed after they were known."""
     is_sound = not report.counts["false equalities"] and not report.broken["crash"]
@@ -64,7 +60,7 @@ def test_pairs_that_broke_the_law_keep_it(seed: int, index: int) -> None:
 @pytest.mark.repeated
 @pytest.mark.parametrize("seed", range(100, 150))
 def test_equal_stays_equal_in_many_pairs(seed: int) -> None:
-    """100 000 pairs, in 50 minutes."""
+    """100 000 pairs, in three hours of one processor."""
     report = congruence.run_in_processes(2000, seed)
     assert report.counts["pairs"] >= 2000
     assert obeys(report), str(report)
@@ -75,7 +71,7 @@ def test_expected_equalities_stay_equal(row: Equality) -> None:
     report = congruence.Report()
     congruence.check(congruence.Pair("row", tree_in(row.left), tree_in(row.right)), report)
     assert not report.counts["false equalities"]
-    assert report.broken.keys() == NOT_KEPT.get(row.left, set()), str(report)
+    assert not report.broken, str(report)
 
 
 @pytest.mark.parametrize("in_derivation", [False, True])

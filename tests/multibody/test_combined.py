@@ -10,6 +10,8 @@ import pytest
 from symbody import (
     Body,
     Force,
+    Link,
+    Matrix,
     ModelNotice,
     Point,
     System,
@@ -36,7 +38,7 @@ from symbody import (
     torsion_spring,
     translate,
 )
-from symbody.errors import BodyError
+from symbody.errors import BodyError, JointError
 
 m, M, l, a, b, c, J1, J2, J3, F, k, alpha = symbols("m M l a b c J1 J2 J3 F k alpha")
 x, y, phi, psi = functions_of_time("x y phi psi")
@@ -94,6 +96,26 @@ def test_a_tensor_about_another_point_is_moved_to_the_centre() -> None:
     body = Body.of_inertia(G, m, J.tolist(), about=about)
     assert body.moments == (J1, J2, J3)
     assert body.products == (0, 0, 0)
+
+
+def test_a_link_of_a_matrix_is_the_body_of_this_matrix() -> None:
+    """The tensor about a point of the link, in the axes of a frame at the centre of mass."""
+    tensor = Matrix([[5, 0.3, -0.2], [0.3, 6, 0.1], [-0.2, 0.1, 7]])
+    axes, P = translate(0.1, 0.2, 0.3) * rotate("X", 0.4) * rotate("Z", 0.5), (0.3, -0.1, 0.2)
+    link = Link.of_inertia("rod", 2, tensor, center=axes, about=P)
+    body = Body.of_inertia(moving * axes, 2, tensor, about=Point(moving, *P))
+    assert link.body(moving).inertia == body.inertia
+    assert link.center == axes
+    c1, s1, c2, s2 = np.cos(0.4), np.sin(0.4), np.cos(0.5), np.sin(0.5)
+    turn = np.array([[1, 0, 0], [0, c1, -s1], [0, s1, c1]]) @ np.array([[c2, -s2, 0], [s2, c2, 0], [0, 0, 1]])
+    d = turn.T @ (np.array([0.1, 0.2, 0.3]) - P)
+    expected = np.array(tensor.tolist(), dtype=float) - 2 * (d @ d * np.eye(3) - np.outer(d, d))
+    np.testing.assert_allclose(np.array(body.inertia.tolist(), dtype=float), expected, rtol=1e-13)
+    assert Link.of_inertia("rod", 2, tensor).body(moving).inertia == tensor
+    with pytest.raises(
+        JointError, match=r"^Link.of_inertia rod: a 2x2 matrix; expected the tensor of inertia, 3x3$"
+    ):
+        Link.of_inertia("rod", 1, [[1, 0], [0, 1]])
 
 
 @pytest.mark.parametrize(

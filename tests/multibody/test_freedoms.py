@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from symbody import (
+    Expr,
     Link,
     Mechanism,
     ModelNotice,
@@ -26,6 +27,7 @@ from symbody import (
     power,
     prismatic,
     revolute,
+    rolling,
     rotate,
     simulate,
     spherical,
@@ -69,6 +71,20 @@ def test_each_coordinate_of_a_joint_has_its_own_motor(make: object, is_reversed:
         assert power(motor(joint.freedom(name), M, on=on, reaction=reaction)) == M * time_derivative(q)
         spring = torsion_spring(q, k, free_angle=a, damping=c, on=on, reaction=reaction)
         assert power(spring) + time_derivative(spring.potential) == -c * time_derivative(q) ** 2
+
+
+@pytest.mark.parametrize("crown", [0, a])
+def test_each_coordinate_of_a_wheel_has_its_own_motor(crown: Expr | int) -> None:
+    """Its spin, its heading and its lean turn about different places of the wheel."""
+    wheel = Link("wheel", m, I, 2 * I, I)
+    made = assemble([rolling("K", ground, wheel, radius=1 + a, crown=crown)])
+    for q in made.joint("K").coordinates:
+        freedom = made.joint("K").freedom(str(q).split("_")[0])
+        drive = motor(freedom, M, on=made.body(wheel))
+        assert generalized_force(drive, made.coordinates) == [
+            M if q == each else 0 for each in made.coordinates
+        ]
+        assert power(friction(freedom, viscous=c, on=made.body(wheel))) == -c * time_derivative(q) ** 2
 
 
 def four_bar(closing: str) -> Mechanism:

@@ -172,14 +172,15 @@ KINDS: dict[str, tuple[Make, Frame, By]] = {
 
 
 def slip(P: Frame, C: Frame) -> tuple[Expr, Expr]:
-    """Return the velocity of the wheel's point at the contact relative to the plane's, along its x and y."""
+    """Return the velocity of the wheel's point at the contact relative to the plane's, along the heading and across."""
     n, e = axis(P, 2), axis(C, 1).projected(P)
     lean = entry(P, C, 2, 1)
     arm = -R / sqrt(1 - lean**2) * (n - lean * e) - r * n
     w = angular_velocity(C).projected(P) - angular_velocity(P)
     v = velocity(Point(C, 0, 0, 0)) - velocity(Point(P, 0, 0, 0))
     v = v.projected(P) - cross(angular_velocity(P), Vector(P, *gap(P, C)))
-    return (v + cross(w, arm)).components[:2]
+    heading = cross(e, n)
+    return dot(v + cross(w, arm), heading), dot(v + cross(w, arm), cross(n, heading))
 
 
 @pytest.mark.parametrize("kind", KINDS)

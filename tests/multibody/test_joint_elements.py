@@ -9,6 +9,7 @@ import pytest
 
 from symbody import (
     Body,
+    ModelNotice,
     System,
     floating_frame,
     functions_of_time,
@@ -94,6 +95,19 @@ def test_limits_cut_an_effort_off() -> None:
     for asked, given in ((5, 2), (-5, -2), (1.5, 1.5)):
         assert drive["effort"].evaluate({M: asked}) == given
     assert saturated(M, 2) == drive["effort"]
+
+
+def test_the_two_limits_of_a_drive() -> None:
+    low, high = symbols("low high")
+    for limit in ((-1, 2), (low, high), [low, 2]):
+        drive = motor(q1, M, on=upper, limit=limit)
+        for asked, given in ((5, 2), (-5, -1), (1.5, 1.5)):
+            assert drive["effort"].subs({low: -1, high: 2}).evaluate({M: asked}) == given
+    assert motor(q1, M, on=upper, limit=(0, None))["effort"].evaluate({M: -3}) == 0
+    assert motor(q1, M, on=upper, limit=(None, 2))["effort"].evaluate({M: -3}) == -3
+    crossed = newton_euler(System([upper], [motor(q1, 1, on=upper, limit=(low, high))], [q1]))
+    with pytest.warns(ModelNotice, match=r"high - low of limit = -1; expected a number that isn't negative"):
+        simulate(crossed, {I: 1, low: 2, high: 1}, {}, t=(0, 0.1))
 
 
 def test_a_limited_motor_accelerates_at_its_limit() -> None:

@@ -223,3 +223,18 @@ def test_reports_and_programs_hold_the_potential(tmp_path: object) -> None:
 def test_a_missing_quantity_is_an_error() -> None:
     with pytest.raises(LoadError, match="has 'length', 'rate', 'force'"):
         spring(mass.center_of_mass, O, k, on=mass)["strain"]
+
+
+def test_a_damper_on_one_axis_acts_at_length_zero() -> None:
+    """Its force is c times the rate of the coordinate there, and no quotient with a pole."""
+    x, (k, c, m) = functions_of_time("x"), symbols("k c m")
+    cart = Body(translate(x, 0, 0), m)
+    damper = spring(cart.center_of_mass, origin(ground), k, damping=c, on=cart)
+    (residual,) = newton_euler(System([cart], [damper], [x])).residuals
+    assert str(residual) == "m*x'' + c*x' + k*x"
+    system = System([cart], [damper], [x])
+    motion = simulate(newton_euler(system), {m: 1, k: 4, c: 0}, {time_derivative(x): 2}, t=(0, 1))
+    np.testing.assert_allclose(motion[x][-1], np.sin(2), rtol=1e-5)
+    assert damper.undefined is None
+    across = Body(translate(x, 1, 0), m)
+    assert spring(across.center_of_mass, origin(ground), k, damping=c, on=across).undefined is not None

@@ -122,6 +122,32 @@ def test_short_equations_have_no_names() -> None:
     assert ":=" not in describe(newton_euler(System([bob], [band], [x, y])))
 
 
+def test_a_long_root_that_stands_twice_has_a_name() -> None:
+    """Two pendulums side by side, joined by a spring with a free length."""
+    first, second = functions_of_time("q1 q2")
+    bobs = [
+        Body(translate(a * i, 0, 0) * rotate("Z", q) * translate(0, -c, 0), m)
+        for i, q in enumerate((first, second))
+    ]
+    joint = spring(
+        bobs[0].center_of_mass, bobs[1].center_of_mass, k, free_length=l0, on=bobs[0], reaction=bobs[1]
+    )
+    equations = newton_euler(System(bobs, [joint], [first, second]))
+    text = describe(equations)
+    assert text.count("sqrt(") == 1
+    assert "F := k*(l - l0)" in text
+    _, rows = in_symbols(equations)
+    assert [*equations.residuals] == rows
+
+
+def test_a_force_along_an_axis_is_shown_by_a_sign() -> None:
+    """`k*(z + a - b*sign(z + a))` and no quotient of the length by itself."""
+    ball = Body(translate(0, 0, z), m)
+    band = spring(ball.center_of_mass, Point(ground, 0, 0, -a), k, free_length=l0, on=ball)
+    (row,) = describe(newton_euler(System([ball], [band], [z]))).splitlines()[1:]
+    assert row.strip() == "m*z'' + k*(z + a - l0*sign(z + a)) = 0"
+
+
 @pytest.mark.parametrize("is_floating", [True, False])
 def test_lines_on_bodies_with_speeds_of_their_own(is_floating: bool) -> None:
     """The slopes are by the speeds; the matrix form has the loads themselves."""

@@ -55,7 +55,7 @@ def test_all_forces_have_one_name() -> None:
         "    f2 = -g*l*m*sin(q)",
     ]
     assert all(each.is_zero for each in (*form.coriolis.entries, *form.gravity.entries, *form.loads.entries))
-    assert r"f &= \begin{bmatrix}" in form.latex()
+    assert r"\mathbf{f} &= \begin{bmatrix}" in form.latex()
 
 
 def test_the_matrix_of_christoffel_follows_from_the_mass_matrix() -> None:

@@ -372,6 +372,31 @@ def test_differences_have_the_direction_with_fewer_signs(place: Expr) -> None:
     assert row.strip() == "m*(a - c)**2*theta'' + g*m*(a - c)*sin(theta) = 0"
 
 
+@pytest.mark.parametrize(
+    ("place", "difference"),
+    [((b - c, 0), "(b - c)"), ((c - b, 0), "(c - b)"), ((0, c - b), "(b - c)"), ((0, -(c - b)), "(c - b)")],
+    ids=str,
+)
+def test_a_difference_of_lengths_is_that_of_the_model(
+    place: tuple[Expr | int, Expr | int], difference: str
+) -> None:
+    """It keeps its direction also where that takes more signs, and what hangs below hangs by a positive length."""
+    sled = Body(translate(x, 0, 0), k)
+    bob = Body(translate(x, 0, 0) * rotate("Z", theta) * translate(*place, 0), m)
+    text = describe(newton_euler(System([sled, bob], [], [x, theta], gravity=Vector(ground, 0, -g, 0))))
+    assert {*re.findall(r"\([bc] - [bc]\)", text)} == {difference}
+
+
+def test_the_differences_of_a_disc_in_a_ring_have_one_direction() -> None:
+    R, r, J = symbols("R r J")
+    hung = rotate("Z", theta) * translate(0, -(R - r), 0)
+    disc = Body(hung * rotate("Z", (R * y - R * theta) / r), m, Iz=m * r**2 / 2)
+    ring = Body(rotate("Z", y), k, Iz=J)
+    text = describe(newton_euler(System([ring, disc], [], [y, theta], gravity=Vector(ground, 0, -g, 0))))
+    assert "+ g*m*(R - r)*sin(theta) = 0" in text
+    assert "- 1/2*m*R*(R - r)*theta''" in text
+
+
 def test_a_load_over_a_parameter_is_a_load() -> None:
     """Without the parameter it is undefined; it doesn't mix with the inertia of rotating axes."""
     turning = rotate("Z", F * t) * translate(x, 0, 0)
@@ -504,7 +529,7 @@ def test_christoffel(axes: str) -> None:
             Matrix([[form.mass_matrix[i, j].diff(t) for j in range(n)] for i in range(n)]) - 2 * form.coriolis
         )
         assert all(skew[i, j] == -skew[j, i] for i in range(n) for j in range(n))
-    assert r" M &= \begin{bmatrix}" in form.latex()
+    assert r" \mathbf{M} &= \begin{bmatrix}" in form.latex()
 
 
 def test_rows_parse_back() -> None:

@@ -8,7 +8,17 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from symbody import equilibrium, ground, lagrange_equations, newton_euler, reaction, simulate
+from symbody import (
+    Vector,
+    cross,
+    dot,
+    equilibrium,
+    ground,
+    lagrange_equations,
+    newton_euler,
+    reaction,
+    simulate,
+)
 from symbody.models import ClassicSystem, andrews_mechanism, four_bar
 from symbody.models import bicycle as bicycle_of_joints
 from symbody.models import slider_crank as slider_crank_of_joints
@@ -42,8 +52,12 @@ def test_joints_give_the_equations_that_were_written_by_hand(
 
 
 def test_the_bicycle_rolls_on_two_joints_of_which_one_closes_a_loop() -> None:
-    """The same equations but for the order and the signs of the constraints, as z points up in rolling joints."""
-    one, two = newton_euler(bicycle_of_joints().system), bicycle().equations
+    """The same equations but for the order and the axes of the constraints.
+
+    In rolling joints z points up, and the wheel that closes the loop slips along its heading and across.
+    """
+    system = bicycle_of_joints().system
+    one, two = newton_euler(system), bicycle().equations
     assert {*one.coordinates} == {*two.coordinates}
     order = [one.coordinates.index(q) for q in two.coordinates]
     n = len(order)
@@ -51,8 +65,12 @@ def test_the_bicycle_rolls_on_two_joints_of_which_one_closes_a_loop() -> None:
         one.mass_matrix[order[i], order[j]] == two.mass_matrix[i, j] for i in range(n) for j in range(n)
     )
     assert [one.forcing[k] for k in order] == list(two.forcing)
-    rear_x, rear_y, contact, front_x, front_y = one.constraints
-    assert (-contact, rear_x, -rear_y, front_x, -front_y) == two.constraints
+    rear_x, rear_y, contact, along, across = one.constraints
+    assert (-contact, rear_x, -rear_y) == two.constraints[:3]
+    up, slip = Vector(ground, 0, 0, -1), Vector(ground, *two.constraints[3:], 0)
+    (wheel,) = (body for body in system.bodies if body.name == "front wheel")
+    heading = cross(Vector(wheel.frame, 0, -1, 0), up)
+    assert (along, across) == (dot(slip, heading), dot(slip, cross(up, heading)))
 
 
 def test_pins_of_the_hanging_linkage() -> None:

@@ -64,6 +64,20 @@ def test_forces_by_files_are_those_of_mfeval(name: str, units: str, tmp_path: Pa
     np.testing.assert_allclose(Fy, at["Fy"], rtol=1e-9)
 
 
+def test_the_pressure_of_a_file_is_that_of_its_law(tmp_path: Path) -> None:
+    """Friction by 1 + PPX3 dp + PPX4 dp^2 with dp = INFLPRES/NOMPRES - 1 [Besselink et al. 2010]."""
+    entries = "FNOMIN = 4\nUNLOADED_RADIUS = 0.3\nPCX1 = 1\nPDX1 = 1.2\nPKX1 = 1e6\nPPX3 = 0.4\nPPX4 = -0.5\n"
+    pressures = "[OPERATING_CONDITIONS]\nINFLPRES = 165\nNOMPRES = 220\n"
+    path = tmp_path / "soft.tir"
+    path.write_text(f"[UNITS]\nFORCE = 'kN'\n[MODEL]\nFITTYP = 61\n{pressures}{entries}", encoding="utf-8")
+    file = tire_file(path)
+    dp = 165 / 220 - 1
+    peak = 1.2 * 4000 * (1 + 0.4 * dp - 0.5 * dp**2)
+    assert file.law()(4000, 1).longitudinal.evaluate({}) == pytest.approx(peak, rel=1e-5)
+    nominal = file.law(pressure=file["NOMPRES"])(4000, 1)
+    assert nominal.longitudinal.evaluate({}) == pytest.approx(1.2 * 4000, rel=1e-5)
+
+
 def test_friction_decreases_with_the_speed_of_sliding() -> None:
     """LMUX and LMUY by 1 + LMUV Vs/V0 (4.E7), with Vs = |Vx| sqrt(kappa^2 + tan(alpha)^2)."""
     p = SETS["set 6.1"]["coefficients"] | {"LMUV": 0.2, "LONGVL": 16.6}

@@ -9,18 +9,21 @@ import pytest
 from symbody import (
     Force,
     Link,
+    Point,
     Torque,
     Vector,
     assemble,
     fixed,
     free_body_diagram,
     ground,
+    motor,
     newton_euler,
     planar,
     prismatic,
     reaction,
     revolute,
     simulate,
+    spring,
 )
 from symbody.errors import ViewError
 
@@ -44,9 +47,11 @@ def texts(path: Path) -> list[str]:
 def test_it_names_loads_weights_and_reactions_with_their_magnitudes(motion, tmp_path):
     """In free fall the weld carries no force, only the moment; the rail holds nothing along itself."""
     drawn = free_body_diagram(motion, "beam", tmp_path / "beam.svg")
-    assert sorted(texts(drawn)) == ["beam", "moment 10", "weight 30", "weld 10"]
+    assert sorted(texts(drawn)) == ["beam", "moment 10 N m", "weight 30 N", "weld 10 N m"]
     whole = free_body_diagram(motion, ["lift", "beam"], tmp_path / "whole.svg", t=0.5)
-    assert sorted(texts(whole)) == ["beam", "lift", "moment 10", "rail 10", "weight 20", "weight 30"]
+    assert sorted(texts(whole)) == [
+        *("beam", "lift", "moment 10 N m", "rail 10 N m", "weight 20 N", "weight 30 N")
+    ]
 
 
 def test_arrows_point_along_forces_to_one_scale(tmp_path):
@@ -61,7 +66,7 @@ def test_arrows_point_along_forces_to_one_scale(tmp_path):
     equations = newton_euler(assemble(pins).system(gravity=Vector(ground, 0, -10, 0)))
     motion = simulate(equations, t=(0, 0.1))
     drawn = free_body_diagram(motion, beam, tmp_path / "beam.svg")
-    assert sorted(texts(drawn)) == ["A 30", "C 10", "beam", "weight 40"]
+    assert sorted(texts(drawn)) == ["A 30 N", "C 10 N", "beam", "weight 40 N"]
     arrows = {
         tuple(np.round(np.array([float(x2) - float(x1), float(y1) - float(y2)]), 0)): color
         for x1, y1, x2, y2, color in LINE.findall(drawn.read_text())
@@ -146,3 +151,50 @@ def test_the_name_of_an_arrow_to_the_left_is_not_on_its_shaft(tmp_path, x, y):
     (tip,) = {float(line[3]) for line in LINE.findall(text) if abs(float(line[2]) - float(line[0])) > 1}
     (name,) = re.findall(r'<text x="\S+" y="(\S+)"[^>]*>push', text)
     assert float(name) > tip + 12
+
+
+def test_what_acts_between_bodies_of_the_part_is_not_drawn(tmp_path):
+    """A motor and a spring inside of two bars; a spring to the ground is outside."""
+    one, other = (Link(name, 1.0, Iz=0.1, center=(0.5, 0, 0)) for name in ("one", "other"))
+    P, Q = revolute("P", ground, one), revolute("Q", one, other, at=(1, 0, 0))
+    made = assemble([P, Q])
+    first, second = made.body(one), made.body(other)
+    start, end = made.point(one, 0.2, 0.1, 0), made.point(other, 0.8, 0.1, 0)
+    loads = [
+        motor(Q.coordinate, 3, on=second, reaction=first, name="motor"),
+        spring(start, end, 60, free_length=0.2, on=first, reaction=second, name="inner"),
+        spring(end, Point(ground, 1, 1, 0), 40, on=second, name="outer"),
+    ]
+    equations = newton_euler(made.system(loads, gravity=Vector(ground, 0, -10, 0)))
+    motion = simulate(equations, {}, {P.coordinate: 0.2, Q.coordinate: 0.6}, t=(0, 0.01))
+    named = {
+        part: {text.split()[0] for text in texts(free_body_diagram(motion, part, tmp_path / "bars.svg"))}
+        for part in ("one", "other", ("one", "other"))
+    }
+    assert named["one"] == {"one", "P", "Q", "motor", "inner", "weight"}
+    assert named["other"] == {"other", "Q", "motor", "inner", "outer", "weight"}
+    assert named["one", "other"] == {"one", "other", "P", "outer", "weight"}
+
+
+def test_no_name_lies_on_the_head_of_an_arrow(tmp_path):
+    """Of two nearly parallel forces, the name of the left one would lie on the head of the right one."""
+    block = Link("block", 2.0, 1.0, 1.0, 1.0)
+    made = assemble([planar("P", ground, block)])
+    pushes = {"the first push": (-1.7, 7.8), "second": (1.4, 10.3)}
+    loads = [
+        Force(ground, x, y, 0, at=made.point(block, 0, 0, 0), on=made.body(block), name=name)
+        for name, (x, y) in pushes.items()
+    ]
+    motion = simulate(newton_euler(made.system(loads)), t=(0, 0.01))
+    text = free_body_diagram(motion, block, tmp_path / "block.svg").read_text(encoding="utf-8")
+    heads = [
+        np.array([corner.split(",") for corner in corners.split()], dtype=float)
+        for corners in re.findall(r'<polygon points="([^"]+)"[^>]*fill-opacity="1"', text)
+    ]
+    names = re.findall(r'<text x="(\S+)" y="(\S+)"[^>]*>([^<]+)', text)
+    assert (len(heads), len(names)) == (2, 3)
+    for x, y, name in names:
+        left, base = float(x), float(y)
+        for (west, north), (east, south) in ((head.min(axis=0), head.max(axis=0)) for head in heads):
+            is_beside = left > east or left + 6 * len(name) < west
+            assert is_beside or base - 9 > south or base < north, name

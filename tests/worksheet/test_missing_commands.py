@@ -26,3 +26,11 @@ def test_what_is_no_object_is_named() -> None:
     )
     kinds = [message.partition(": ")[2].partition(";")[0] for message in found]
     assert kinds == ["a call that nobody knows, eliminate([1, 2])", "a range", "a relation", "a truth value"]
+
+
+def test_levels_of_evaluation_are_told() -> None:
+    interpreter = Interpreter()
+    assert printed("a := b: b := 5: eval(a, 1);", interpreter=interpreter) == ["5"]
+    assert interpreter.session.notices == [
+        "eval(e, n): levels of evaluation are not counted; e is evaluated completely"
+    ]

@@ -9,6 +9,10 @@ CASES = {
         "solve(a*x+b=0,x); solve(z^2-4,z);",
         ["-b/a", "2, -2"],
     ),
+    "roots as often as an equation has them": (
+        "solve(z^2,z); solve(m*w^4-k*w^2,w); solve((q-a)^2=0,q); solve({v^2=0},{v}); solve(sqrt(z)-2,z);",
+        ["0, 0", "0, 0, (k/m)^(1/2), -(k/m)^(1/2)", "a, a", "{v = 0}, {v = 0}", "4"],
+    ),
     "a set": (
         "solve({u+v=3,u-v=1},{u,v});",
         ["{u = 2, v = 1}"],

@@ -11,20 +11,16 @@ from symbody.geometry import Frame, Point, Scalar, Triple, origin
 from symbody.geometry.component.triple import expression, triple
 from symbody.geometry.given.argument import checked
 from symbody.geometry.motion.translation import Translation
-from symbody.symbolic import Expr, Matrix, dot3, latex, matvec3
+from symbody.symbolic import Expr, Matrix, latex, matvec3
 from symbody.symbolic.expression.container import Container, contains
 from symbody.symbolic.expression.latex_layout import aligned, displayed
 from symbody.symbolic.given.arguments import brief
 
-from .constant_form import agree
+from .inertia_matrix import Tensor, central_inertia
 from .physical_inertia import report_impossible_inertia
 
 Place: TypeAlias = Annotated[
     Point | Frame, "the centre of mass: a point, such as Point(frame, x, y, z), or a frame whose origin it is"
-]
-
-Tensor: TypeAlias = Annotated[
-    Matrix | Sequence[Sequence[Scalar]], "a symmetric 3x3 matrix: three rows of three entries each"
 ]
 
 
@@ -115,28 +111,12 @@ class Body:
         >>> Body.of_inertia(Point(ground, l, 0, 0), m, J_end, about=end).moments
         (0, J - m*l**2, J - m*l**2)
         """
-        rows = inertia.tolist() if isinstance(inertia, Matrix) else [list(row) for row in inertia]
-        if len(rows) != 3 or any(len(row) != 3 for row in rows):
-            size = f"{len(rows)}x{len(rows[0]) if rows else 0}"
-            raise BodyError(f"Body.of_inertia: a {size} matrix; expected the tensor of inertia, 3x3")
-        J = [[expression(entry) for entry in row] for row in rows]
-        for i, j in ((1, 0), (2, 0), (2, 1)):
-            if not agree(J[i][j], J[j][i]):
-                raise BodyError(
-                    f"Body.of_inertia: the tensor isn't symmetric: its entry {i + 1}, {j + 1} is {brief(J[i][j])}, and "
-                    f"its entry {j + 1}, {i + 1} is {brief(J[j][i])}; expected [[Ix, -Cxy, -Cxz], [-Cxy, Iy, -Cyz], "
-                    "[-Cxz, -Cyz, Iz]]"
-                )
-        J = [[J[min(i, j)][max(i, j)] for j in range(3)] for i in range(3)]
+        arm = None
         if about is not None:
             center = place if isinstance(place, Point) else origin(place)
-            d = (center - about.projected(center.frame)).components
-            square = dot3(d, d)
-            m = expression(mass)
-            J = [
-                [J[i][j] + m * (d[i] * d[j] - (square if i == j else 0)) for j in range(3)] for i in range(3)
-            ]
-        return cls(place, mass, J[0][0], J[1][1], J[2][2], -J[1][2], -J[0][2], -J[0][1], name=name)
+            arm = (center - about.projected(center.frame)).components
+        entries = central_inertia(inertia, mass, arm, "Body.of_inertia", BodyError)
+        return cls(place, mass, *entries, name=name)
 
     @property
     def inertia(self) -> Matrix:

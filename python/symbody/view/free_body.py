@@ -39,6 +39,9 @@ LONGEST = 0.6
 LEAST = 1e-6
 """Forces and moments below this part of the largest one are not drawn."""
 
+BALANCED = 1e-9
+"""Forces and moments whose resultant is below this part of the largest are an action and its reaction."""
+
 FLAT = 1e-6
 """What is thinner than this part of its extent lies in a plane."""
 
@@ -90,8 +93,8 @@ def free_body_diagram(
     """Draw a part that is cut off, with its loads, weights and the reactions of its joints, and return the SVG file.
 
     The lengths of forces are proportional to their magnitudes, and those of moments to theirs, which stand beside the
-    names. A moment about an axis towards the viewer is an arc, any other one an arrow with two heads. What is zero is
-    not drawn.
+    names, in N and N m if the model is in SI units. A moment about an axis towards the viewer is an arc, any other one
+    an arrow with two heads. What is zero is not drawn, nor what acts between bodies of the part, such as a spring.
 
     Args:
         motion: a motion of a system that `assemble` made.
@@ -125,7 +128,8 @@ def free_body_diagram(
     content["links"] += _arms(drawn, system, members, content["bodies"])
     content["axes"], content["lines"] = [], []
     content["points"] = _points(drawn, system, members)
-    content["actions"] = _entries(drawn, [*_loads(system, members), *_reactions(system, members)], content)
+    acting = [*_loads(drawn, system, members), *_weights(system, members), *_reactions(system, members)]
+    content["actions"] = _entries(drawn, acting, content)
     content["view"] |= _facing(content)
     return write_whole(file, _writer(sketch_svg(sketch_of(content))), where=_WHERE)
 
@@ -195,17 +199,39 @@ def _points(motion: DrawableMotion, system: System, members: Sequence[Body]) -> 
     return [{"name": "", "path": path.tolist()} for path in paths(motion, points)]
 
 
-def _loads(system: System, members: Sequence[Body]) -> Iterator[_Acting]:
-    """Yield the loads and weights on the part."""
+def _loads(motion: DrawableMotion, system: System, members: Sequence[Body]) -> Iterator[_Acting]:
+    """Yield the loads on the part, without those that act between its bodies."""
     for load in system.loads:
-        for action in load.actions:
-            if action.body in members:
-                at = action.point or action.body.center_of_mass
-                yield _Acting(load.name or "load", "load", at, action.vector, not action.is_force)
-    if system.gravity is not None:
-        for body in members:
-            if not body.mass.is_zero:
-                yield _Acting("weight", "weight", body.center_of_mass, body.mass * system.gravity)
+        actions = [action for action in load.actions if action.body in members]
+        found = [
+            _Acting(
+                load.name or "load",
+                "load",
+                action.point or action.body.center_of_mass,
+                action.vector,
+                is_moment=not action.is_force,
+            )
+            for action in actions
+        ]
+        if len({action.body for action in actions}) < 2 or not _is_balanced(motion, found):
+            yield from found
+
+
+def _is_balanced(motion: DrawableMotion, acting: Sequence[_Acting]) -> bool:
+    """Return whether forces and moments are an action and its reaction: they have no resultant."""
+    places = paths(motion, [each.at for each in acting])[:, 0]
+    vectors, is_moment = _vectors(motion, acting), np.array([each.is_moment for each in acting])
+    forces, arms = vectors[~is_moment], (places - places[0])[~is_moment]
+    turning = np.vstack([vectors[is_moment], np.cross(arms, forces)])
+    scale = np.abs(vectors).max(initial=0.0) * max(1.0, np.abs(arms).max(initial=0.0))
+    return bool(np.abs([*forces.sum(axis=0), *turning.sum(axis=0)]).max() <= BALANCED * scale)
+
+
+def _weights(system: System, members: Sequence[Body]) -> Iterator[_Acting]:
+    """Yield the weights of the part."""
+    for body in members:
+        if system.gravity is not None and not body.mass.is_zero:
+            yield _Acting("weight", "weight", body.center_of_mass, body.mass * system.gravity)
 
 
 def _reactions(system: System, members: Sequence[Body]) -> Iterator[_Acting]:
@@ -223,8 +249,7 @@ def _entries(
     """Return the arrows: forces to one scale, and moments to another one."""
     radius = _radius(content)
     places = paths(motion, [each.at for each in given])[:, 0]
-    components = [c for each in given for c in each.vector.projected(each.vector.frame.ancestor).components]
-    vectors = values(motion, components).reshape(-1, 3)
+    vectors = _vectors(motion, given)
     sizes = np.linalg.norm(vectors, axis=1)
     largest = {
         kind: max(
@@ -235,7 +260,7 @@ def _entries(
     arm = max(largest[False] * radius, largest[True])
     return [
         {
-            "name": f"{each.name} {size:.3g}",
+            "name": f"{each.name} {size:.3g} {'N m' if each.is_moment else 'N'}",
             "at": place.tolist(),
             "vector": (vector * LONGEST * radius / largest[each.is_moment]).tolist(),
             "color": COLORS[each.kind],
@@ -244,6 +269,12 @@ def _entries(
         for each, place, vector, size in zip(given, places, vectors, sizes, strict=True)
         if size > LEAST * (arm if each.is_moment else largest[False])
     ]
+
+
+def _vectors(motion: DrawableMotion, given: Sequence[_Acting]) -> Array:
+    """Return the components of forces and moments in the axes of the root, shape (count, 3)."""
+    components = [c for each in given for c in each.vector.projected(each.vector.frame.ancestor).components]
+    return values(motion, components).reshape(-1, 3)
 
 
 def _facing(content: dict[str, Any]) -> dict[str, list[float]]:

@@ -124,7 +124,10 @@ impl Graph {
                     _ => quotient(&sinh, &cosh),
                 }
             }
-            Function::Power => self.adic_general_power(args[0], &self.number_in(args[1]), values, at),
+            Function::Power => {
+                let number = self.number_in_lane(args[1], at.lane());
+                self.adic_general_power(args[0], &number, values, at)
+            }
             _ => return None,
         })
     }
@@ -155,7 +158,7 @@ impl Graph {
 
     /// The cosine and the sine of an argument whose rest is zero.
     fn adic_angle(&self, argument: Id, values: &Values, at: &AdicPoint<'_>) -> Point {
-        let split = self.split_argument(argument, false);
+        let split = self.split_in(argument, false, at.lane());
         let start = (at.one(), Adics::zero());
         split.iter().fold(start, |sum, (atom, factor)| {
             rotate(at.adics, &sum, &self.adic_known_angle(atom, factor, values, at))
@@ -225,7 +228,7 @@ impl Graph {
     /// The exponential of an argument whose rest is zero.
     fn adic_exponential(&self, argument: Id, values: &Values, at: &AdicPoint<'_>) -> Adic {
         let adics = at.adics;
-        self.split_argument(argument, true).iter().fold(at.one(), |product, (atom, factor)| {
+        self.split_in(argument, true, at.lane()).iter().fold(at.one(), |product, (atom, factor)| {
             let power = match atom {
                 Atom::Log(base) => self.adic_power(*base, factor, values, at),
                 Atom::LogOfPrime(prime) => {

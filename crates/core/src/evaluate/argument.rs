@@ -26,7 +26,7 @@ impl Graph {
     /// The cosine and the sine of an argument.
     pub(super) fn angle_in(&self, argument: Id, field: FieldId) -> Point {
         let f = field.field();
-        let split = self.split_argument(argument, false);
+        let split = self.split_in(argument, false, field);
         let start = match field.of_angles() {
             Some(angles) => f.angle(angles.field().exponent(&self.rest_in(argument, &split, angles))),
             None => f.drawn_angle(Key::new("drawn angle"), &self.rest_in(argument, &split, field)),
@@ -40,7 +40,7 @@ impl Graph {
         let Some(exponents) = field.of_exponents() else {
             return f.drawn_exponential(&self.value_in(argument, field));
         };
-        let split = self.split_argument(argument, true);
+        let split = self.split_in(argument, true, field);
         let rest = self.rest_in(argument, &split, exponents);
         let magnitude = f.exponential(exponents.field().exponent(&rest));
         let start = match self.turn_of_exponential(argument, &split, field) {
@@ -110,11 +110,11 @@ impl Graph {
         if let Some(number) = self.as_number(exponent) {
             return number.clone();
         }
-        if let Some(known) = self.lanes.borrow().exponent(exponent) {
+        if let Some(known) = self.lanes.borrow().exponent(exponent, None) {
             return known.clone();
         }
         let number = self.at_integers(exponent, IntegerPoint::PLAIN).unwrap_or_else(|| Number::integer(0));
-        self.lanes.borrow_mut().insert_exponent(exponent, number.clone());
+        self.lanes.borrow_mut().insert_exponent(exponent, None, number.clone());
         number
     }
 
@@ -203,15 +203,15 @@ impl Graph {
         if !is_opposite || split.is_empty() {
             return split;
         }
-        split.iter().map(|(atom, factor)| (atom.clone(), factor.neg())).collect()
+        opposite(&split)
     }
 
     /// The atoms of an argument that stands for its class.
-    fn split_first(&self, argument: Id, of_exponential: bool) -> Split {
+    pub(super) fn split_first(&self, argument: Id, of_exponential: bool) -> Split {
         if !self.flags(argument).has(Flags::INVERSE) {
             return Arc::new([]);
         }
-        if let Some(known) = self.lanes.borrow().split(argument, of_exponential) {
+        if let Some(known) = self.lanes.borrow().split(argument, of_exponential, None) {
             return known;
         }
         let factors = self.atoms(argument, of_exponential).into_iter().filter_map(|atom| {
@@ -227,12 +227,12 @@ impl Graph {
             is_known.then_some((atom, factor))
         });
         let split: Split = factors.collect();
-        self.lanes.borrow_mut().insert_split(argument, of_exponential, Arc::clone(&split));
+        self.lanes.borrow_mut().insert_split(argument, of_exponential, None, Arc::clone(&split));
         split
     }
 
     /// The atoms below an argument.
-    fn atoms(&self, argument: Id, of_exponential: bool) -> Vec<Atom> {
+    pub(super) fn atoms(&self, argument: Id, of_exponential: bool) -> Vec<Atom> {
         let mut atoms: Vec<Atom> = Vec::new();
         let enter = |id| self.flags(id).has(Flags::INVERSE);
         for id in self.parts_first(&[argument], enter) {
@@ -278,6 +278,11 @@ impl Graph {
             _ => (a == b).then_some(1),
         }
     }
+}
+
+/// The split of the opposite argument.
+pub(super) fn opposite(split: &Split) -> Split {
+    split.iter().map(|(atom, factor)| (atom.clone(), factor.neg())).collect()
 }
 
 /// Half of an angle between -pi and pi: the cosine is sqrt((1 + cos)/2), where 1/`denominator` is taken out of the root.

@@ -7,7 +7,7 @@
 
 use rustc_hash::FxHashMap;
 
-use crate::graph::{Assumption, Atom, Function, Generator, Graph, Id, View};
+use crate::graph::{Assumption, Atom, Function, Generator, Graph, Id, Split, View};
 use crate::interrupt::tick;
 use crate::value::{Element, Field, FieldId, Key, Number, Quadratic, fingerprint, prime_factors};
 
@@ -41,13 +41,20 @@ pub(super) struct IntegerPoint<'a> {
     pub atom: Option<(&'a Atom, i64)>,
     /// Which of several points.
     pub number: u64,
+    /// The lane whose signs are those here, if they are not those of the values at the point.
+    signs: Option<FieldId>,
 }
 
 impl<'a> IntegerPoint<'a> {
     pub(super) const PLAIN: Self = Self::numbered(0);
 
     pub(super) const fn numbered(number: u64) -> Self {
-        Self { grown: None, atom: None, number }
+        Self { grown: None, atom: None, number, signs: None }
+    }
+
+    /// The plain point with the signs of a lane.
+    pub(super) fn with_signs_of(field: FieldId) -> Self {
+        Self { signs: Some(field.of_signs()), ..Self::PLAIN }
     }
 
     fn is_first(&self) -> bool {
@@ -59,9 +66,10 @@ impl<'a> IntegerPoint<'a> {
         self.number >= DRAWN
     }
 
-    /// The lane whose signs are those here, if functions are drawn.
-    fn lane(&self) -> FieldId {
-        FieldId::other(u16::from(self.number != DRAWN))
+    /// The lane whose signs are those here; where functions are drawn, their values have no relations that make signs.
+    fn lane(&self) -> Option<FieldId> {
+        let of_drawn = || FieldId::other(u16::from(self.number != DRAWN));
+        self.signs.or_else(|| self.draws_functions().then(of_drawn))
     }
 
     /// The integer that is drawn for what has a fingerprint.
@@ -258,10 +266,10 @@ impl Graph {
         let of = |id: Id| values.get(&id);
         let integer = |n: i64| f.number(&Number::integer(n));
         Some(match function {
-            Function::Sin => self.angle_at(args[0], values, field)?.1,
-            Function::Cos => self.angle_at(args[0], values, field)?.0,
+            Function::Sin => self.angle_at(args[0], point, values, field)?.1,
+            Function::Cos => self.angle_at(args[0], point, values, field)?.0,
             Function::Tan => {
-                let (cos, sin) = self.angle_at(args[0], values, field)?;
+                let (cos, sin) = self.angle_at(args[0], point, values, field)?;
                 f.div(&sin, &cos)
             }
             Function::Exp => self.exponential_at(args[0], point, values, field)?,
@@ -288,11 +296,11 @@ impl Graph {
             Function::Sign => self.sign_at(args[0], of(args[0])?, point, f),
             Function::Min | Function::Max => {
                 args.iter().try_for_each(|&arg| of(arg).map(drop))?;
-                let chosen = if point.draws_functions() {
-                    let lane = point.lane();
-                    self.extremum_in(function, args, |arg| self.value_in(arg, lane), lane.field())
-                } else {
-                    self.extremum_in(function, args, |arg| values[&arg].clone(), f)
+                let chosen = match point.lane() {
+                    Some(lane) => {
+                        self.extremum_in(function, args, |arg| self.value_in(arg, lane), lane.field())
+                    }
+                    None => self.extremum_in(function, args, |arg| values[&arg].clone(), f),
                 };
                 values[&chosen].clone()
             }
@@ -312,22 +320,36 @@ impl Graph {
         })
     }
 
-    /// The sign of a node that has this value: that in a lane where functions are drawn, because they are without relations.
+    /// The sign of a node that has this value, or that in the lane of the point.
     fn sign_at(&self, id: Id, value: &Quadratic, point: IntegerPoint<'_>, f: &Field) -> Quadratic {
-        if !point.draws_functions() {
-            return self.sign_of(id, value, f);
+        match point.lane() {
+            Some(lane) if self.is_negative_in(id, lane) => f.neg(&f.one()),
+            Some(_) => f.one(),
+            None => self.sign_of(id, value, f),
         }
-        if self.is_negative_in(id, point.lane()) { f.neg(&f.one()) } else { f.one() }
     }
 
     /// The cosine and the sine of the known angles in an argument.
-    fn angle_at(&self, argument: Id, values: &Values, field: FieldId) -> Option<(Quadratic, Quadratic)> {
+    fn angle_at(
+        &self,
+        argument: Id,
+        point: IntegerPoint<'_>,
+        values: &Values,
+        field: FieldId,
+    ) -> Option<(Quadratic, Quadratic)> {
         let f = field.field();
-        let split = self.split_argument(argument, false);
+        let split = self.split_at(argument, false, point);
         let needed = split.iter().flat_map(|(atom, _)| atom.arguments());
         let is_known = needed.into_iter().all(|id| values.contains_key(&id));
         let start = (f.one(), f.number(&Number::integer(0)));
         is_known.then(|| self.rotated(start, &split, f, |id| values[&id].clone()))
+    }
+
+    fn split_at(&self, argument: Id, of_exponential: bool, point: IntegerPoint<'_>) -> Split {
+        match point.lane() {
+            Some(lane) => self.split_in(argument, of_exponential, lane),
+            None => self.split_argument(argument, of_exponential),
+        }
     }
 
     /// The exponential of the logarithms in an argument.
@@ -342,7 +364,7 @@ impl Graph {
         let generator = Generator::Exponential(argument);
         let is_generator = point.grows(&generator);
         let values = point.values_for(&generator, values);
-        let split = self.split_argument(argument, true);
+        let split = self.split_at(argument, true, point);
         let plain = split.iter().try_fold(f.one(), |product, (atom, factor)| {
             let base = match atom {
                 Atom::Log(argument) => values.get(argument)?.clone(),
@@ -359,7 +381,10 @@ impl Graph {
     fn number_in_at(&self, exponent: Id, point: IntegerPoint<'_>) -> Number {
         let own =
             (!point.is_first()).then(|| self.at_integers(exponent, IntegerPoint::numbered(point.number)));
-        own.flatten().unwrap_or_else(|| self.number_in(exponent))
+        own.flatten().unwrap_or_else(|| match point.lane() {
+            Some(lane) => self.number_in_lane(exponent, lane),
+            None => self.number_in(exponent),
+        })
     }
 
     /// The factor of an atom in an argument, likewise.

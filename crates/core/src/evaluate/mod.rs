@@ -31,6 +31,7 @@ mod representative;
 mod rotation;
 mod same;
 mod sign_degree;
+mod signs_in_argument;
 mod slope;
 mod solution;
 

@@ -84,7 +84,7 @@ impl Graph {
             let value = self.value_in(exponent, field);
             return f.opaque(Key::new("power of zero"), &[&value]);
         }
-        let number = self.number_in(exponent);
+        let number = self.number_in_lane(exponent, field);
         let rest = |above: FieldId| {
             let a = above.field();
             a.sub(&self.value_in(exponent, above), &a.number(&number))

@@ -32,12 +32,14 @@ pub(crate) struct Lanes {
     contents: FxHashMap<(Id, u64), Option<Content>>,
     /// The numeric contents of differences.
     contents_of_differences: FxHashMap<(Id, Id, u64), Option<Content>>,
-    /// The numbers in exponents, such as the 1 in x + 1.
-    exponents: FxHashMap<Id, Number>,
+    /// The numbers in exponents, such as the 1 in x + 1; in a lane those where signs are the ones of this lane.
+    exponents: FxHashMap<(Id, Option<FieldId>), Number>,
     /// Nodes that are a number times powers of positive factors.
     monomials: FxHashMap<Id, Option<Monomial>>,
     /// How arguments of sines (false) and exponentials (true) are split, see `evaluate::argument`.
-    splits: FxHashMap<(Id, bool), Split>,
+    splits: FxHashMap<(Id, bool, Option<FieldId>), Split>,
+    /// Whether nodes hold signs and no roots.
+    signs_alone: FxHashMap<Id, bool>,
     /// Whether the values of nodes that hold complex symbols depend on these.
     complex: FxHashMap<Id, bool>,
 }
@@ -136,6 +138,8 @@ impl Lanes {
             self.columns.clear();
             self.roots.clear();
             self.solutions.clear();
+            self.splits.retain(|(_, _, lane), _| lane.is_none());
+            self.exponents.retain(|(_, lane), _| lane.is_none());
         }
     }
 
@@ -207,12 +211,12 @@ impl Lanes {
         self.contents_of_differences.insert((a, b, least), content);
     }
 
-    pub(crate) fn exponent(&self, id: Id) -> Option<&Number> {
-        self.exponents.get(&id)
+    pub(crate) fn exponent(&self, id: Id, lane: Option<FieldId>) -> Option<&Number> {
+        self.exponents.get(&(id, lane))
     }
 
-    pub(crate) fn insert_exponent(&mut self, id: Id, number: Number) {
-        self.exponents.insert(id, number);
+    pub(crate) fn insert_exponent(&mut self, id: Id, lane: Option<FieldId>, number: Number) {
+        self.exponents.insert((id, lane), number);
     }
 
     pub(crate) fn monomial(&self, id: Id) -> Option<&Option<Monomial>> {
@@ -231,12 +235,20 @@ impl Lanes {
         self.complex.insert(id, is_complex);
     }
 
-    pub(crate) fn split(&self, id: Id, of_exponential: bool) -> Option<Split> {
-        self.splits.get(&(id, of_exponential)).cloned()
+    pub(crate) fn split(&self, id: Id, of_exponential: bool, lane: Option<FieldId>) -> Option<Split> {
+        self.splits.get(&(id, of_exponential, lane)).cloned()
     }
 
-    pub(crate) fn insert_split(&mut self, id: Id, of_exponential: bool, parts: Split) {
-        self.splits.insert((id, of_exponential), parts);
+    pub(crate) fn insert_split(&mut self, id: Id, of_exponential: bool, lane: Option<FieldId>, parts: Split) {
+        self.splits.insert((id, of_exponential, lane), parts);
+    }
+
+    pub(crate) fn has_signs_alone(&self, id: Id) -> Option<bool> {
+        self.signs_alone.get(&id).copied()
+    }
+
+    pub(crate) fn insert_has_signs_alone(&mut self, id: Id, are_alone: bool) {
+        self.signs_alone.insert(id, are_alone);
     }
 }
 

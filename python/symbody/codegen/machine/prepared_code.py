@@ -23,6 +23,10 @@ from symbody.symbolic import Argument, Expr
 __all__ = ["PreparedCode", "Shortcut"]
 
 
+WORTH_LANES = 256
+"""The number of states from which code of several states pays, which takes a moment to compile."""
+
+
 @dataclass(frozen=True)
 class Shortcut:
     """Faster expressions of the same outputs, which are accurate in most states.
@@ -128,7 +132,9 @@ class PreparedCode:
             raise ParameterError(
                 f"expected rows of {len(self.parameters)} parameters, found an array of the shape {values.shape}"
             )
-        if self.constants:
+        if len(values) > 1 and (values == values[:1]).all():
+            out[:] = self.prepare_many(values[:1])
+        elif self.constants:
             _call_for_each(self._preparation, values, out)
         return out
 
@@ -138,8 +144,29 @@ class PreparedCode:
         """Return the outputs for k sets of parameters, each at its own state, in rows."""
         states = np.hstack([rows, self.prepare_many(parameters)])
         out = np.empty((len(rows), len(self.expressions)))
-        _call_for_each(self._function, states, out)
+        several = self.in_lanes if len(rows) >= WORTH_LANES else None
+        others = np.arange(len(rows)) if several is None else self._evaluate_in_lanes(several[1], states, out)
+        if len(others):
+            single = np.empty((len(others), out.shape[1]))
+            _call_for_each(self._function, states[others], single)
+            out[others] = single
         return out
+
+    def _evaluate_in_lanes(
+        self, conditions: int, states: NDArray[np.float64], out: NDArray[np.float64]
+    ) -> NDArray[np.intp]:
+        """Write the outputs for rows of states and constants; return the places of those that need code for one."""
+        width, count = jit.lanes(), len(states)
+        crews = -(-count // width)
+        whole = np.resize(
+            states, (crews * width, states.shape[1])
+        )  # the last crew is filled up with the first states
+        columns = np.ascontiguousarray(whole.reshape(crews, width, -1).transpose(0, 2, 1))
+        found = np.empty((crews, out.shape[1] + conditions, width))
+        _call_for_each(self._lanes, columns, found)
+        results = found.transpose(0, 2, 1).reshape(crews * width, -1)[:count]
+        out[:] = results[:, : out.shape[1]]
+        return np.flatnonzero(~(results[:, out.shape[1] :] > 0).all(axis=1))
 
     @cached_property
     def _parts(self) -> _Parts:

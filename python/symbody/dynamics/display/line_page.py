@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -21,10 +23,42 @@ from .short_names import LONG
 def with_lines_if_shorter(
     page: Page, residuals: Sequence[Expr], bias: Sequence[Expr], jacobian: Matrix
 ) -> Page:
-    """Return the page with names of forces along lines if it is shorter; equations of a few lines have none."""
-    length = len(page.description())
-    other = _page_with_lines(page, residuals, bias, jacobian) if length >= LONG else None
+    """Return the page with names of forces along lines if it is shorter.
+
+    Equations of a few lines have none, unless a long root, the length of a line, stands in them more than once.
+    """
+    text = page.description()
+    length = len(text)
+    is_tried = length >= LONG or _repeats_a_root(text)
+    other = _page_with_lines(page, residuals, bias, jacobian) if is_tried else None
     return page if other is None or len(other.description()) >= length else other
+
+
+def _repeats_a_root(text: str) -> bool:
+    """Return whether a long root stands in a text more than once.
+
+    >>> _repeats_a_root("(sqrt(a) + sqrt(b))/sqrt(a)")
+    False
+    """
+    _, *parts = " ".join(text.split()).split("sqrt(")
+    roots = Counter(part[:_ROOT] for part in parts if len(part) > _ROOT and ")" not in _outside(part[:_ROOT]))
+    return any(count > 1 for count in roots.values())
+
+
+def _outside(text: str) -> str:
+    """Return what is left of a text without its brackets and what they enclose.
+
+    >>> _outside("a*(b + sin(c)) - d)/e")
+    'a* - d)/e'
+    """
+    while (shorter := _BRACKETS.sub("", text)) != text:
+        text = shorter
+    return text
+
+
+_BRACKETS = re.compile(r"\([^()]*\)")
+_ROOT = 30
+"""The characters below a root that make it long."""
 
 
 def _page_with_lines(

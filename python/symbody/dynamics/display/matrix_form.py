@@ -7,15 +7,16 @@ Where the terms come from is known of systems of bodies alone. Equations that we
 from __future__ import annotations
 
 import warnings
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from symbody.errors import ModelNotice
 from symbody.multibody import System, Variables
-from symbody.symbolic import Expr, Matrix, diff, free_symbols, number, zeros
+from symbody.symbolic import Expr, Matrix, diff, free_symbols, latex, number, zeros
 from symbody.symbolic.expression.latex_layout import aligned, bmatrix, displayed
 
 from .balance import Balance
+from .causes import generalized_forces
 from .page import Page
 from .reader_of import reader_of
 from .row import LINE, lines, printed
@@ -49,7 +50,7 @@ class MatrixForm:
     >>> bob = Body(Point(rotate("Z", theta), 0, -l, 0), m)
     >>> form = newton_euler(System([bob], coordinates=[theta], gravity=Vector(ground, 0, -g, 0))).matrix_form()
     >>> print(form.description())
-    M*theta'' + g = 0
+    M*theta'' + g(q) = 0
         M11 = m*l**2
         g1 = g*l*m*sin(theta)
     """
@@ -68,10 +69,11 @@ class MatrixForm:
     def description(self) -> str:
         """Return the equation of matrices, and their entries other than zero line by line.
 
-        Equal entries of M and of C stand on one line, and an opposite of an entry above is written as such.
+        Equal entries of M and of C stand on one line, and an opposite of an entry above is written as such. A matrix of
+        whose name the model has a parameter is written with its arguments, ``M(q)``. Loads that have names are listed.
         """
         definitions, rows = shortened(*self._rows())
-        made = [*(f"{name} := {value}" for name, value in definitions), *rows]
+        made = [*self._named_causes(), *(f"{name} := {value}" for name, value in definitions), *rows]
         return "\n".join([self._equation(), *(line for text in made for line in _indented(text))])
 
     def _rows(self) -> tuple[list[str], tuple[()], list[Definition]]:
@@ -91,17 +93,21 @@ class MatrixForm:
         return in_order_of_use([*definitions, *pairs]), texts[: len(values)]
 
     def latex(self) -> str:
-        """Return the matrices in LaTeX, one below the other, with the short names of the text."""
+        """Return the equation and the matrices in LaTeX, one below the other, with the short names of the text.
+
+        Matrices are bold, as no parameter is.
+        """
         named = [(name, matrix) for name, matrix in self._matrices() if _is_used(matrix)]
-        entries = [entry for _, matrix in named for entry in matrix.entries]
-        definitions, texts = self._printed(entries, "latex")
+        values = [entry for _, matrix in named for entry in matrix.entries]
+        definitions, texts = self._printed(values, "latex")
         given = self._rows()
         has_names = shortened(*given)[0] != given[2]
         definitions, texts = shortened(texts, (), definitions, "latex", is_wanted=has_names)
         remaining = iter(texts)
-        rows = [f"{name} &= {value}" for name, value in definitions]
+        rows = [rf"&{self._equation(_bold)}", *(f"{name} &= {value}" for name, value in definitions)]
         for name, matrix in named:
-            rows.append(f"{name} &= {bmatrix([next(remaining) for _ in matrix.entries], matrix.shape[1])}")
+            entries = [next(remaining) for _ in matrix.entries]
+            rows.append(f"{_bold(name)} &= {bmatrix(entries, matrix.shape[1])}")
         return aligned(rows)
 
     def _repr_latex_(self) -> str:
@@ -150,18 +156,65 @@ class MatrixForm:
             known[kind, value] = rows[-1][0]
         return rows
 
-    def _equation(self) -> str:
-        one = len(self.system.speeds) == 1
-        rate = (
-            f"{self.system.accelerations[0]}" if one else "u'" if self.system.has_quasi_velocities else "q''"
-        )
-        speed = f"{self.system.speeds[0]}" if one else "q'"
-        left = [f"M*{rate}"]
+    def _equation(self, style: Callable[[str], str] | None = None) -> str:
+        """Return the equation of matrices: as text, or with their names and factors in a style of LaTeX."""
+        name, times = (self._with_arguments, "*") if style is None else (style, " ")
+        left = [f"{name('M')}{times}{self._rate(style, is_acceleration=True)}"]
         if _is_used(self.coriolis):
-            left.append(f"C*{speed}" if self.is_christoffel else "c")
-        left += [name for name, matrix in self._matrices()[2:4] if _is_used(matrix)]
-        right = [name for name, matrix in self._matrices()[4:] if _is_used(matrix)]
+            speed = self._rate(style, is_acceleration=False)
+            left.append(f"{name('C')}{times}{speed}" if self.is_christoffel else name("c"))
+        left += [name(each) for each, matrix in self._matrices()[2:4] if _is_used(matrix)]
+        right = [name(each) for each, matrix in self._matrices()[4:] if _is_used(matrix)]
         return f"{' + '.join(left)} = {' + '.join(right) or '0'}"
+
+    def _rate(self, style: Callable[[str], str] | None, *, is_acceleration: bool) -> str:
+        """Return the vector of speeds or accelerations, or the only one."""
+        if len(self.system.speeds) == 1:
+            (only,) = self.system.accelerations if is_acceleration else self.system.speeds
+            return str(only) if style is None else latex(only)
+        letter = "u" if self.system.has_quasi_velocities and is_acceleration else "q"
+        dots = 1 if letter == "u" or not is_acceleration else 2
+        return letter + dots * "'" if style is None else rf"\{'d' * dots}ot{{{style(letter)}}}"
+
+    def _with_arguments(self, name: str) -> str:
+        """Return the name of a matrix, with its arguments if the model has something of this name."""
+        taken = {leaf.name for leaf in self.system.leaves}
+        speed = "u" if self.system.has_quasi_velocities else "q'"
+        return f"{name}{_ARGUMENTS[name].format(speed)}" if name in taken else name
+
+    def _named_causes(self) -> list[str]:
+        """Return lines that tell which loads are in k, and which in Q, if there are names."""
+        system = self.system
+        if not isinstance(system, System) or not any(load.name for load in system.loads):
+            return []
+        causes = [
+            (load.name or type(load).__name__.lower(), generalized_forces(system, load.actions))
+            for load in system.loads
+        ]
+        moving = [name for name, forces in causes if any(not each.is_zero for each in forces.moving)]
+        given = [name for name, forces in causes if any(not each.is_zero for each in forces.given)]
+        return [
+            f"{self._with_arguments(matrix)}: {', '.join(dict.fromkeys(names))}"
+            for matrix, names, value in (("k", moving, self.loads), ("Q", given, self.applied))
+            if names and _is_used(value)
+        ]
+
+
+_ARGUMENTS = {
+    "M": "(q)",
+    "C": "(q, {})",
+    "c": "(q, {})",
+    "g": "(q)",
+    "k": "(q, {})",
+    "Q": "(q, t)",
+    "f": "(q, {}, t)",
+    "R": "(q, lambda)",
+}
+"""The arguments of the matrices, with a place for the speeds."""
+
+
+def _bold(name: str) -> str:
+    return rf"\mathbf{{{name}}}"
 
 
 def matrix_form(

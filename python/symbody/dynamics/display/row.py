@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from symbody.multibody import System, Variables
 from symbody.symbolic import Expr, listing_of_equations, time_derivative
 
-from .difference import signs
+from .difference import are_lengths, signs
 
 LINE = 110
 """The most characters of a line of text."""
@@ -18,12 +18,14 @@ def printed(
 ) -> tuple[list[tuple[str, str]], list[str]]:
     """Return named quantities and printed terms: coordinates, speeds and multipliers are in the system's order.
 
-    Of the two directions of the differences in the model, such as `R - r`, that with fewer minus signs is printed.
+    Differences of lengths in the model, such as `R - r`, keep their direction; of the two directions of others, that
+    with fewer minus signs is printed.
     """
     terms = tuple(terms)
     speeds = (*system.quasi_velocities, *system.multipliers)
     added, behind = signs(system) if isinstance(system, System) else ((), ())
-    directions = [behind, added] if added else [behind]
+    is_open = added and isinstance(system, System) and not are_lengths(system)
+    directions = [behind, added] if is_open else [behind]
     listings = [
         listing_of_equations(terms, notation, in_order(system), speeds, direction) for direction in directions
     ]

@@ -114,7 +114,8 @@ def reaction(
         equations: those of a system that `assemble` made for a joint, and of any system with bodies for bodies; or the
             system itself, as of a structure that has no coordinates.
         cut: the joint; or a body, or several.
-        on: which side of the joint the reaction acts on; the child by default. On the parent it has the other sign.
+        on: which side of the joint the reaction acts on; the child by default. On the parent it has the other sign. The
+            reaction of bodies acts on them, and needs none.
         about: the point of the moment; by default the origin of the child's axes in the joint, the centre of mass of a
             body, or the origin of the root for several.
         frame: the axes of the components; by default those of the joint on the parent, or the root.
@@ -150,7 +151,9 @@ def reaction_in(
     placed = _placed(system, cut)
     with derivation(order=MOTION):
         if placed is None:
-            return _readable(_on_part(system, _bodies(system, cut), about, frame))
+            bodies = _bodies(system, cut)
+            _check_side(system, bodies, on)
+            return _readable(_on_part(system, bodies, about, frame))
         found = _of_tree(system, placed) if placed.opens else _of_loop(system, placed)
         found = found if about is None else found.about(about)
         found = found.projected(placed.parent_side if frame is None else frame)
@@ -223,6 +226,29 @@ def _bodies(system: System, cut: Any) -> list[Body]:
     if (twice := given_twice(found)) is not None:
         raise ModelError(f"reaction: the body {brief(twice)} is given twice; give it once")
     return found
+
+
+def _check_side(system: System, bodies: Sequence[Body], on: Any) -> None:
+    """Check that a reaction of a part is wanted on this part: what holds it may act on several others."""
+    if on is None or (len(bodies) == 1 and _is_body(on, bodies[0])):
+        return
+    part = brief(", ".join(map(str, bodies)))
+    joints = [joint.name for joint, _ in cut_joints(system, [body.name for body in bodies])]
+    by_joint = f"that of a joint ({brief(', '.join(joints))})" if joints else "a joint, made by assemble"
+    raise ModelError(
+        f"reaction: on = {_quoted(on)}, but the reaction of bodies that are cut off acts on them, here on {part}, and "
+        f"what holds them may act on several others; expected no on, {by_joint}, or -reaction(...) for its opposite"
+    )
+
+
+def _is_body(on: Any, body: Body) -> bool:
+    if isinstance(on, Body):
+        return on is body
+    return (
+        not isinstance(on, Frame)
+        and body.name != ""
+        and body.name == (on if isinstance(on, str) else on.name)
+    )
 
 
 def _on_part(system: System, bodies: Sequence[Body], about: Point | None, frame: Frame | None) -> Reaction:

@@ -14,9 +14,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 
+from symbody.dynamics.display.solution_page import SolutionPage
 from symbody.dynamics.equations.baumgarte import Damping
 from symbody.dynamics.equations.equations import Equations
 from symbody.dynamics.equations.singular_mass import described_singularity
@@ -25,18 +26,24 @@ from symbody.dynamics.recursion.shortest_tree import articulated_tree
 from symbody.dynamics.tree.frame_tree import FrameTree
 from symbody.errors import ExpressionError, ModelError
 from symbody.geometry.given.argument import checked
-from symbody.multibody import System
+from symbody.multibody import System, Variables
 from symbody.symbolic import (
     MOTION,
     Expr,
     are_small,
     cost,
     derivation,
+    free_symbols,
+    latex,
     ldl_solve,
+    number,
     saddle_point_solve,
+    subs,
     substitute,
     without_idle_symbols,
 )
+from symbody.symbolic.expression.container import Container, contains
+from symbody.symbolic.expression.latex_layout import displayed
 from symbody.symbolic.given.arguments import brief, counted
 from symbody.symbolic.linear.block_triangular import LARGEST, block_triangular
 
@@ -54,6 +61,7 @@ class ForwardDynamics:
         conditions: expressions that must be positive for the solution to be accurate; none for most methods.
         equation_names: names for the rows of the linear system that is solved at run time, which follow the word
             "equation" in messages, as `lambdify` takes them; empty if there is no such system.
+        system: the system whose accelerations they are, by which `show` and `latex` name them.
 
     >>> from symbody import Body, System, Vector, forward_dynamics, functions_of_time, ground, newton_euler, symbols
     >>> from symbody import rotate, translate
@@ -63,6 +71,9 @@ class ForwardDynamics:
     >>> solution = forward_dynamics(newton_euler(pendulum))
     >>> solution.method, solution.accelerations
     ('ldl', (-g*sin(theta)/l,))
+    >>> print(solution.description())
+    ACCELERATIONS of theta'
+        theta'' = -g*sin(theta)/l
     """
 
     accelerations: tuple[Expr, ...]
@@ -70,6 +81,25 @@ class ForwardDynamics:
     method: str
     conditions: tuple[Expr, ...] = ()
     equation_names: tuple[str, ...] = ()
+    system: Variables | None = field(default=None, repr=False, compare=False)
+
+    def description(self) -> str:
+        """Return a line for each acceleration and multiplier: what `show` prints. Of long ones, sizes are returned."""
+        return repr(self) if self.system is None else self._page(self.system).description()
+
+    def latex(self) -> str:
+        """Return the accelerations and multipliers in LaTeX, a row for each. Of long ones, sizes are returned."""
+        if self.system is None:
+            return latex((*self.accelerations, *self.multipliers))
+        return self._page(self.system).latex()
+
+    def _repr_latex_(self) -> str:
+        return displayed(self.latex())
+
+    def _page(self, system: Variables) -> SolutionPage:
+        unknowns = (*system.accelerations, *system.multipliers)
+        values = (*self.accelerations, *self.multipliers)
+        return SolutionPage(system, dict(zip(unknowns, values, strict=True)))
 
     @property
     def equations_together(self) -> str:
@@ -91,11 +121,22 @@ class ForwardDynamics:
 
     def without_idle_symbols(self) -> ForwardDynamics:
         """Return the solution in forms without symbols on which its values don't depend."""
-        n, m = len(self.accelerations), len(self.multipliers)
-        values = without_idle_symbols((*self.accelerations, *self.multipliers, *self.conditions))
-        return replace(
-            self, accelerations=values[:n], multipliers=values[n : n + m], conditions=values[n + m :]
-        )
+        return _rebuilt(self, without_idle_symbols(_parts(self)))
+
+
+def _parts(solution: ForwardDynamics) -> tuple[Expr, ...]:
+    return (*solution.accelerations, *solution.multipliers, *solution.conditions)
+
+
+def _rebuilt(solution: ForwardDynamics, parts: Sequence[Expr]) -> ForwardDynamics:
+    n, m = len(solution.accelerations), len(solution.multipliers)
+    values = tuple(parts)
+    return replace(
+        solution, accelerations=values[:n], multipliers=values[n : n + m], conditions=values[n + m :]
+    )
+
+
+contains(ForwardDynamics, Container(_parts, _rebuilt, advice="its accelerations have one"))
 
 
 @checked(ModelError)
@@ -129,8 +170,52 @@ def forward_dynamics(eqs: Equations, *, method: str = "auto", baumgarte: Damping
         raise ModelError(
             "forward_dynamics: Baumgarte's stabilisation without constraints; leave baumgarte out"
         )
-    found = _METHODS[method](eqs, baumgarte)
-    return replace(found, equation_names=_equation_names(eqs, found.method))
+    found = _without_scale(_METHODS[method](eqs, baumgarte), eqs, method, baumgarte)
+    return replace(found, equation_names=_equation_names(eqs, found.method), system=eqs.system)
+
+
+def _without_scale(
+    found: ForwardDynamics, eqs: Equations, method: str, baumgarte: Damping
+) -> ForwardDynamics:
+    """Return a solution whose accelerations are free of a factor of all equations, such as the mass of a rolling disc.
+
+    ``M u' = f + phi_q^T lambda`` times m has the same accelerations, and m times the multipliers.
+
+    Args:
+        found: the solution with the factor.
+        eqs: the equations of motion.
+        method: the method by which they are solved.
+        baumgarte: omega and zeta of the stabilisation.
+    """
+    scale = _scale(eqs, found.accelerations) if found.method != "articulated_body" else None
+    if scale is None:
+        return found
+    other = _METHODS[method](subs(eqs, {scale: 1}), baumgarte)
+    other = replace(other, multipliers=tuple(scale * each for each in other.multipliers))
+    is_same = (*other.accelerations, *other.multipliers) == (*found.accelerations, *found.multipliers)
+    is_shorter = _operations(other) <= _operations(found)
+    return other if is_same and is_shorter and not other.conditions else found
+
+
+def _operations(solution: ForwardDynamics) -> int:
+    return cost((*solution.accelerations, *solution.multipliers)).total
+
+
+def _scale(eqs: Equations, accelerations: Sequence[Expr]) -> Expr | None:
+    """Return a parameter of the accelerations that multiplies all equations: ``r(m, lambda) = m r(1, lambda/m)``."""
+    residuals = [residual for residual in eqs.residuals if not residual.is_zero]
+    candidates = {leaf for leaf in free_symbols(accelerations) if leaf.kind == "symbol"}
+    for residual in residuals:
+        candidates &= residual.free_symbols
+    for each in sorted(candidates, key=str):
+        unknowns = {multiplier: multiplier / each for multiplier in eqs.multipliers}
+        try:
+            at_one = substitute(substitute(residuals, {each: number(1)}), unknowns)
+        except ExpressionError:  # undefined there
+            continue
+        if all(each * part == residual for residual, part in zip(residuals, at_one, strict=True)):
+            return each
+    return None
 
 
 def _equation_names(eqs: Equations, method: str) -> tuple[str, ...]:

@@ -67,6 +67,7 @@ def joint_motion(coordinate: Along, on: Body, reaction: Body | None, where: str)
         LoadError: no force or torque between the bodies has the power of the rate of the coordinate alone.
     """
     check_bodies(where, on, reaction)
+    of_one_joint = isinstance(coordinate, Freedom)
     if isinstance(coordinate, Freedom):
         _check_ends(coordinate, on, reaction, where)
         if coordinate.travel is not None:
@@ -74,14 +75,14 @@ def joint_motion(coordinate: Along, on: Body, reaction: Body | None, where: str)
                 return _along(coordinate, on, reaction)
         coordinate = coordinate.value
     with derivation(order=ENERGY):
-        found = _by_coordinate(coordinate, on, reaction)
+        found = _by_coordinate(coordinate, on, reaction, of_one_joint=of_one_joint)
     if found is None:
         other = on.frame.ancestor if reaction is None else reaction.frame
         raise LoadError(
             f"{where}: {brief(on)} doesn't move against {brief(other)} about or along one axis at the rate of "
             f"{brief(coordinate)}; expected the coordinate of a joint between them, or the difference of absolute "
-            "ones; if several joints are between them, put massless bodies there: Body(frame, 0); of a joint that "
-            "closes a loop, give mechanism.joint(...).freedom()"
+            "ones; if several joints are between them, put massless bodies there: Body(frame, 0); of a wheel, or "
+            "a joint that closes a loop, give mechanism.joint(...).freedom()"
         )
     return found
 
@@ -147,7 +148,17 @@ class _Twist(NamedTuple):
         return sorted((leaf for leaf in found if leaf.kind == "time_function" and leaf.order), key=str)
 
 
-def _by_coordinate(coordinate: Expr, on: Body, reaction: Body | None) -> JointMotion | None:
+def _by_coordinate(
+    coordinate: Expr, on: Body, reaction: Body | None, *, of_one_joint: bool
+) -> JointMotion | None:
+    """Return the motion along a coordinate, by the twist of the body; None if no wrench has its power alone.
+
+    Args:
+        coordinate: an expression of coordinates.
+        on: the body that moves.
+        reaction: the other body; None for the ground.
+        of_one_joint: whether it is known to be the freedom of one joint, as those of a wheel are about several places.
+    """
     base = on.frame.ancestor if reaction is None else reaction.frame
     (rate,) = rate_by({**on.frame.coordinate_rates, **base.coordinate_rates})((coordinate,))
     twist = _Twist(
@@ -162,7 +173,8 @@ def _by_coordinate(coordinate: Expr, on: Body, reaction: Body | None) -> JointMo
             continue
         others = [*_columns(twist.minus(own, rate))]
         wrench = _wrench(own, others)
-        if wrench is None or (_interferes(own, others) and not _is_one_joint(on.frame, base)):
+        is_clear = of_one_joint or not _interferes(own, others) or _is_one_joint(on.frame, base)
+        if wrench is None or not is_clear:
             continue
         force, moment = (Vector(on.frame, *each) for each in wrench)
         power = dot3(wrench[0], twist.linear) + dot3(wrench[1], twist.angular)

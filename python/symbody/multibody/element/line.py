@@ -38,6 +38,11 @@ class Line(NamedTuple):
         return sqrt(self.square)
 
     @property
+    def stays_on_axis(self) -> bool:
+        """Whether the vector has one component alone, whose rate is l' or -l'."""
+        return sum(not each.is_zero for each in self.vector.components) == 1
+
+    @property
     def undefined(self) -> Undefined:
         """Where a force along the line has no direction."""
         return Undefined(self.length, _NO_DIRECTION)

@@ -49,10 +49,11 @@ from .tire_coefficient import (
     NEEDED,
     POSITIVE,
     SCALES,
-    at_pressure,
     left_out,
+    of_other_set,
 )
 from .tire_force import TireForce, pressing
+from .tire_pressure import inflated
 
 Coefficients: TypeAlias = Annotated[
     Mapping[str, Scalar],
@@ -407,8 +408,9 @@ def magic_formula(
             are FNOMIN, UNLOADED_RADIUS, and PCX1, PDX1 and PKX1 for longitudinal forces, or PCY1, PDY1, PKY1 and PKY2
             for lateral ones. A notice tells of coefficients of turn slip, which is left out. QSY3, QSY4 and LMUV need
             LONGVL.
-        version: "5.2", or "6.1" for its effect of camber (PKY6, PKY7) and its aligning moment.
-        pressure: the inflation pressure, in the unit of NOMPRES; the nominal one by default.
+        version: "5.2", or "6.1" for its effect of camber (PKY6, PKY7 in place of PHY3) and its aligning moment.
+        pressure: the inflation pressure, in the unit of NOMPRES, which it needs; by default that of the coefficient
+            INFLPRES, or else the nominal one.
 
     Returns:
         A function of the load in N, the longitudinal slip, the tangent of the slip angle and the camber in rad.
@@ -422,14 +424,9 @@ def magic_formula(
     given = {name: _scalar(name, value) for name, value in coefficients.items() if name not in IGNORED}
     _check_names(given)
     _check_values(given)
-    if (effects := left_out(coefficients)) != "":
+    for effects in filter(None, (left_out(coefficients), of_other_set(given, version))):
         notify(f"magic_formula: {effects}")
-    known = DEFAULTS | given
-    if pressure is not None and expression(pressure).is_constant and float(expression(pressure)) <= 0:
-        raise LoadError(
-            f"magic_formula: pressure = {brief(pressure)}; expected a positive number, in the unit of NOMPRES"
-        )
-    return MagicFormula(known if pressure is None else at_pressure(known, expression(pressure)), version)
+    return MagicFormula(inflated(given, None if pressure is None else expression(pressure)), version)
 
 
 def _scalar(name: str, value: Scalar) -> Expr:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Annotated, TypeAlias
+from collections.abc import Sequence
+from typing import Annotated, NamedTuple, TypeAlias
 
 from symbody.errors import LoadError
 from symbody.geometry import Scalar
@@ -10,7 +11,7 @@ from symbody.geometry.component.triple import expression
 from symbody.geometry.given.argument import checked
 from symbody.multibody.body import Body
 from symbody.symbolic import ENERGY, Expr, Max, Min, derivation
-from symbody.symbolic.given.arguments import brief
+from symbody.symbolic.given.arguments import brief, counted
 
 from .attachment import not_negative
 from .element import Element
@@ -19,7 +20,12 @@ from .joint_motion import Along, joint_motion
 _WHERE = "motor"
 
 Limit: TypeAlias = Annotated[
-    Scalar | None, "a positive number or an expression, the largest effort, or None for no limit"
+    Scalar | Sequence[Scalar | None] | None,
+    "a positive number or an expression, the largest effort, (low, high), or None for no limit",
+]
+
+Range: TypeAlias = Annotated[
+    Scalar | Sequence[Scalar | None], "a positive number or an expression, the largest effort, or (low, high)"
 ]
 
 
@@ -43,7 +49,8 @@ def motor(
             law of the state, such as that of a controller.
         on: the body that is driven.
         reaction: the body that carries the motor; none by default, such as the ground.
-        limit: the largest effort in either direction (`saturated`); none by default.
+        limit: the largest effort in either direction (`saturated`), or the least and the largest one, such as
+            (0, top) for a cable that only pulls, and None for a side without a limit; none by default.
         name: what the motor is called where it is shown.
 
     Returns:
@@ -57,35 +64,79 @@ def motor(
     >>> newton_euler(System([upper, fore], [elbow], [q1, q2])).residuals
     (I*(q1'' + q2'') + I*q1'', I*(q1'' + q2'') - M)
     """
-    given = expression(effort) if limit is None else _within(effort, limit, _WHERE)
+    bounds = None if limit is None else _bounds(limit, _WHERE)
+    given = expression(effort) if bounds is None else _within(effort, bounds)
     with derivation(order=ENERGY):
         joint = joint_motion(coordinate, on, reaction, _WHERE)
         quantities = {"effort": given, "rate": joint.rate, "power": given * joint.rate}
-        sizes = not_negative(_WHERE, limit=limit)
+        sizes = {} if bounds is None else _sizes(bounds)
         return Element(_WHERE, joint.actions(given), quantities=quantities, name=name, sizes=sizes)
 
 
 @checked(LoadError)
-def saturated(effort: Scalar, limit: Scalar) -> Expr:
-    """Return an effort that is cut off at a limit in either direction.
+def saturated(effort: Scalar, limit: Range) -> Expr:
+    """Return an effort that is cut off at a limit in either direction, or at two limits.
 
     Args:
         effort: what is asked for.
-        limit: what is available; positive.
+        limit: what is available; positive. Or the least and the largest effort, None for a side without a limit.
 
     >>> from symbody import symbols
     >>> M, top = symbols("M top")
-    >>> saturated(M, top)
-    Max(-top, Min(M, top))
-    >>> saturated(12, 10), saturated(-12, 10), saturated(3, 10)
-    (10, -10, 3)
+    >>> saturated(M, top), saturated(M, (0, top)), saturated(M, (None, top))
+    (Max(-top, Min(M, top)), Max(0, Min(M, top)), Min(M, top))
+    >>> saturated(12, 10), saturated(-12, 10), saturated(3, 10), saturated(-3, (-1, 10))
+    (10, -10, 3, -1)
     """
-    return _within(effort, limit, "saturated")
+    return _within(effort, _bounds(limit, "saturated"))
 
 
-def _within(effort: Scalar, limit: Scalar, where: str) -> Expr:
-    """Return an effort that is cut off at a limit, after a check of the limit."""
-    asked, most = expression(effort), expression(limit)
-    if most.is_constant and float(most) <= 0:
-        raise LoadError(f"{where}: limit = {brief(most)}; expected a positive number, the largest effort")
-    return Max(-most, Min(asked, most))
+class _Bounds(NamedTuple):
+    """The least and the largest effort; None for a side without a limit."""
+
+    low: Expr | None
+    high: Expr | None
+    is_symmetric: bool
+
+
+def _bounds(limit: Range, where: str) -> _Bounds:
+    """Return the limits that a user gave.
+
+    Raises:
+        LoadError: they leave no effort.
+    """
+    if not isinstance(limit, Sequence):
+        most = expression(limit)
+        if most.is_constant and float(most) <= 0:
+            raise LoadError(
+                f"{where}: limit = {brief(most)}; expected a positive number, the largest effort, or (low, high)"
+            )
+        return _Bounds(-most, most, is_symmetric=True)
+    if len(limit) != 2:
+        raise LoadError(
+            f"{where}: limit = {brief(limit)} has {counted(len(limit), 'value')}; expected (low, high)"
+        )
+    low, high = (None if each is None else expression(each) for each in limit)
+    if low is None and high is None:
+        raise LoadError(
+            f"{where}: limit = (None, None) limits nothing; expected a number on one side, or no limit"
+        )
+    if low is not None and high is not None and (high - low).is_constant and float(high - low) <= 0:
+        raise LoadError(f"{where}: limit = {brief(limit)}; expected (low, high) with low less than high")
+    return _Bounds(low, high, is_symmetric=False)
+
+
+def _within(effort: Scalar, bounds: _Bounds) -> Expr:
+    """Return an effort that is cut off."""
+    asked = expression(effort)
+    below = asked if bounds.high is None else Min(asked, bounds.high)
+    return below if bounds.low is None else Max(bounds.low, below)
+
+
+def _sizes(bounds: _Bounds) -> dict[str, Expr]:
+    """Return what makes no sense below zero, for the values of symbols."""
+    if bounds.is_symmetric:
+        return not_negative(_WHERE, limit=bounds.high)
+    if bounds.low is None or bounds.high is None:
+        return {}
+    return not_negative(_WHERE, **{"high - low of limit": bounds.high - bounds.low})

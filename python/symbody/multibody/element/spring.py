@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from symbody.errors import LoadError
-from symbody.geometry import Point, Scalar
+from symbody.geometry import Point, Scalar, Vector
 from symbody.geometry.component.triple import expression
 from symbody.geometry.given.argument import checked
 from symbody.multibody.body import Body
-from symbody.symbolic import ENERGY, Expr, derivation
+from symbody.symbolic import ENERGY, Expr, derivation, number
 
 from .attachment import check_acts, check_apart, check_bodies, check_fixed, forces, not_negative
 from .element import Element
@@ -30,8 +30,9 @@ def spring(
 ) -> Element:
     """Return a spring between two points, with a damper: ``F = k (l - l0) + c l'`` along their line; positive F pulls.
 
-    A spring of free length zero is linear in the coordinates of its ends, and safe at length zero. Any other spring or
-    damper has no direction there: a simulation that comes to this position exactly ends with an error.
+    A spring of free length zero is linear in the coordinates of its ends, and safe at length zero; so is a damper whose
+    line stays on one axis. Any other spring or damper has no direction there: a simulation that comes to this position
+    exactly ends with an error.
 
     Args:
         at: the point of the body.
@@ -65,20 +66,29 @@ def spring(
     with derivation(order=ENERGY):
         line = line_between(at, to, _WHERE)
         check_apart(_WHERE, to, on, reaction)
-        factor = _factor(line, k, l0, c)
+        size = _factor(line, k, l0, c) * line.length
         potential = k * (line.square if l0.is_zero else (line.length - l0) ** 2) / 2
-        actions = forces(line.vector * factor, at, on, reaction, to)
-        quantities = {"length": line.length, "rate": line.rate, "force": factor * line.length}
+        actions = forces(_pull(line, k, l0, c), at, on, reaction, to)
+        quantities = {"length": line.length, "rate": line.rate, "force": size}
     return Element(
         _WHERE,
         actions,
         potential=potential,
         quantities=quantities,
         name=name,
-        undefined=line.undefined,
+        undefined=None if l0.is_zero and line.stays_on_axis else line.undefined,
         sizes=sizes,
         law={"stiffness": k, "free_length": l0, "damping": c},
     )
+
+
+def _pull(line: Line, k: Expr, l0: Expr, c: Expr) -> Vector:
+    """Return the force on the body; on one axis, that of the damper is c times the rate of the component there."""
+    if not line.stays_on_axis:
+        return line.vector * _factor(line, k, l0, c)
+    elastic = line.vector * _factor(line, k, l0, number(0))
+    along = [each if each.is_zero else line.half_rate / each for each in line.vector.components]
+    return elastic + Vector(line.vector.frame, *along) * c
 
 
 def _factor(line: Line, k: Expr, l0: Expr, c: Expr) -> Expr:

@@ -18,8 +18,8 @@ __all__ = [
     "NEEDED",
     "POSITIVE",
     "SCALES",
-    "at_pressure",
     "left_out",
+    "of_other_set",
 ]
 
 
@@ -32,7 +32,7 @@ EXCLUDED = frozenset({"QDZ5", "QBZ7", "QBZ8"})
 """Coefficients that the sets 5.2 to 6.2 don't have; they must be zero."""
 
 COEFFICIENTS = (
-    frozenset({"FNOMIN", "UNLOADED_RADIUS", "NOMPRES", "LONGVL", "LMUV"})
+    frozenset({"FNOMIN", "UNLOADED_RADIUS", "NOMPRES", "INFLPRES", "LONGVL", "LMUV"})
     | _series(PPX=4, PPY=5, PPZ=2, PPMX=1)
     | _series(PCX=1, PDX=3, PEX=4, PKX=3, PHX=2, PVX=2, RBX=3, RCX=1, REX=2, RHX=1, PTX=3)
     | _series(PCY=1, PDY=3, PEY=5, PKY=7, PHY=3, PVY=4, RBY=4, RCY=1, REY=2, RHY=2, RVY=6, PTY=2)
@@ -65,7 +65,9 @@ SCALES = frozenset(
 
 DEFAULTS: dict[str, Expr] = {name: number(0) for name in COEFFICIENTS}
 """The values of coefficients that are left out. Set 5.2 has no PKY4, which is 2 there, and no QSY7, which is 1."""
-DEFAULTS |= {name: number(1) for name in (*SCALES, "NOMPRES", "LONGVL", "QSY7")} | {"PKY4": number(2)}
+DEFAULTS |= {name: number(1) for name in (*SCALES, "NOMPRES", "INFLPRES", "LONGVL", "QSY7")} | {
+    "PKY4": number(2)
+}
 
 TURN_SLIP = _series(PDXP=3, PKYP=1, PDYP=4, PHYP=4, PECP=2, QDTP=1, QCRP=2, QBRP=1, QDRP=2)
 """The coefficients of turn slip, which is no part of the law: they matter where a tyre turns about a point nearby."""
@@ -77,11 +79,32 @@ IGNORED = (
     TURN_SLIP
     | _CAMBER_SCALES
     | {
-        *("INFLPRES", "VXLOW", "WIDTH", "ASPECT_RATIO", "RIM_RADIUS", "RIM_WIDTH"),
+        *("VXLOW", "WIDTH", "ASPECT_RATIO", "RIM_RADIUS", "RIM_WIDTH"),
         *("VERTICAL_STIFFNESS", "VERTICAL_DAMPING", "BREFF", "DREFF", "FREFF"),
     }
 )
 """What tyre property files hold beside the law: turn slip, sizes, stiffness."""
+
+
+_OF_SETS = {"5.2": ("PKY6", "PKY7", "PPY5"), "6.1": ("PHY3",)}
+"""By version, the coefficients that only the other set has."""
+
+
+def of_other_set(given: Mapping[str, Expr], version: str) -> str:
+    """Return in words which coefficients have no effect in a set; the empty text if all have.
+
+    Args:
+        given: coefficients by their names.
+        version: "5.2" or "6.1".
+    """
+    idle = [name for name in _OF_SETS[version] if name in given and not given[name].is_zero]
+    if not idle:
+        return ""
+    (other,) = _OF_SETS.keys() - {version}
+    return (
+        f"{', '.join(idle)} of set {other} {'has' if len(idle) == 1 else 'have'} no effect in version {version}; "
+        f"expected version={other!r}, or {' and '.join(_OF_SETS[other][:2])} for the force of the camber"
+    )
 
 
 def left_out(given: Mapping[str, Scalar]) -> str:
@@ -121,30 +144,3 @@ BY_SPEED = ("QSY3", "QSY4", "LMUV")
 
 DIVISORS = {"PDX1": "PCX1", "PDY1": "PCY1", "PKY1": "PCY1", "PKY2": "PCY1"}
 """Coefficients by which the law divides, and the one that is zero where the whole force is."""
-
-
-def at_pressure(p: dict[str, Expr], pressure: Expr) -> dict[str, Expr]:
-    """Return the coefficients at an inflation pressure, which scales some of them [Besselink et al. 2010].
-
-    Args:
-        p: the coefficients at the nominal pressure.
-        pressure: the pressure, in the unit of NOMPRES.
-    """
-    d = pressure / p["NOMPRES"] - 1
-
-    def scale(first: str, second: str = "") -> Expr:
-        return 1 + p[first] * d + (p[second] * d**2 if second else 0)
-
-    scaled = {
-        ("PKX1", "PKX2"): scale("PPX1", "PPX2"),
-        ("PDX1", "PDX2"): scale("PPX3", "PPX4"),
-        ("PKY1",): scale("PPY1"),
-        ("PKY2", "PKY5"): scale("PPY2"),
-        ("PDY1", "PDY2"): scale("PPY3", "PPY4"),
-        ("PKY6", "PKY7"): scale("PPY5"),
-        ("QDZ1", "QDZ2"): 2 - scale("PPZ1"),
-        ("QDZ8", "QDZ9"): scale("PPZ2"),
-        ("QSX2",): scale("PPMX1"),
-        tuple(f"QSY{k}" for k in range(1, 7)): (pressure / p["NOMPRES"]) ** p["QSY8"],
-    }
-    return p | {name: p[name] * factor for names, factor in scaled.items() for name in names}

@@ -70,7 +70,7 @@ class TireFile:
         """Return the law of the tyre, as it is mounted on the side of the file.
 
         Args:
-            pressure: the inflation pressure in Pa; the nominal one by default.
+            pressure: the inflation pressure in Pa; by default INFLPRES of the file, or else the nominal one, NOMPRES.
 
         Raises:
             LoadError: a coefficient is missing, or has a value by which the law divides.

@@ -6,10 +6,11 @@ from collections.abc import Sequence
 from typing import Annotated, TypeAlias, final
 
 from symbody.errors import JointError
-from symbody.geometry import Frame, Scalar, translate
+from symbody.geometry import Frame, Scalar, origin, translate
 from symbody.geometry.component.triple import expression, triple
 from symbody.geometry.given.argument import checked
 from symbody.multibody.body import Body, varying_inertia
+from symbody.multibody.inertia_matrix import Tensor, central_inertia
 from symbody.symbolic.given.arguments import brief, counted
 
 Place: TypeAlias = Annotated[
@@ -80,6 +81,39 @@ class Link:
         if (fault := varying_inertia((self.mass, *self.moments, *self.products))) is not None:
             raise JointError(f"Link {name}: {fault}")
         self.center = fixed_place(f"Link {name}: center", center)
+
+    @classmethod
+    @checked(JointError)
+    def of_inertia(
+        cls,
+        name: str,
+        mass: Scalar,
+        inertia: Tensor,
+        *,
+        center: Place = (0, 0, 0),
+        about: Place | None = None,
+    ) -> Link:
+        """Return the link with a tensor of inertia that is given as a matrix, as computer-aided design prints it.
+
+        Args:
+            name: what the link and its body are called.
+            mass: the mass.
+            inertia: the tensor ``[[Ix, -Cxy, -Cxz], [-Cxy, Iy, -Cyz], [-Cxz, -Cyz, Iz]]``, symmetric.
+            center: the centre of mass in the axes of the link; or a frame there, in whose axes the tensor is given.
+            about: the point about which the tensor is, in the axes of the link; the centre of mass by default.
+
+        >>> from symbody import Link, Matrix, symbols
+        >>> m, l, J = symbols("m l J")
+        >>> J_end = Matrix([[0, 0, 0], [0, J, 0], [0, 0, J]])
+        >>> Link.of_inertia("rod", m, J_end, center=(l, 0, 0), about=(0, 0, 0)).moments
+        (0, J - m*l**2, J - m*l**2)
+        """
+        where = f"Link.of_inertia {name}"
+        arm = None
+        if about is not None:
+            place = fixed_place(f"{where}: center", center)
+            arm = (origin(place) - origin(fixed_place(f"{where}: about", about))).projected(place).components
+        return cls(name, mass, *central_inertia(inertia, mass, arm, where, JointError), center=center)
 
     def body(self, frame: Frame) -> Body:
         """Return the body of the link, whose axes are those of a frame."""

@@ -128,11 +128,22 @@ class Mesh(Pair):
         (r,), z = self.radii, _axis(self.first, first)
         e = _axis(self.second, second).projected(first.parent)
         arm = (origin(second.parent) - origin(first.parent)).projected(first.parent)
-        signed = dot(cross(z, arm), e)
-        if not _is_same(dot(z, e), number(0)) or not _is_same(signed**2, r**2):
+        signed, along = dot(cross(z, arm), e), dot(z, e)
+        if not _is_same(along, number(0)):
+            is_parallel = _is_same(along**2, number(1))
+            found = (
+                "parallel"
+                if is_parallel
+                else f"not perpendicular: the cosine of their angle is {_shown(along)}"
+            )
+            raise JointError(
+                f"{where}: the axis of {self.first} and the direction of {self.second} are {found}; expected a bar "
+                "that slides across the axis of its pinion: give another axis to one of them"
+            )
+        if not _is_same(signed**2, r**2):
             raise JointError(
                 f"{where}: the bar is {_shown(signed)} away from the axis of {self.first}, as seen along both; "
-                f"expected the radius, {_shown(r)}, or -{_shown(r)}, and a bar across the axis"
+                f"expected the radius, {_shown(r)}, or -{_shown(r)}"
             )
         if signed.is_constant:
             signed = r if float(signed) > 0 else -r  # without its rounding

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import final
 
 from symbody.errors import JointError
@@ -34,9 +34,10 @@ def rolling(
 ) -> Joint:
     """Return rolling without slip: a wheel whose axis is the y axis of `to` rolls on the plane z = 0 of `at`.
 
-    It keeps three conditions: contact on positions, and no slip along x and y on velocities. Its reaction is the force
-    of the ground at the contact. Where it opens the tree, five coordinates keep the contact, and the two other
-    conditions stay constraints. A wheel that closes a loop must not lie flat.
+    It keeps three conditions: contact on positions, and no slip in two directions on velocities. Its reaction is the
+    force of the ground at the contact. Where it opens the tree, five coordinates keep the contact, and the two other
+    conditions, along x and y, stay constraints. A wheel that closes a loop doesn't slip along its heading and across,
+    and must not lie flat; a ball doesn't slip along x and y.
 
     Args:
         name: the name of the joint.
@@ -120,16 +121,23 @@ class Contact(Pair):
         return translate(x, y, self.crown) * rotate("Z", heading) * rotate("X", lean)
 
     def closures(self, sides: Sides) -> tuple[Closure, ...]:
-        """Return contact and slip at the lowest point, which is along ``-(n - (n . e) e)`` from the centre."""
+        """Return contact and slip at the lowest point, which is along ``-(n - (n . e) e)`` from the centre.
+
+        Where a condition follows from others, as the slip across of the second wheel of an axle does, it is the same
+        one whatever the heading, ``e x n``. Both axes of the slip are as long as the cosine of the lean, which is
+        shorter to write than unit vectors.
+        """
         axle, spin = _axle(sides)
         n, e = sides.of_parent(2).projected(axle), sides.of_child(1).projected(axle)
-        arm = -self.crown * n
-        if not self.circle.is_zero:
-            lean = dot(n, e)
-            arm -= self.circle / sqrt(1 - lean**2) * (n - lean * e)
         w = angular_velocity(axle) + spin * e - angular_velocity(sides.parent)
-        slip = velocity(sides.point, sides.parent) + cross(w, arm)
-        return _at(sides, arm.projected(sides.parent), slip)
+        at_centre, arm = velocity(sides.point, sides.parent), -self.crown * n
+        if self.circle.is_zero:
+            return _at(sides, arm.projected(sides.parent), at_centre + cross(w, arm), _of_plane(sides))
+        lean = dot(n, e)
+        arm -= self.circle / sqrt(1 - lean**2) * (n - lean * e)
+        heading = cross(e, n)
+        axes = {"along": heading, "across": cross(n, heading)}
+        return _at(sides, arm.projected(sides.parent), at_centre + cross(w, arm), axes)
 
     def opened(self, sides: Sides, coordinates: Sequence[Expr]) -> tuple[Closure, ...]:
         """Return the same by the axes that don't spin: the slip is ``(x', y', 0) - R phi' e_x - crown w x n``."""
@@ -138,7 +146,7 @@ class Contact(Pair):
         w = Vector(leaning, lean, spin, 0).projected(sides.parent) + heading * n
         arm = Vector(leaning, 0, 0, -self.circle).projected(sides.parent) - self.crown * n
         slip = Vector(sides.parent, dx, dy, 0) - self.circle * spin * Vector(leaning, 1, 0, 0)
-        return _at(sides, arm, slip - self.crown * cross(w, n))
+        return _at(sides, arm, slip - self.crown * cross(w, n), _of_plane(sides))
 
 
 def _axle(sides: Sides) -> tuple[Frame, Expr]:
@@ -162,12 +170,16 @@ def _axle(sides: Sides) -> tuple[Frame, Expr]:
     return sides.child, number(0)
 
 
-def _at(sides: Sides, arm: Vector, slip: Vector) -> tuple[Closure, ...]:
-    """Return the closures at the contact, an arm away from the centre, where the wheel has a velocity."""
+def _of_plane(sides: Sides) -> dict[str, Vector]:
+    return {"x": sides.of_parent(0), "y": sides.of_parent(1)}
+
+
+def _at(sides: Sides, arm: Vector, slip: Vector, axes: Mapping[str, Vector]) -> tuple[Closure, ...]:
+    """Return the closures at the contact, an arm away from the centre, for slips along some axes by their names."""
     place = (sides.point + arm).projected(sides.parent)
     zero = Vector(sides.parent, 0, 0, 0)
     slips = (
-        Closure(f"slip {axis}", slip.components[k], place, sides.of_parent(k), zero)
-        for k, axis in enumerate("xy")
+        Closure(f"slip {name}", dot(slip, axis), place, axis.projected(sides.parent), zero)
+        for name, axis in axes.items()
     )
     return Closure("contact", place.coordinates[2], place, sides.of_parent(2), zero), *slips

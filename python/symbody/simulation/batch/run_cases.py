@@ -73,6 +73,9 @@ def run_cases(task: Task, cases: Cases, threads: int = 1, keep_going: KeepGoing 
 
 def _grouped(tasks: Mapping[int, Task]) -> dict[Task, list[int]]:
     """Return the cases of each task: parameters decide which constraints are redundant."""
+    kinds = set(tasks.values())
+    if len(kinds) == 1:  # the usual case
+        return {kinds.pop(): list(tasks)}
     groups: dict[Task, list[int]] = {}
     for case, task in tasks.items():
         groups.setdefault(task, []).append(case)

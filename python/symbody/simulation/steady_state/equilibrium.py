@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -18,6 +19,7 @@ from symbody.simulation.given.unused import warn_of_unused
 from symbody.simulation.given.values import given_inputs, parameter_values, state_values
 from symbody.simulation.given.wording import joined_by_and
 from symbody.simulation.model.undefined_force import undefined_force
+from symbody.simulation.motion.reading import Reading
 from symbody.simulation.steady_state.force_balance import Balance
 from symbody.symbolic import Expr, ExprLike, free_symbols, number, substitute, time_derivative
 from symbody.symbolic import t as time
@@ -37,12 +39,15 @@ Array = NDArray[np.float64]
 
 _WHERE = "equilibrium"
 
+_READING = Reading(_WHERE, "its attributes, such as equilibrium.coordinates, have the values by name")
+
 
 @dataclass(frozen=True, eq=False)
 class Equilibrium(Mapping[Expr, float]):
     """A system at rest: a mapping of its coordinates and of the states beside the mechanics; all speeds are zero.
 
     So it can be given where a state is, as in ``simulate(initial=found)`` and ``linearize(about=found)``.
+    ``found[expression]`` is the value of any expression of the model, such as the component of a reaction.
 
     Attributes:
         coordinates: the values of all coordinates, in the units of the model.
@@ -56,6 +61,7 @@ class Equilibrium(Mapping[Expr, float]):
         held_eigenvalues: those of the motions in which the fixed coordinates stay fixed; the same if none is fixed.
         states: the values of the states beside the mechanics, whose rates are zero.
         inputs: the expressions of the inputs that were given; ``linearize(about=found)`` reads them.
+        parameters: the values of the parameters that were given.
         slopes: how it moves when parameters change; see `sensitivity`.
 
     Forces that the position does not determine, such as those of dependent constraints, are those of minimum norm. A
@@ -78,6 +84,7 @@ class Equilibrium(Mapping[Expr, float]):
     held_eigenvalues: NDArray[np.complex128]
     states: dict[Expr, float] = field(default_factory=dict)
     inputs: dict[Expr, Expr] = field(default_factory=dict)
+    parameters: dict[Expr, float] = field(default_factory=dict)
     slopes: ImplicitSlopes | None = field(default=None, repr=False)
 
     @with_known_names
@@ -102,22 +109,84 @@ class Equilibrium(Mapping[Expr, float]):
         >>> found.sensitivity(x, by=k), found.sensitivity(k * x**2 / 2, by=k)
         (-0.125, -0.125)
         """
+        (written,) = self._written([as_expression(expression, _WHERE)], f"{_WHERE}.sensitivity")
+        return self._solution.of(written, self.known, by)
+
+    @cached_property
+    def known(self) -> dict[Expr, float]:
+        """The values of all coordinates, states, multipliers and parameters, and of the time."""
+        balance = self._solution.balance
+        constants = dict(zip(balance.conditions.parameters, map(float, balance.p), strict=True))
+        return {
+            **self.parameters,
+            **constants,
+            **self.multipliers,
+            **self.coordinates,
+            **self.states,
+            time: balance.t,
+        }
+
+    @property
+    def _solution(self) -> ImplicitSlopes:
         assert self.slopes is not None, "equilibrium() gives it"
-        balance = self.slopes.balance
-        (written,) = balance.conditions.written([as_expression(expression, _WHERE)])
-        conditions, eqs = balance.conditions, balance.equations
-        known = dict(zip(conditions.parameters, map(float, balance.p), strict=True)) | self.multipliers
-        known |= self.coordinates | self.states | {time: balance.t}
-        strange = sorted(map(str, free_symbols([written]) - known.keys()))
+        return self.slopes
+
+    def _written(self, expressions: Sequence[Expr], where: str) -> tuple[Expr, ...]:
+        """Return expressions at rest by the names in `known`.
+
+        Raises:
+            SimulationError: a variable in them has no value.
+        """
+        balance = self._solution.balance
+        found, eqs = balance.conditions.written(expressions), balance.equations
+        strange = sorted(map(str, free_symbols(found) - self.known.keys()))
         if strange:
             raise SimulationError(
-                f"{_WHERE}.sensitivity: no value of {joined_by_and(strange)}; expected an expression of "
+                f"{where}: no value of {joined_by_and(strange)}; expected an expression of "
                 f"{joined_by_and([*map(str, (*eqs.coordinates, *eqs.states)), 'multipliers', 'parameters'], most=12)}"
             )
-        return self.slopes.of(written, known, by)
+        return found
 
-    def __getitem__(self, name: Expr) -> float:
-        return {**self.coordinates, **self.states}[name]
+    def __getitem__(self, expression: Expr) -> float:
+        """Return the value of a coordinate or a state, or of an expression of the model, such as a reaction.
+
+        Raises:
+            ArgumentError: the argument is not an expression, or is a number.
+            SimulationError: a variable in it has no value.
+        """
+        if expression in self:
+            return {**self.coordinates, **self.states}[expression]
+        asked = _READING.one_expression(expression, [*self.coordinates])
+        return float(self._values([asked], f"{_WHERE}[...]")[0])
+
+    @with_known_names
+    def evaluate(self, expressions: Sequence[ExprLike]) -> Array:
+        """Return the values of several expressions, such as the components of a reaction: shape (expressions,).
+
+        Speeds and accelerations are zero.
+
+        Raises:
+            ArgumentError: the argument is not a list of expressions.
+            SimulationError: a variable in them has no value.
+
+        >>> from symbody import Link, Vector, assemble, equilibrium, ground, newton_euler, reaction, revolute
+        >>> pin = revolute("A", ground, Link("bob", 2, center=(0, -1, 0)))
+        >>> equations = newton_euler(assemble([pin]).system(gravity=Vector(ground, 0, -10, 0)))
+        >>> equilibrium(equations, {}).evaluate(reaction(equations, pin).force.components)
+        array([ 0., 20.,  0.])
+        """
+        return self._values(_READING.several_expressions(expressions), f"{_WHERE}.evaluate")
+
+    def _values(self, expressions: Sequence[Expr], where: str) -> Array:
+        known = self.known
+        found = [
+            each.evaluate({name: known[name] for name in each.free_symbols})
+            for each in self._written(expressions, where)
+        ]
+        return np.array(found, dtype=np.float64) + 0.0
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.coordinates or name in self.states
 
     def __iter__(self) -> Iterator[Expr]:
         return iter((*self.coordinates, *self.states))
@@ -215,7 +284,9 @@ def equilibrium(
     with reporting(_WHERE):
         given = given_inputs(eqs, inputs, where=_WHERE)
         place = _place(eqs, parameters, guess, fixed, t or 0.0, given)
-        found, notices = replace(_result(place), inputs=given), list(place.notices(at_instant=t is not None))
+        numbers = {name: float(np.asarray(value)) for name, value in (parameters or {}).items()}
+        found = replace(_result(place), inputs=given, parameters=numbers)
+        notices = list(place.notices(at_instant=t is not None))
     for notice in notices:
         notify(f"{_WHERE}: {notice}")
     return found

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from symbody.errors import SimulationError
 from symbody.simulation.given.wording import joined_by_and
-from symbody.symbolic import Expr, free_symbols, t
+from symbody.simulation.motion.reading import Reading
+from symbody.symbolic import Expr, ExprLike, free_symbols, t
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.given.arguments import expression as as_expression
 from symbody.symbolic.given.arguments import with_known_names
@@ -24,6 +25,8 @@ __all__ = ["SteadyMotion"]
 
 Array = NDArray[np.float64]
 _WHERE = "steady motion"
+
+_READING = Reading("motion", "its attributes, such as motion.coordinates, have the values by name")
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -156,6 +159,16 @@ class SteadyMotion(Mapping[Expr, float]):
             return self.state[expression]
         (found,) = self.written([expression])
         return float(found.evaluate({name: self.known[name] for name in free_symbols([found])}))
+
+    @with_known_names
+    def evaluate(self, expressions: Sequence[ExprLike]) -> Array:
+        """Return the values of several expressions, such as the components of a reaction: shape (expressions,).
+
+        Raises:
+            ArgumentError: the argument is not a list of expressions.
+            SimulationError: a variable in them has no value in this motion.
+        """
+        return np.array([self[each] for each in _READING.several_expressions(expressions)], dtype=np.float64)
 
     @with_known_names
     def sensitivity(self, expression: Expr, by: Expr) -> float:

@@ -6,8 +6,11 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from symbody.symbolic._core import Expr
+from symbody.symbolic.expression.functions import sign
+from symbody.symbolic.expression.traverse import post_order
 
 from .cost import cost
+from .derivative import substitute
 from .difference import by_differences, with_differences
 from .rewrite import simplify, textbook_form
 from .standard_names import AS_GIVEN, StandardNames
@@ -76,11 +79,23 @@ class Reader:
         form = textbook_form(expression)
         if operations > _EXPANDED >= cost(form).total:
             form = textbook_form(form)  # which is short enough now for all rules
+        form = _by_signs(form)
         shorter, used = by_differences(expression, self._differences)
         if used:
             other = with_differences(textbook_form(shorter), used)
             return other if other == expression and _length(other) <= _length(form) else form
         return form
+
+
+def _by_signs(form: Expr) -> Expr:
+    """Return a form with signs in the place of quotients: ``x - a*sign(x)`` for ``x - a*Abs(x)/x``."""
+    nodes = post_order([form], lambda node: node.args, lambda node: node.id)
+    sizes = [node for node in nodes if node.kind == "function" and node.name == "Abs"]
+    if not sizes:
+        return form
+    (found,) = substitute([form], {size: sign(size.args[0]) * size.args[0] for size in sizes})
+    found = textbook_form(found)
+    return found if found == form and _length(found) < _length(form) else form
 
 
 def _length(form: Expr) -> int:

@@ -89,6 +89,8 @@ def _key(session: Session, value: Value) -> Value:
 def evaluated(session: Session, value: Value, *rules: Value) -> Value:
     """eval(e), eval(e, x = a), eval(e, {..}): full evaluation, at a point."""
     found = session.resolve(value)
+    if rules and isinstance(rules[0], Expr):
+        session.notice("eval(e, n): levels of evaluation are not counted; e is evaluated completely")
     if not rules or isinstance(rules[0], Expr):
         return session.current(found)
     return subs(session, *rules, session.current(found))

@@ -161,7 +161,15 @@ def taylor(session: Session, value: Value, place: Value, order: Value | None = N
 
 
 def _below(session: Session, value: Expr, variable: Expr, point: Expr, count: int | None) -> Expr:
-    """Return the terms of a series whose exponent is below a number."""
+    """Return the terms of a series whose exponent is below a number.
+
+    Args:
+        session: the session.
+        value: the expression.
+        variable: the variable of the series.
+        point: where it is developed.
+        count: the number.
+    """
     if count is None or not 0 < count <= _HIGHEST:
         raise WorksheetError(f"taylor: the order is not an integer from 1 to {_HIGHEST}")
     slope, total = value, number(0)

@@ -73,6 +73,15 @@ def _with_place(where: str, sign: int) -> Command:
 
 
 def _problem(session: Session, where: str, sign: int, value: Value, places: tuple[Value, ...]) -> _Problem:
+    """Return the function of one variable whose extremum is looked for.
+
+    Args:
+        session: the session.
+        where: the command, for messages.
+        sign: 1 for a minimum, -1 for a maximum.
+        value: the expression.
+        places: the variable, with its range or without.
+    """
     expression = scalar(session, value)
     items = [
         item for each in places for item in (each.items if isinstance(each, Listed | MapleSet) else (each,))

@@ -82,7 +82,15 @@ def multiply(session: Session, *values: Value) -> Value:
 def matrix_sum(
     session: Session, a: Value, b: Value, first: Value | None = None, second: Value | None = None
 ) -> Value:
-    """matadd(A, B [, x, y]): A + B, or x A + y B."""
+    """matadd(A, B [, x, y]): A + B, or x A + y B.
+
+    Args:
+        session: the session.
+        a: A.
+        b: B.
+        first: x, 1 by default.
+        second: y, 1 by default.
+    """
     one, other = array_of(session, a, "matadd"), array_of(session, b, "matadd")
     x = number(1) if first is None else first
     y = number(1) if second is None else second

@@ -119,6 +119,15 @@ def solved(session: Session, array: Array, right: Array | None, where: str) -> A
 def _values(
     rows: Sequence[Sequence[Expr]], pivots: list[int], free: dict[int, Expr], columns: int, side: int
 ) -> list[Expr]:
+    """Return the unknowns of a system in row echelon form.
+
+    Args:
+        rows: the rows, with their right sides behind the unknowns.
+        pivots: the columns of the pivots, one for each row.
+        free: the names of the unknowns without a pivot, by column.
+        columns: the number of unknowns.
+        side: which of the right sides.
+    """
     found = [free.get(j, number(0)) for j in range(columns)]
     for i, j in enumerate(pivots):
         known = sum((rows[i][k] * name for k, name in free.items()), start=number(0))

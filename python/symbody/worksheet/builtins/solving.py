@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from symbody.errors import SymbodyError, WorksheetError
-from symbody.symbolic import Expr, factor_terms
+from symbody.symbolic import Expr, expand, factor_terms
 from symbody.symbolic.roots.solutions import solutions as all_solutions
 from symbody.worksheet.evaluation.arithmetic import scalar
 from symbody.worksheet.evaluation.current import set_of
@@ -17,6 +17,7 @@ from symbody.worksheet.mathematics.closed_roots import (
     roots_of,
 )
 from symbody.worksheet.mathematics.elimination import eliminated_roots
+from symbody.worksheet.mathematics.multiplicity import repeated
 from symbody.worksheet.mathematics.root_finding import newton
 from symbody.worksheet.values.complex_number import I, has_i, of_number
 from symbody.worksheet.values.naming import symbol
@@ -94,7 +95,19 @@ def solutions(session: Session, residuals: list[Expr], unknowns: list[Expr]) -> 
             raise
         session.options.imaginary |= is_complex([root for one in solved for root in one.values()])
         return solved
+    found = _with_repeated_roots(left, unknowns, found)
     return [{each: _factored(session, solution.get(each, each)) for each in unknowns} for solution in found]
+
+
+def _with_repeated_roots(
+    residuals: list[Expr], unknowns: list[Expr], found: list[dict[Expr, Expr]]
+) -> list[dict[Expr, Expr]]:
+    """Return the solutions of one equation for one unknown, each as often as it is one."""
+    if len(residuals) != 1 or len(unknowns) != 1 or not all(unknowns[0] in each for each in found):
+        return found
+    (unknown,) = unknowns
+    roots = repeated(expand(residuals[0]), unknown, [each[unknown] for each in found])
+    return [{unknown: root} for root in roots]
 
 
 def _factored(session: Session, value: Expr) -> Value:

@@ -1,0 +1,96 @@
+"""Solved equations of motion on a page: each acceleration and each multiplier in its form for the reader."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+from symbody.multibody import System, Variables
+from symbody.symbolic import Expr, cost, latex, substitute
+from symbody.symbolic.calculus.reader import Reader
+from symbody.symbolic.expression.latex_layout import aligned, broken
+from symbody.symbolic.given.arguments import counted
+
+from .difference import differences
+from .page import indented
+from .row import printed
+from .short_names import Definition, shortened
+from .summary import READABLE
+
+
+@dataclass(frozen=True)
+class SolutionPage:
+    """Accelerations and multipliers in the form for the reader.
+
+    Attributes:
+        system: the system to which the equations belong.
+        values: the accelerations and multipliers, and their values.
+    """
+
+    system: Variables
+    values: Mapping[Expr, Expr]
+
+    @property
+    def is_readable(self) -> bool:
+        """Whether the values are short enough to be written out."""
+        return cost(list(self.values.values())).total <= READABLE
+
+    def description(self) -> str:
+        """Return a line for each value, after the quantities that have names; of long values, their sizes."""
+        if self.is_readable:
+            definitions, rows = self._rows("text")
+            texts = [f"{name} := {value}" for name, value in definitions]
+            texts += [f"{unknown} = {side}" for unknown, side in rows]
+            if self._solved:
+                texts.append(f"{', '.join(map(str, self._solved))}: {self._note}")
+        else:
+            texts = [f"{unknown}: {size}" for unknown, size in self._sizes]
+            texts.append("Too long to be read at once. One of them: readable(solution.accelerations[0]).")
+        title = f"ACCELERATIONS of {', '.join(map(str, self.system.speeds))}"
+        return "\n".join([title, *(line for text in texts for line in indented(text))])
+
+    def latex(self) -> str:
+        """Return a row for each value in LaTeX, after the quantities that have names; of long values, their sizes."""
+        if not self.is_readable:
+            sizes = [rf"{latex(unknown)} &\colon \text{{{size}}}" for unknown, size in self._sizes]
+            return aligned(sizes)
+        definitions, rows = self._rows("latex")
+        named = [*definitions, *((latex(unknown), side) for unknown, side in rows)]
+        made = [line for name, value in named for line in broken(f"{name} &= ", value)]
+        if self._solved:
+            made.append(rf"&{', '.join(map(latex, self._solved))} \colon \text{{{self._note}}}")
+        return aligned(made)
+
+    @cached_property
+    def _solved(self) -> dict[Expr, Expr]:
+        """The unknowns that a linear system gives at run time, and each one's place in it, if need be over a factor."""
+        made = {unknown: _place_in_system(value) for unknown, value in self.values.items()}
+        return {unknown: place for unknown, place in made.items() if place is not None}
+
+    @property
+    def _note(self) -> str:
+        return f"by a linear system of {counted(len(self._solved), 'equation')} that is solved at run time"
+
+    @property
+    def _sizes(self) -> list[tuple[Expr, str]]:
+        return [(unknown, counted(cost(value).total, "operation")) for unknown, value in self.values.items()]
+
+    def _rows(self, notation: str) -> tuple[list[Definition], list[tuple[Expr, str]]]:
+        """Return named quantities, and the values that have a form, by the names of those that are solved for."""
+        reader = Reader(differences(self.system) if isinstance(self.system, System) else ())
+        names = {place: unknown * place / self.values[unknown] for unknown, place in self._solved.items()}
+        given = {unknown: value for unknown, value in self.values.items() if unknown not in self._solved}
+        forms = [reader(value) for value in substitute(list(given.values()), names)]
+        definitions, texts = printed(forms, notation, self.system)
+        definitions, sides = shortened(texts, (), definitions, notation)
+        return definitions, list(zip(given, sides, strict=True))
+
+
+def _place_in_system(value: Expr) -> Expr | None:
+    """Return the unknown of a linear system that a value is, or is a multiple of; None if it is another expression."""
+    factors = value.args if value.kind == "product" else (value,)
+    places = [factor for factor in factors if factor.kind == "solution"]
+    others = [factor for factor in factors if factor.kind != "solution"]
+    is_multiple = len(places) == 1 and all(factor.kind in {"number", "symbol"} for factor in others)
+    return places[0] if is_multiple else None

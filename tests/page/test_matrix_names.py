@@ -1,0 +1,59 @@
+"""The names of the matrices of equations: no parameter looks like one, and named loads are told."""
+
+from __future__ import annotations
+
+from symbody import (
+    Body,
+    Force,
+    System,
+    Vector,
+    functions_of_time,
+    ground,
+    moving_frame,
+    newton_euler,
+    origin,
+    rotate,
+    spring,
+    symbols,
+    translate,
+)
+
+g, m, M, l, k, c, s = symbols("g m M l k c s")
+x, theta, F = functions_of_time("x theta F")
+CAR = Body(translate(x, 0, 0), M)
+POLE = Body(translate(x, 0, 0) * rotate("Z", theta) * translate(0, -l, 0), m)
+WALL = spring(CAR.center_of_mass, origin(ground), k, damping=c, on=CAR, name="wall")
+MOTOR = Force(ground, F, 0, 0, at=CAR.center_of_mass, on=CAR, name="motor")
+DOWN = Vector(ground, 0, -g, 0)
+
+
+def test_a_matrix_with_the_name_of_a_parameter_has_arguments() -> None:
+    form = newton_euler(System([CAR, POLE], [WALL, MOTOR], [x, theta], gravity=DOWN)).matrix_form()
+    lines = [line.strip() for line in form.description().splitlines()]
+    assert lines[:4] == [
+        "M(q)*q'' + c(q, q') + g(q) + k(q, q') = Q",
+        "k(q, q'): wall",
+        "Q: motor",
+        "M11 = M + m",
+    ]
+
+
+def test_a_matrix_without_such_a_parameter_has_its_letter_alone() -> None:
+    weight = System([Body(translate(x, 0, 0), m)], [], [x], gravity=Vector(ground, s, 0, 0))
+    assert newton_euler(weight).matrix_form().description().splitlines()[0] == "M*x'' + g = 0"
+
+
+def test_matrices_are_bold_below_their_equation() -> None:
+    text = newton_euler(System([CAR, POLE], [WALL, MOTOR], [x, theta], gravity=DOWN)).matrix_form().latex()
+    assert text.startswith(
+        r"\begin{aligned} &\mathbf{M} \ddot{\mathbf{q}} + \mathbf{c} + \mathbf{g} + \mathbf{k} = \mathbf{Q} \\ "
+        r"\mathbf{M} &= \begin{bmatrix} M + m &"
+    )
+
+
+def test_speeds_of_their_own_stand_in_the_equation() -> None:
+    u, v, w = functions_of_time("u v w")
+    car = System([Body(moving_frame(u, v, 0, 0, 0, w), M, Iz=c)], speeds=[u, v, w])
+    form = newton_euler(car).matrix_form()
+    assert form.description().splitlines()[0] == "M(q)*u' + c(q, u) = 0"
+    assert r"\mathbf{M} \dot{\mathbf{u}} + \mathbf{c} = 0" in form.latex()
