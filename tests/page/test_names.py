@@ -46,10 +46,6 @@ def arm(q: Sequence[Expr], p: Sequence[Expr]) -> System:
     return chain(q, p, "YZZ")
 
 
-def universal(q: Sequence[Expr], p: Sequence[Expr]) -> System:
-    return chain(q, p, "XYXY")
-
-
 def rods_on_a_cart(q: Sequence[Expr], p: Sequence[Expr]) -> System:
     """Return two rods on a cart that is held by a spring with a damper."""
     frame = translate(q[0], 0, 0)
@@ -74,7 +70,6 @@ def ball_in_a_ring(q: Sequence[Expr], p: Sequence[Expr]) -> System:
 SYSTEMS: list[tuple[Make, int, int]] = [
     (chain, 4, 9),
     (arm, 3, 7),
-    (universal, 3, 7),
     (rods_on_a_cart, 3, 12),
     (ball_in_a_ring, 1, 5),
 ]
