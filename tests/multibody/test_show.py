@@ -108,7 +108,8 @@ def test_system_and_equations() -> None:
     gravity = Vector(ground, 0, -a, 0)
     system = System([bead], [push], [x, y], [x - 2 * y], gravity, name="slope")
     frame = "[[1, 0, 0, x], [0, 1, 0, y], [0, 0, 1, 0], [0, 0, 0, 1]]"
-    assert describe(system).splitlines() == [
+    assert max(map(len, describe(system).splitlines())) <= 110
+    assert describe(system).replace("\n        ", " ").splitlines() == [
         "slope = SYSTEM",
         "    coordinates: x, y",
         f"    body: bead = BODY(frame = {frame}, mass = m, inertia = [[0, 0, 0], [0, 0, 0], [0, 0, 0]])",
@@ -174,3 +175,21 @@ def test_a_system_by_chosen_speeds() -> None:
     assert "    quasi-velocities: u\n    kinematics: x' = u/a - phi'/a\n" in describe(system)
     assert "by the speeds" in system._repr_html_()
     assert ">-(phi&#x27; - u)/a</td>" in system._repr_html_()
+
+
+def test_a_system_of_a_hundred_bodies_is_shown_by_the_coordinates_of_its_frames() -> None:
+    """Frames and components that are too long are told by what they depend on, and `show` of a body has all of it."""
+    angles = functions_of_time("q1:101")
+    frame, bodies = ground, []
+    for k, angle in enumerate(angles):
+        frame = frame * rotate("ZYX"[k % 3], angle) * translate(m, 0, 0)
+        bodies.append(Body(frame, m))
+    pull = Force(frame, F, 0, 0, at=bodies[-1].center_of_mass, on=bodies[-1])
+    rows = describe(System(bodies, [project(pull, ground)], list(angles))).splitlines()
+    text = " ".join(row.strip() for row in rows)
+    assert len(text) < 20_000
+    assert max(map(len, rows)) <= 110
+    assert "FRAME(q1, q2, q3, q4)" in text
+    assert "q9, q10, q11" in text
+    assert "operations)" in text
+    assert describe(bodies[3]).startswith("BODY(frame = [[")

@@ -106,6 +106,17 @@ def test_any_other_spring_that_comes_to_length_zero_ends_with_an_error() -> None
         simulate(equations, {m: 1, k: 4, l: 1}, {}, t=(0, 3))
 
 
+def test_on_a_straight_line_a_motion_passes_length_zero_between_two_steps() -> None:
+    """From x = 1, ``x - l = (1 - l) cos(w t)`` up to x = 0; beyond it the same way back in time, to x = -1 at rest."""
+    block = Body(translate(x, 0, 0), m, name="block")
+    band = spring(block.center_of_mass, O, k, free_length=l, on=block)
+    equations = newton_euler(System([block], [band], [x]))
+    there = np.arccos(-0.3 / 0.7) / np.sqrt(10)
+    motion = simulate(equations, {m: 1, k: 10, l: 0.3}, {x: 1}, t=(0, 2 * there), rtol=1e-10, atol=1e-12)
+    assert motion[x][-1] == pytest.approx(-1, abs=1e-8)
+    assert motion[time_derivative(x)][-1] == pytest.approx(0, abs=1e-6)
+
+
 def test_energies_count_the_potential() -> None:
     band = spring(mass.center_of_mass, O, k, free_length=l, on=mass)
     gravity = Vector(ground, 0, -g, 0)

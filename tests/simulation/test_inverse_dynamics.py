@@ -124,7 +124,7 @@ def test_a_floating_body_is_carried_around():
     # It turns about z at the rate 3 on a circle of radius 2: m (a - g) towards the centre and up, and w x I w.
     m, g, Iz, Cyz, Cxz, *wrench = symbols("m g Iz Cyz Cxz Fx Fy Fz Mx My Mz")
     hull = floating_frame()
-    body = Body(hull, m, 0, 0, Iz, Cyz, Cxz)
+    body = Body(hull, m, 0.2, 0.25, Iz, Cyz, Cxz)
     carrier = [
         Force(hull, *wrench[:3], at=body.center_of_mass, on=body),
         Torque(hull, *wrench[3:], on=body),

@@ -129,7 +129,7 @@ def test_the_bearings_of_an_unbalanced_rotor():
     Iz, Cyz, Cxz, e = symbols("Iz Cyz Cxz e")
     phi = functions_of_time("phi")
     shaft = rotate("Z", phi)
-    rotor = Body(shaft * translate(e, 0, 0), m, 0, 0, Iz, Cyz, Cxz)
+    rotor = Body(shaft * translate(e, 0, 0), m, 0.15, 0.12, Iz, Cyz, Cxz)
     eqs = newton_euler(System([rotor], (), [phi]))
     numbers = {m: 3.0, Iz: 0.2, Cyz: 0.01, Cxz: -0.03, e: 0.002}
     found = inverse_dynamics(eqs, {phi: 20 * t**2}, numbers, np.linspace(0, 4, 9))

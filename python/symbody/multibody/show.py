@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from math import inf
+from textwrap import wrap
 from typing import Annotated, Protocol, TypeAlias, runtime_checkable
 
 from symbody.errors import ModelError
 from symbody.geometry import Frame, Point, Vector
 from symbody.geometry.given.argument import checked
-from symbody.symbolic import Expr, Matrix, time_derivative
+from symbody.symbolic import Expr, Matrix, cost, free_symbols, time_derivative
 from symbody.symbolic.calculus.reader import Reader
+from symbody.symbolic.given.arguments import brief, counted
 
 from .body import Body
 from .load import Action, Load
@@ -67,9 +70,14 @@ class _Style:
 
     synthetic: bool
     reader: Reader = field(default_factory=Reader)
+    longest: float = inf
+    """The operations of an expression, or of a frame's matrix, up to which it is written out."""
 
     def text(self, value: Expr) -> str:
-        """Return an expression as text, in its form for the reader if that is shorter."""
+        """Return an expression as text, in its form for the reader if that is shorter; of a long one, its size."""
+        operations = cost(value).total if self.longest < inf else 0
+        if operations > self.longest:
+            return f"({counted(operations, 'operation')})"
         return min(str(value), str(self.reader(value)), key=len)
 
 
@@ -140,7 +148,11 @@ def _value(value: object, style: _Style) -> str:
 
 
 def _system(system: System, style: _Style) -> str:
-    """Return one line for each part of a system."""
+    """Return the parts of a system, with sizes of long expressions and the coordinates on which a long frame depends.
+
+    Lines are broken between words; `show` of a body or a load prints all of it.
+    """
+    style = replace(style, longest=_LONGEST)
     lines = ["SYSTEM" if not system.name else f"{system.name} = SYSTEM"]
     lines.append(f"coordinates: {', '.join(map(str, system.coordinates))}")
     if system.quasi_velocities:
@@ -157,7 +169,23 @@ def _system(system: System, style: _Style) -> str:
     for multiplier, constraint in zip(system.multipliers, system.conditions, strict=True):
         name = f"constraint {constraint.name}" if constraint.name else "constraint"
         lines.append(f"{name}: {style.text(constraint.condition)} = 0, multiplier {multiplier}")
-    return "\n    ".join(lines)
+    return "\n".join([lines[0], *(row for line in lines[1:] for row in _broken(line))])
+
+
+def _broken(line: str) -> list[str]:
+    """Return a line of a system in pieces, if it is long."""
+    return wrap(
+        line,
+        _LINE,
+        initial_indent="    ",
+        subsequent_indent=" " * 8,
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
+
+
+_LINE = 110
+"""The most characters of a line."""
 
 
 def _body(body: Body) -> str:
@@ -167,7 +195,21 @@ def _body(body: Body) -> str:
 def _frame(frame: Frame, style: _Style) -> str:
     if frame.parent is None or (style.synthetic and frame.name):
         return frame.name
+    if style.longest < inf and cost(frame.matrix.entries).total > style.longest:
+        variables = [variable for motion in frame.motions for variable in motion.variables]
+        moving = [leaf for leaf in free_symbols(variables) if leaf.kind == "time_function"]
+        return f"{frame.name or 'FRAME'}({brief(', '.join(sorted(map(str, moving), key=_by_number)))})"
     return _rows(frame.matrix, style)
+
+
+_LONGEST = 40
+"""The operations of an expression or of the matrix of a frame that is written out among others in a system."""
+
+
+def _by_number(name: str) -> tuple[str, int, str]:
+    """Return the place of a name: q2 before q10."""
+    stem = name.rstrip("0123456789")
+    return stem, int(name[len(stem) :] or 0), name
 
 
 def _rows(matrix: Matrix, style: _Style) -> str:

@@ -46,11 +46,9 @@ static __device__ __noinline__ void prepare(const double *__restrict__ p, double
     const double l1 = p[1];
     const double m1 = p[2];
 
-    /* parameters: 4 multiplications, 1 division */
-    const double v1 = l1*m1;
-    c[2] = g*v1;
-    c[3] = 1.0/(l1*v1);
-    c[4] = g*m1;
+    /* parameters: 1 multiplication, 1 division */
+    c[2] = g/l1;
+    c[3] = g*m1;
 
     /* entries that need no computation */
     c[0] = l1;
@@ -63,11 +61,10 @@ static __device__ __noinline__ void rates(const double *__restrict__ c, double t
 {
     const double theta1     = x[0];
     const double theta1_dot = x[1];
-    const double k2         = c[2];  /* g*(l1*m1) */
-    const double k3         = c[3];  /* 1.0/(l1*(l1*m1)) */
+    const double k2         = c[2];  /* g/l1 */
 
-    /* velocities: 1 addition, 2 multiplications, 1 function */
-    out[1] = -k2*sine(theta1)*k3;
+    /* velocities: 1 addition, 1 multiplication, 1 function */
+    out[1] = -sine(theta1)*k2;
 
     /* entries that need no computation */
     out[0] = theta1_dot;
@@ -82,12 +79,12 @@ static __device__ __noinline__ void energies(const double *__restrict__ c, doubl
     const double theta1_dot = x[1];
     const double l1         = c[0];
     const double m1         = c[1];
-    const double k4         = c[4];  /* g*m1 */
+    const double k3         = c[3];  /* g*m1 */
 
     /* velocities: 1 addition, 6 multiplications, 1 function */
     const double v1 = l1*theta1_dot;
     out[0] = 0.5*(m1*(v1*v1));
-    out[1] = -l1*cosine(theta1)*k4;
+    out[1] = -l1*cosine(theta1)*k3;
     (void)t;
     (void)deficient;
 }
@@ -124,7 +121,7 @@ static __device__ void events_at(double t, const double *x, const double *c, dou
 #define WIDTH 2
 #define CONTROLLED 2
 #define PARAMETERS 3
-#define CONSTANTS 5
+#define CONSTANTS 4
 #define FIRST_ACCELERATION 1
 #define ACCELERATIONS 1
 #define COORDINATES 0

@@ -10,7 +10,7 @@ from symbody.multibody import System
 from symbody.symbolic import Expr, cost, latex, symbols
 from symbody.symbolic.calculus.reader import Reader
 from symbody.symbolic.expression.html_table import html_table
-from symbody.symbolic.expression.latex_layout import aligned, broken
+from symbody.symbolic.expression.latex_layout import ARTICLE, aligned, broken
 from symbody.symbolic.given.arguments import counted
 
 from .page import indented, shorter
@@ -60,12 +60,12 @@ class CanonicalPage:
     def latex(self) -> str:
         """Return the equations in LaTeX, after the quantities that have names; long ones are broken at terms."""
         definitions, sides = self._named_rows("latex")
-        made = [row for name, value in definitions for row in broken(f"{name} &= ", value)]
+        made = [row for name, value in definitions for row in broken(f"{name} &= ", value, ARTICLE)]
         names = map(latex, (symbols(self._name_of_h), *self.rates))
         n = 1 + len(self.rates)
         for name, side in zip(names, sides[:n], strict=True):
-            made += broken(f"{name} &= ", side)
-        made += [row for side in sides[n:] for row in broken("&", f"{side} = 0")]
+            made += broken(f"{name} &= ", side, ARTICLE)
+        made += [row for side in sides[n:] for row in broken("&", f"{side} = 0", ARTICLE)]
         return aligned(made)
 
     def _named_rows(self, notation: str) -> tuple[list[Definition], list[str]]:

@@ -9,7 +9,7 @@ from functools import cached_property
 from symbody.multibody import Variables
 from symbody.symbolic import Expr, Matrix, cost, listing
 from symbody.symbolic.calculus.reader import Reader
-from symbody.symbolic.expression.latex_layout import aligned, broken
+from symbody.symbolic.expression.latex_layout import ARTICLE, aligned, broken
 
 from .balance import Balance
 from .reader_of import reader_of
@@ -70,10 +70,10 @@ class Page:
     def latex(self) -> str:
         """Return the equations in LaTeX, after the quantities that have names; long ones are broken at terms."""
         definitions, rows = self._named_rows("latex")
-        made = [row for name, value in definitions for row in broken(f"{name} &= ", value)]
+        made = [row for name, value in definitions for row in broken(f"{name} &= ", value, ARTICLE)]
         n = len(self.balances) + len(self.constraints)
-        made += [row for left, right in rows[:n] for row in broken("&", f"{left} = {right}")]
-        made += [row for left, right in rows[n:] for row in broken(f"{left} &= ", right)]
+        made += [row for left, right in rows[:n] for row in broken("&", f"{left} = {right}", ARTICLE)]
+        made += [row for left, right in rows[n:] for row in broken(f"{left} &= ", right, ARTICLE)]
         return aligned(made)
 
     @cached_property

@@ -8,7 +8,7 @@ from functools import cached_property
 
 from symbody.multibody import Variables
 from symbody.symbolic import Expr, cost, latex, substitute
-from symbody.symbolic.expression.latex_layout import aligned, broken
+from symbody.symbolic.expression.latex_layout import ARTICLE, aligned, broken
 from symbody.symbolic.given.arguments import counted
 
 from .page import indented
@@ -56,7 +56,7 @@ class SolutionPage:
             return aligned(sizes)
         definitions, rows = self._rows("latex")
         named = [*definitions, *((latex(unknown), side) for unknown, side in rows)]
-        made = [line for name, value in named for line in broken(f"{name} &= ", value)]
+        made = [line for name, value in named for line in broken(f"{name} &= ", value, ARTICLE)]
         if self._solved:
             made.append(rf"&{', '.join(map(latex, self._solved))} \colon \text{{{self._note}}}")
         return aligned(made)

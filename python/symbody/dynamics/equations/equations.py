@@ -282,10 +282,11 @@ class Equations:
         return self._printed_page.description()
 
     def latex(self) -> str:
-        """Return the equations and constraints in LaTeX, as a textbook prints them.
+        r"""Return the equations and constraints in LaTeX, as a textbook prints them.
 
-        Long ones are broken at terms, so that they fit a page. Of equations that are too long, the sizes are returned;
-        ``latex(readable(equations.residuals[0]))`` is one of them.
+        Long ones are broken at terms, so that they are as wide as a page of the class `article`. What is higher than a
+        page needs `align*` in the place of `aligned`, outside of a formula, after ``\allowdisplaybreaks``. Of
+        equations that are too long, the sizes are returned; ``latex(readable(equations.residuals[0]))`` is one of them.
         """
         return (
             self._printed_page.latex()

@@ -179,7 +179,8 @@ def _without_scale(
 ) -> ForwardDynamics:
     """Return a solution whose accelerations are free of a factor of all equations, such as the mass of a rolling disc.
 
-    ``M u' = f + phi_q^T lambda`` times m has the same accelerations, and m times the multipliers.
+    ``M u' = f + phi_q^T lambda`` times m has the same accelerations, and m times the multipliers. It is as accurate, so
+    the conditions are those without the factor, too.
 
     Args:
         found: the solution with the factor.
@@ -194,7 +195,7 @@ def _without_scale(
     other = replace(other, multipliers=tuple(scale * each for each in other.multipliers))
     is_same = (*other.accelerations, *other.multipliers) == (*found.accelerations, *found.multipliers)
     is_shorter = _operations(other) <= _operations(found)
-    return other if is_same and is_shorter and not other.conditions else found
+    return other if is_same and is_shorter else found
 
 
 def _operations(solution: ForwardDynamics) -> int:

@@ -31,8 +31,8 @@ def spring(
     """Return a spring between two points, with a damper: ``F = k (l - l0) + c l'`` along their line; positive F pulls.
 
     A spring of free length zero is linear in the coordinates of its ends, and safe at length zero; so is a damper whose
-    line stays on one axis. Any other spring or damper has no direction there: a simulation that comes to this position
-    exactly ends with an error.
+    line stays on one axis. Any other spring or damper has no direction there: a simulation of which a step ends there
+    ends with an error. One that passes between two steps goes on, and the force turns round.
 
     Args:
         at: the point of the body.

@@ -19,7 +19,7 @@ from symbody.simulation.device.devices import on_device
 from symbody.simulation.given.event import Event
 from symbody.simulation.integrate.notices import notices_of_batch
 from symbody.simulation.integrate.task import Task
-from symbody.simulation.integrate.task_of import task_of, warn_of_odd_values
+from symbody.simulation.integrate.task_of import task_of, warn_of_odd_parameters
 from symbody.simulation.terminal.interruption import Interruption
 from symbody.simulation.terminal.progress import progress_bar
 from symbody.symbolic import Expr, ExprLike
@@ -139,7 +139,7 @@ def simulate_many(
     check_cases(task, all_cases)
     check_one_workforce(executor, device, PLACE)
     task = on_device(task, device, PLACE)
-    warn_of_odd_values(task, all_cases.parameters, PLACE)
+    warn_of_odd_parameters(task, all_cases.parameters, PLACE)
     file = None if path is None else ResultsFile(Path(path), problem_digest(task, all_cases))
     results = _results_so_far(file, empty_results(task, all_cases.count))
     run = _Batch(task, all_cases, results, file)

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from symbody.dynamics import Equations
 from symbody.errors import ConstraintError, notify
 from symbody.multibody import Variables
-from symbody.simulation.given.unused import warn_of_unused
+from symbody.simulation.given.odd_values import warn_of_odd_values
 from symbody.simulation.given.values import check_equations, parameter_values, state_values
 from symbody.simulation.model.named_constraint import named_constraints
 from symbody.symbolic import Expr, ExprLike, number
@@ -76,7 +76,7 @@ def consistent_state(
     notice = _notice(kinematics, parameters, state, t)
     if notice:
         notify(f"{_WHERE}: {notice}")
-    warn_of_unused(eqs, parameters or {}, [number(value) for value in (inputs or {}).values()], _WHERE)
+    warn_of_odd_values(eqs, parameters or {}, [number(value) for value in (inputs or {}).values()], _WHERE)
     return state
 
 

@@ -255,14 +255,23 @@ def _removal(
 def _pivots(places: Sequence[Array], count: int) -> tuple[int, ...]:
     """Return rows to leave out by QR decomposition of the combinations that vanish at the most regular position.
 
-    The rows with pivots are those that the others determine best; trying each choice would take too long.
+    The rows with pivots are those that the others determine best; trying each choice would take too long. Of pivots of
+    the same size up to rounding, as a symmetric mechanism has, the last is taken, so that all machines choose the same.
     """
-    from scipy.linalg import qr  # noqa: PLC0415 - slow to load, and rarely needed
+    regularity = np.array([_ratio(J, count) for J in places])
+    regular = places[int(np.argmax(_nearly_largest(regularity)))]
+    combinations = np.linalg.svd(regular)[0][:, len(regular) - count :]
+    pivots = []
+    for _ in range(count):
+        squares = (combinations**2).sum(axis=1)
+        pivots.append(int(np.flatnonzero(_nearly_largest(squares))[-1]))
+        taken = combinations[pivots[-1]] / np.sqrt(squares[pivots[-1]])
+        combinations = combinations - np.outer(combinations @ taken, taken)
+    return tuple(sorted(pivots))
 
-    regular = max(places, key=lambda J: _ratio(J, count))
-    combinations = np.linalg.svd(regular)[0][:, len(regular) - count :].T
-    pivots = qr(combinations, mode="r", pivoting=True)[1]
-    return tuple(sorted(int(row) for row in pivots[:count]))
+
+def _nearly_largest(values: Array) -> NDArray[np.bool_]:
+    return values >= values.max() * (1 - _ROUNDED)
 
 
 def _for_speeds(system: Variables, J: Array, count: int) -> Array:

@@ -10,13 +10,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from symbody.errors import ParameterError
 from symbody.symbolic import Expr, Max, number, symbols, t
-from symbody.symbolic.given.arguments import described
+from symbody.symbolic.given.arguments import described, with_known_names
 
 __all__ = ["time_histories", "time_history"]
 
 Array = NDArray[np.float64]
 
 
+@with_known_names
 def time_history(instants: ArrayLike, values: ArrayLike) -> Expr:
     """Return an input through given values at given instants, with straight lines between them.
 
@@ -45,6 +46,7 @@ def time_history(instants: ArrayLike, values: ArrayLike) -> Expr:
     return _polygon(places, [number(float(height)) for height in heights])
 
 
+@with_known_names
 def time_histories(name: str, instants: ArrayLike, rows: ArrayLike) -> tuple[Expr, dict[Expr, Array]]:
     """Return one input for many motions, each with values of its own at the same instants, and these values as cases.
 

@@ -10,11 +10,8 @@ from numpy.typing import ArrayLike
 from symbody.dynamics import Equations
 from symbody.simulation.given.differentiated import differentiated_by
 from symbody.simulation.given.event import Event
-from symbody.simulation.given.given_bodies import warn_of_impossible_bodies
-from symbody.simulation.given.given_elements import warn_of_negative_sizes
-from symbody.simulation.given.given_joints import warn_of_senseless_dimensions
+from symbody.simulation.given.odd_values import warn_of_odd_values
 from symbody.simulation.given.options import Options, check_options, constraint_handling, instants_of
-from symbody.simulation.given.unused import warn_of_unused
 from symbody.simulation.given.values import given_inputs, state_values, zero_parameters
 from symbody.simulation.model.model import model_of
 from symbody.symbolic import Expr, ExprLike
@@ -23,7 +20,7 @@ from .methods import METHODS, check_abilities, method_name
 from .outputs_and_events import check_observed, given_events, given_outputs
 from .task import Task
 
-__all__ = ["task_of", "warn_of_odd_values"]
+__all__ = ["task_of", "warn_of_odd_parameters"]
 
 
 def task_of(
@@ -99,17 +96,13 @@ def task_of(
     return replace(task, by=by) if by else task
 
 
-def warn_of_odd_values(task: Task, parameters: Mapping[Expr, ArrayLike], where: str = "simulate") -> None:
-    """Warn of parameters without a use, of impossible bodies, negative resistances, and senseless joints.
+def warn_of_odd_parameters(task: Task, parameters: Mapping[Expr, ArrayLike], where: str = "simulate") -> None:
+    """Warn of values of parameters that a task does not use, or that make no sense in its model.
 
     Args:
         task: the task.
         parameters: the values of the parameters.
         where: the function that the user called, for messages.
     """
-    equations = task.model.equations
-    observed = [*task.observed, *dict(task.model.inputs).values()]
-    warn_of_unused(equations, parameters, observed, where)
-    warn_of_impossible_bodies(equations.system, parameters, where)
-    warn_of_negative_sizes(equations.system, parameters, where)
-    warn_of_senseless_dimensions(equations.system, parameters, where)
+    wanted = [*task.observed, *dict(task.model.inputs).values()]
+    warn_of_odd_values(task.model.equations, parameters, wanted, where)

@@ -16,8 +16,8 @@ from symbody.errors import ArgumentError, ModelError, SimulationError
 from symbody.multibody import Variables
 from symbody.simulation.constraint.kinematics import Kinematics, kinematics_of
 from symbody.simulation.given.given_input import substitute_inputs
+from symbody.simulation.given.odd_values import warn_of_odd_values
 from symbody.simulation.given.parameter import parameters_among
-from symbody.simulation.given.unused import warn_of_unused
 from symbody.simulation.given.values import given_inputs, state_values
 from symbody.simulation.model.unknown import unknown_variables
 from symbody.simulation.motion.motion import Motion
@@ -228,7 +228,7 @@ def inverse_dynamics(
     formulas = (
         [value for value in motion.values() if isinstance(value, Expr)] if isinstance(motion, Mapping) else []
     )
-    warn_of_unused(eqs, numbers, [*given.values(), *formulas], _WHERE)
+    warn_of_odd_values(eqs, numbers, [*given.values(), *formulas], _WHERE)
     equations = driving_loads(eqs, kinematics.given, () if loads else driven.driving, loads, _WHERE)
     with reporting(_WHERE):
         forces, multipliers = equations.solution(driven.instants, driven.trajectory, driven.parameters)

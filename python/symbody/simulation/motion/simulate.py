@@ -19,7 +19,7 @@ from symbody.simulation.integrate.integrated import Integrated, run_motions
 from symbody.simulation.integrate.notices import findings_of, notices_of_motion
 from symbody.simulation.integrate.outcome import FailureKind, with_deficiencies
 from symbody.simulation.integrate.task import Task
-from symbody.simulation.integrate.task_of import task_of, warn_of_odd_values
+from symbody.simulation.integrate.task_of import task_of, warn_of_odd_parameters
 from symbody.simulation.integrate.with_sensitivities import beside_sensitivities
 from symbody.simulation.integrate.without_redundant import without_redundant
 from symbody.simulation.terminal.interruption import Interruption
@@ -117,7 +117,7 @@ def simulate(
     )
     parameter_values(task.parameters, parameters, beside=task.model.system.state_names)
     given = {name: float(value) for name, value in (parameters or {}).items()}
-    warn_of_odd_values(task, given)
+    warn_of_odd_parameters(task, given)
     with preparation_bar(is_shown=progress), noting() as met:
         state = initial_state(task, given, initial)
         slopes = initial_slopes(task, given, initial, state) if task.by else None

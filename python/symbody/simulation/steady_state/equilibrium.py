@@ -15,7 +15,7 @@ from symbody.multibody import System
 from symbody.simulation.constraint.consistent_position import listed_values, positions
 from symbody.simulation.constraint.kinematics import kinematics_of
 from symbody.simulation.constraint.opposite_axes import check_senses
-from symbody.simulation.given.unused import warn_of_unused
+from symbody.simulation.given.odd_values import warn_of_odd_values
 from symbody.simulation.given.values import given_inputs, parameter_values, state_values
 from symbody.simulation.given.wording import joined_by_and
 from symbody.simulation.model.undefined_force import undefined_force
@@ -318,7 +318,7 @@ def _place(
     near = state_values(
         eqs.system, guess, where=_WHERE, argument="guess", has_speeds=False, has_states=bool(eqs.states)
     )
-    warn_of_unused(eqs, parameters or {}, list(given.values()), _WHERE)
+    warn_of_odd_values(eqs, parameters or {}, list(given.values()), _WHERE)
     if held and eqs.system.momenta:
         raise ModelError(
             f"{_WHERE}, fixed: the speeds of the equations are momenta, along which no forces act; expected equations "

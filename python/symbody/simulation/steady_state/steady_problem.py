@@ -15,7 +15,7 @@ from symbody.simulation.constraint.kinematics import kinematics_of, neutral_posi
 from symbody.simulation.constraint.least_norm import least_norm
 from symbody.simulation.constraint.opposite_axes import turned_joint
 from symbody.simulation.given.given_input import Given
-from symbody.simulation.given.unused import warn_of_unused
+from symbody.simulation.given.odd_values import warn_of_odd_values
 from symbody.simulation.given.values import (
     check_equations,
     parameter_values,
@@ -208,7 +208,7 @@ def steady_problem(search: Search) -> SteadyProblem:
     values = {symbol_of: near.get(w, value) for w, (symbol_of, value) in stands.items()}
     formulas = {w: stands[w][0] if w in stands else formula for w, formula in inputs.items()}
     given = tuple(sorted(formulas.items(), key=lambda pair: str(pair[0])))
-    warn_of_unused(eqs, constants, list(inputs.values()), where)
+    warn_of_odd_values(eqs, constants, list(inputs.values()), where)
 
     solved = tuple(stands[name][0] if name in stands else name for name in unknown)
     guessed = {name: near[name] for name in unknown if name in near and name not in stands}

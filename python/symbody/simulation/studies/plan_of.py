@@ -13,7 +13,7 @@ from symbody.simulation.batch.case_check import check_cases
 from symbody.simulation.batch.cases import Cases
 from symbody.simulation.device.devices import on_device
 from symbody.simulation.integrate.outputs_and_events import check_observed
-from symbody.simulation.integrate.task_of import task_of, warn_of_odd_values
+from symbody.simulation.integrate.task_of import task_of, warn_of_odd_parameters
 
 from .asked import Asked
 from .integrals import with_integrals
@@ -55,5 +55,5 @@ def plan_of(
     measured = {name: measure.expression for name, measure in named.items()}
     check_observed(task.model, outputs, task.events, PLACE, measured)
     check_cases(plan.with_names, cases, PLACE)
-    warn_of_odd_values(plan.with_names, cases.parameters, PLACE)
+    warn_of_odd_parameters(plan.with_names, cases.parameters, PLACE)
     return plan

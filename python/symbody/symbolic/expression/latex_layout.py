@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable, Sequence
 
 __all__ = [
+    "ARTICLE",
     "LINE",
     "aligned",
     "bmatrix",
@@ -19,6 +20,9 @@ __all__ = [
 
 LINE = 80
 """The most characters of a line, as `width` counts them: those of a page of A4 with margins of 2 cm."""
+
+ARTICLE = 47
+"""The same of a page of A4 in 11 points with the margins of LaTeX's class `article`."""
 
 _TOKEN = re.compile(r"\\begin\{\w+\}|\\end\{\w+\}|\\[A-Za-z]+|\\.|\s+|.", re.DOTALL)
 _SIZES = {r"\left", r"\right", r"\bigl", r"\bigr"}
