@@ -397,6 +397,27 @@ def test_the_differences_of_a_disc_in_a_ring_have_one_direction() -> None:
     assert "- 1/2*m*R*(R - r)*theta''" in text
 
 
+def test_differences_of_inertias_have_one_direction() -> None:
+    """The wrist Z Y Z has `A - B` in all equations, and not `B - A` beside it; Euler's cycle keeps its signs."""
+    q = functions_of_time("q1 q2 q3")
+    frame, bodies = ground, []
+    for i, (axis, angle) in enumerate(zip("ZYZ", q, strict=True)):
+        frame = frame * rotate(axis, angle)
+        bodies.append(Body(frame, 0, *symbols(f"A{i} B{i} C{i}")))
+    text = describe(newton_euler(System(bodies, coordinates=list(q))))
+    found = {*re.findall(r"\((\w+) - (\w+)\)", text)}
+    assert found
+    assert not any(pair[::-1] in found for pair in found)
+
+
+def test_given_accelerations_have_one_coefficient_each() -> None:
+    X, Y = functions_of_time("X Y")
+    place = translate(X, Y, 0) * rotate("Z", theta)
+    bodies = [Body(place * translate(0, -a, 0), m), Body(place * translate(0, -a, 0), k)]
+    (row,) = describe(newton_euler(System(bodies, coordinates=[theta], inputs=[X, Y]))).splitlines()[1:]
+    assert row.strip() == "(k + m)*a**2*theta'' + a*(k + m)*cos(theta)*X'' + a*(k + m)*sin(theta)*Y'' = 0"
+
+
 def test_a_load_over_a_parameter_is_a_load() -> None:
     """Without the parameter it is undefined; it doesn't mix with the inertia of rotating axes."""
     turning = rotate("Z", F * t) * translate(x, 0, 0)

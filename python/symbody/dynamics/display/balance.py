@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from symbody.multibody import Action, System, Variables
-from symbody.symbolic import Expr, Matrix, number
+from symbody.symbolic import Expr, Matrix, diff, number
 from symbody.symbolic.calculus.reader import Reader
 
 from .causes import generalized_forces
@@ -211,7 +211,7 @@ def _balance(
         velocities = _terms(part.inertia, reader)
     else:
         products = (*inertia.quadratic, *inertia.linear)
-        velocities = (*joined(products, reader), *_terms(inertia.constant, reader))
+        velocities = (*joined(products, reader), *_given_accelerations(inertia.constant, reader))
     return Balance(
         accelerations=tuple(joined(row, reader, by_sign_only=True)),
         velocities=velocities,
@@ -220,6 +220,21 @@ def _balance(
         applied=_terms(part.given, reader),
         constraints=tuple(joined(forces, reader, by_sign_only=True)),
     )
+
+
+def _given_accelerations(constant: Expr, reader: Reader) -> tuple[Expr, ...]:
+    """Return terms without speeds, one for each acceleration that is given, such as that of a support."""
+    given = sorted((leaf for leaf in constant.free_symbols if _is_acceleration(leaf)), key=str)
+    products = [(diff(constant, leaf), leaf) for leaf in given]
+    rest = constant - sum((factor * leaf for factor, leaf in products), start=number(0))
+    if any(leaf in rest.free_symbols for leaf in given) and not rest.is_zero:
+        return _terms(constant, reader)
+    terms = joined(products, reader, by_sign_only=True)
+    return (*terms, *_terms(rest, reader))
+
+
+def _is_acceleration(leaf: Expr) -> bool:
+    return leaf.kind == "time_function" and leaf.order > 1
 
 
 def _terms(expression: Expr, reader: Reader) -> tuple[Expr, ...]:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from symbody.multibody import System
-from symbody.symbolic import Expr, cost, latex, symbols
+from symbody.symbolic import Expr, cost, latex, symbol
 from symbody.symbolic.calculus.reader import Reader
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.expression.latex_layout import ARTICLE, aligned, broken
@@ -61,7 +61,7 @@ class CanonicalPage:
         """Return the equations in LaTeX, after the quantities that have names; long ones are broken at terms."""
         definitions, sides = self._named_rows("latex")
         made = [row for name, value in definitions for row in broken(f"{name} &= ", value, ARTICLE)]
-        names = map(latex, (symbols(self._name_of_h), *self.rates))
+        names = map(latex, (symbol(self._name_of_h), *self.rates))
         n = 1 + len(self.rates)
         for name, side in zip(names, sides[:n], strict=True):
             made += broken(f"{name} &= ", side, ARTICLE)
@@ -109,7 +109,7 @@ class CanonicalPage:
 
     def summary_in_latex(self) -> str:
         """Return the number and the sizes of equations in LaTeX."""
-        names = map(latex, (symbols(self._name_of_h), *self.rates))
+        names = map(latex, (symbol(self._name_of_h), *self.rates))
         sizes = [
             rf"{name} &\colon \text{{{counted(size, 'operation')}}}"
             for name, (_, size) in zip(names, self._sizes, strict=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 
 from symbody.multibody import System, Variables
@@ -9,27 +10,59 @@ from symbody.symbolic import Expr, listing_of_equations, time_derivative
 
 from .difference import are_lengths, signs
 
+Listing = tuple[list[tuple[str, str]], list[str]]
+"""Named quantities and printed terms."""
 LINE = 110
 """The most characters of a line of text."""
 
 
-def printed(
-    terms: Iterable[Expr], notation: str, system: Variables
-) -> tuple[list[tuple[str, str]], list[str]]:
+def printed(terms: Iterable[Expr], notation: str, system: Variables) -> Listing:
     """Return named quantities and printed terms: coordinates, speeds and multipliers are in the system's order.
 
     Differences of lengths in the model, such as `R - r`, keep their direction; of the two directions of others, that
-    with fewer minus signs is printed.
+    with fewer minus signs is printed. Differences of two other parameters have one direction in all terms.
     """
     terms = tuple(terms)
-    speeds = (*system.quasi_velocities, *system.multipliers)
     added, behind = signs(system) if isinstance(system, System) else ((), ())
     is_open = added and isinstance(system, System) and not are_lengths(system)
     directions = [behind, added] if is_open else [behind]
-    listings = [
-        listing_of_equations(terms, notation, in_order(system), speeds, direction) for direction in directions
-    ]
-    return min(listings, key=_minuses)
+    listings = [(direction, _listed(terms, "text", system, direction)) for direction in directions]
+    direction, plain = _with_one_direction(terms, system, *min(listings, key=lambda each: _minuses(each[1])))
+    return plain if notation == "text" else _listed(terms, notation, system, direction)
+
+
+def _listed(terms: tuple[Expr, ...], notation: str, system: Variables, subtracted: Sequence[Expr]) -> Listing:
+    speeds = (*system.quasi_velocities, *system.multipliers)
+    return listing_of_equations(terms, notation, in_order(system), speeds, subtracted)
+
+
+def _with_one_direction(
+    terms: tuple[Expr, ...], system: Variables, subtracted: Sequence[Expr], listing: Listing
+) -> tuple[Sequence[Expr], Listing]:
+    """Return the subtracted parameters by which differences of two have one direction, such as `Iy - Iz`, if any do."""
+    known = {leaf.name: leaf for leaf in system.leaves if leaf.kind == "symbol"}
+    for pair in _opposites(listing)[:_MOST]:
+        tried = [
+            (more, _listed(terms, "text", system, more))
+            for more in ((*subtracted, known[name]) for name in pair if name in known)
+        ]
+        better = [each for each in tried if len(_opposites(each[1])) < len(_opposites(listing))]
+        if better:
+            subtracted, listing = min(better, key=lambda each: (len(_opposites(each[1])), _minuses(each[1])))
+    return subtracted, listing
+
+
+_MOST = 3
+"""The pairs of opposite differences that are brought to one direction."""
+
+
+def _opposites(listing: Listing) -> list[tuple[str, str]]:
+    """Return the pairs of names whose difference stands in both directions."""
+    found = {pair for text in listing[1] for pair in _DIFFERENCE.findall(text)}
+    return sorted(pair for pair in found if pair < pair[::-1] and pair[::-1] in found)
+
+
+_DIFFERENCE = re.compile(r"\((\w+) - (\w+)\)")
 
 
 def in_order(system: Variables) -> tuple[Expr, ...]:
@@ -39,7 +72,7 @@ def in_order(system: Variables) -> tuple[Expr, ...]:
     return (*driving, *(each for each in system.coordinates if each not in driving))
 
 
-def _minuses(listing: tuple[list[tuple[str, str]], list[str]]) -> int:
+def _minuses(listing: Listing) -> int:
     return sum(text.count("-") for text in listing[1])
 
 

@@ -14,6 +14,8 @@ LONG = 1200
 """Characters from which on equations get short names: shorter ones are read at a glance."""
 _WORTH = 0.1
 """The part of the characters that names must save."""
+_OFTEN, _OFTEN_WORD = 3, 6
+"""How often a sine or cosine stands at least to have a name such as `c2`, and one such as `c_phi`, which saves less."""
 
 
 @dataclass(frozen=True)
@@ -140,14 +142,16 @@ def _with_entries(
 
 
 def _with_waves(texts: Sequence[str], style: _Notation) -> tuple[list[Definition], list[str]]:
-    """Return the sines and cosines as short names, all of them alike, and texts with these names."""
+    """Return the sines and cosines that occur often as short names, and texts with these names."""
     names = dict[tuple[str, str], str]()
     definitions = list[Definition]()
-    waves = {(each["kind"], each["angle"]) for text in texts for each in style.wave.finditer(text)}
+    waves = Counter((each["kind"], each["angle"]) for text in texts for each in style.wave.finditer(text))
     plain = _plain_stem(texts, style)
     for kind, angle in sorted(waves, key=lambda wave: _key(*wave)):
         name = _name(kind, angle, style, plain)
-        if name is not None and name not in names.values() and not _occurs(name, texts):
+        is_word = {part["stem"] for part in _parts(angle, style)} != {plain}
+        is_often = waves[kind, angle] >= (_OFTEN_WORD if is_word else _OFTEN)
+        if is_often and name is not None and name not in names.values() and not _occurs(name, texts):
             names[kind, angle] = name
             definitions.append((name, _wave(kind, angle, style)))
 
