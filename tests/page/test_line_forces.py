@@ -28,6 +28,7 @@ from symbody import (
     translate,
 )
 from symbody.models import andrews_mechanism, full_car, slider_crank
+from symbody.multibody.element.element import terms_of_law
 
 m, k, c, l0, a, g, J = symbols("m k c l0 a g J")
 x, y, z, theta = functions_of_time("x y z theta")
@@ -138,6 +139,22 @@ def test_a_long_root_that_stands_twice_has_a_name() -> None:
     assert "F := k*(l - l0)" in text
     _, rows = in_symbols(equations)
     assert [*equations.residuals] == rows
+
+
+@pytest.mark.filterwarnings("error")
+def test_names_of_the_page_are_no_namesakes_of_the_users() -> None:
+    """The user has symbols l, L and F in the same file, of which the model has l: no notice, and no second meaning."""
+    l, _, _ = symbols("l L F")
+    bobs = [
+        Body(translate(a * i, 0, 0) * rotate("Z", q) * translate(0, -l, 0), m)
+        for i, q in enumerate(functions_of_time("q1 q2"))
+    ]
+    ends = [bob.center_of_mass for bob in bobs]
+    joint = spring(*ends, k, free_length=l0, on=bobs[0], reaction=bobs[1], name="band")
+    system = System(bobs, [joint], functions_of_time("q1 q2"))
+    assert "F := k*(" in describe(newton_euler(system))
+    assert "l := " not in describe(newton_euler(system))
+    assert terms_of_law(joint, {"l"}) == (k * (functions_of_time("length") - l0),)
 
 
 def test_a_force_along_an_axis_is_shown_by_a_sign() -> None:

@@ -46,6 +46,10 @@ f = function("f")
 M = Matrix([[a, b], [b, a]])
 anything: Any = symbolic  # the functions without their types, as a user of a notebook sees them
 NUMBER = "expected an expression or a number (int, float, Fraction, NumPy scalar)"
+CONTAINED = (
+    "expected an expression, a number (int, float, Fraction, NumPy scalar), or what holds them: a list, a matrix, "
+    "a body, equations"
+)
 
 MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     # --- makers of leaves ---
@@ -208,8 +212,8 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         "evaluate: 3 is an int; expected a mapping of variables to numbers, such as {x: 1.0}",
     ),
     # --- rewrites, equations, counts, texts ---
-    (ArgumentError, lambda: anything.expand("x"), f"expand: 'x' is a str; {NUMBER}; parse converts it"),
-    (ArgumentError, lambda: anything.simplify({3}), f"simplify: {{3}} is a set; {NUMBER}"),
+    (ArgumentError, lambda: anything.expand("x"), f"expand: 'x' is a str; {CONTAINED}; parse converts it"),
+    (ArgumentError, lambda: anything.simplify({3}), f"simplify: {{3}} is a set; {CONTAINED}"),
     (
         ArgumentError,
         lambda: anything.collect(x, 3),
@@ -226,7 +230,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         lambda: cost({"a": x}),
         "cost counts expressions, found the text 'a'; parse it first",
     ),
-    (ArgumentError, lambda: anything.latex({x}), f"latex: {{x}} is a set; {NUMBER}"),
+    (ArgumentError, lambda: anything.latex({x}), f"latex: {{x}} is a set; {CONTAINED}"),
     (
         ArgumentError,
         lambda: anything.latex([x, (1, "y")]),

@@ -6,6 +6,7 @@ from symbody.document.document import Block, Heading, prose
 from symbody.document.formula import equalities, listed
 from symbody.document.subject import Subject
 from symbody.dynamics.display.page import shorter
+from symbody.dynamics.display.reader_of import reader_of
 from symbody.symbolic import latex
 from symbody.symbolic.given.arguments import counted
 
@@ -30,7 +31,8 @@ def kinematics(subject: Subject) -> list[Block]:
     if system.constraints:
         multipliers = listed(system.multipliers)
         lead = prose("The constraints, whose multipliers are ", *multipliers, ", are")
-        constraints = system.constraints if subject.is_large else [*map(shorter, system.constraints)]
+        reader = reader_of(system)
+        constraints = [each if subject.is_large else shorter(each, reader) for each in system.constraints]
         blocks += equalities(lead, ["0"] * len(constraints), constraints, system)
     blocks += _centres(subject)
     return blocks

@@ -106,7 +106,7 @@ def _names(system: System) -> dict[Body, str]:
 
 def _loads(system: System) -> list[Block]:
     """Return the actions of all loads, and gravity."""
-    names = _names(system)
+    names, taken = _names(system), {leaf.name for leaf in system.leaves}
     rows: list[tuple[Words, ...]] = []
     for number, load in enumerate(system.loads, start=1):
         name = load.name or f"load {number}"
@@ -114,7 +114,7 @@ def _loads(system: System) -> list[Block]:
             names.get(each.body, each.body.name or "a body outside the system") for each in load.actions
         ]
         if is_along_line(load):
-            law = (Math(written(listing(terms_of_law(load), "latex")[1])),)
+            law = (Math(written(listing(terms_of_law(load, taken), "latex")[1])),)
             rows.append(((name,), ("force",), law, ("its line",), (joined_by_and(members),)))
             continue
         for action, on in zip(load.actions, members, strict=True):

@@ -12,8 +12,8 @@ from symbody.symbolic.calculus.reader import Reader
 from .causes import generalized_forces
 from .degree import Degrees, by_christoffel, degrees, is_defined_without, part_of, without
 from .device import by_device, devices
-from .difference import differences
 from .like_terms import joined
+from .reader_of import reader_of
 from .source import Sources, sources
 
 
@@ -73,7 +73,7 @@ def balances(
         jacobian: phi_q, m x n.
         actions: those of the loads in the equations; by default all of the system.
     """
-    reader = Reader(differences(system) if isinstance(system, System) else ())
+    reader = reader_of(system, [*mass_matrix.entries, *bias])
     if actions is None:
         actions = system.actions if isinstance(system, System) else ()
     kinds = sources(system, mass_matrix, actions)
@@ -163,12 +163,13 @@ def _loads(
             products = (*degree.quadratic, *degree.linear)
             terms = (*joined(products, reader), *_terms(degree.constant, reader))
         others = by_device(load, symbols, speeds, reader)
-        made.append(others if others is not None and _length(others) <= _EQUAL * _length(terms) else terms)
+        made.append(others if others is not None and _is_short(others, terms, reader) else terms)
     return made
 
 
-def _length(terms: Sequence[Expr]) -> int:
-    return len(str(sum(terms, start=number(0))))
+def _is_short(others: Sequence[Expr], terms: Sequence[Expr], reader: Reader) -> bool:
+    lengths = (reader.length(sum(each, start=number(0))) for each in (others, terms))
+    return next(lengths) <= _EQUAL * next(lengths)
 
 
 _EQUAL = 1.1

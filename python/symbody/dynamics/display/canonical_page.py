@@ -7,14 +7,14 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from symbody.multibody import System
-from symbody.symbolic import Expr, cost, latex, symbols
+from symbody.symbolic import Expr, cost, latex, symbol
 from symbody.symbolic.calculus.reader import Reader
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.expression.latex_layout import ARTICLE, aligned, broken
 from symbody.symbolic.given.arguments import counted
 
-from .difference import differences
 from .page import indented, shorter
+from .reader_of import reader_of
 from .row import printed, written
 from .short_names import Definition, shortened
 
@@ -61,7 +61,7 @@ class CanonicalPage:
         """Return the equations in LaTeX, after the quantities that have names; long ones are broken at terms."""
         definitions, sides = self._named_rows("latex")
         made = [row for name, value in definitions for row in broken(f"{name} &= ", value, ARTICLE)]
-        names = map(latex, (symbols(self._name_of_h), *self.rates))
+        names = map(latex, (symbol(self._name_of_h), *self.rates))
         n = 1 + len(self.rates)
         for name, side in zip(names, sides[:n], strict=True):
             made += broken(f"{name} &= ", side, ARTICLE)
@@ -71,7 +71,7 @@ class CanonicalPage:
     def _named_rows(self, notation: str) -> tuple[list[Definition], list[str]]:
         """Return named quantities, and the right sides of all rows."""
         rows = [self._terms(value) for value in (self.hamiltonian, *self.rates.values())]
-        rows += [(shorter(constraint),) for constraint in self.system.constraints]
+        rows += [(shorter(constraint, self._reader),) for constraint in self.system.constraints]
         definitions, texts = printed([term for row in rows for term in row], notation, self.system)
         remaining = iter(texts)
         return shortened([written(next(remaining) for _ in row) for row in rows], (), definitions, notation)
@@ -85,7 +85,7 @@ class CanonicalPage:
 
     @cached_property
     def _reader(self) -> Reader:
-        return Reader(differences(self.system))
+        return reader_of(self.system)
 
     # --- equations that are too long to be read ---
 
@@ -109,7 +109,7 @@ class CanonicalPage:
 
     def summary_in_latex(self) -> str:
         """Return the number and the sizes of equations in LaTeX."""
-        names = map(latex, (symbols(self._name_of_h), *self.rates))
+        names = map(latex, (symbol(self._name_of_h), *self.rates))
         sizes = [
             rf"{name} &\colon \text{{{counted(size, 'operation')}}}"
             for name, (_, size) in zip(names, self._sizes, strict=True)

@@ -46,4 +46,4 @@ def _product(common: Expr, members: list[Product], reader: Reader) -> Expr:
     if len(members) == 1:
         return coefficient * total
     form = reader(total)
-    return coefficient * (form if len(str(form)) < _SQUARE * len(str(total)) else total)
+    return coefficient * (form if reader.length(form) < _SQUARE * reader.length(total) else total)

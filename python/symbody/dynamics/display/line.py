@@ -13,7 +13,7 @@ from itertools import chain, count
 from symbody.geometry import Vector, project
 from symbody.multibody import Element, System
 from symbody.multibody.element.element import is_along_line
-from symbody.symbolic import Expr, functions_of_time, jacobian, number, sqrt, symbols, time_derivative
+from symbody.symbolic import Expr, jacobian, number, sqrt, symbol, time_derivative, time_function
 from symbody.symbolic.calculus.reader import Reader
 
 _LENGTHS, _FORCES = ("l", "d", "L", "b"), ("F", "f", "S", "P")
@@ -65,7 +65,7 @@ def _by_places(element: Element, reader: Reader) -> Expr:
         sum((reader(each) ** 2 for each in project(line, vector.frame.ancestor).components), start=number(0))
     )
     forms = [form for form in (reader(length), root, length) if form == length]
-    return min(forms, key=lambda form: len(str(form)))
+    return min(forms, key=reader.length)
 
 
 def named_lines(system: System) -> tuple[NamedLine, ...]:
@@ -78,8 +78,8 @@ def named_lines(system: System) -> tuple[NamedLine, ...]:
     for element, index in zip(elements, numbers, strict=True):
         law = element.law.get("force")
         is_short = law is not None and law.kind in {"symbol", "time_function"}
-        force = law if law is not None and is_short else symbols(f"{forces}{index}")
-        made.append(NamedLine(element, functions_of_time(f"{lengths}{index}"), force))
+        force = law if law is not None and is_short else symbol(f"{forces}{index}")
+        made.append(NamedLine(element, time_function(f"{lengths}{index}"), force))
     return tuple(made)
 
 

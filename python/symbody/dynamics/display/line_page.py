@@ -14,9 +14,9 @@ from symbody.symbolic.calculus.reader import Reader
 from .balance import balances
 from .causes import generalized_forces
 from .degree import by_christoffel, without
-from .difference import differences
 from .line import NamedLine, named_lines
 from .page import Page
+from .reader_of import reader_of
 from .short_names import LONG
 
 
@@ -85,7 +85,7 @@ def _page_with_lines(
         return None
     others = [residual - pull for residual, pull in zip(residuals, pulls, strict=True)]
     rows, matrix = balances(system, others, matrix, short, jacobian, actions)
-    reader = Reader(differences(system))
+    reader = reader_of(system)
     named = [
         replace(row, loads=(*row.loads, *_terms(lines, [slope[i] for slope in slopes], reader)))
         for i, row in enumerate(rows)

@@ -13,12 +13,12 @@ from dataclasses import dataclass, replace
 from symbody.errors import ModelNotice
 from symbody.multibody import System, Variables
 from symbody.symbolic import Expr, Matrix, diff, free_symbols, latex, number, zeros
-from symbody.symbolic.calculus.rewrite import textbook_form
 from symbody.symbolic.expression.latex_layout import aligned, bmatrix, displayed
 
 from .balance import Balance
 from .causes import generalized_forces
 from .page import Page
+from .reader_of import reader_of
 from .row import LINE, lines, printed
 from .short_names import Definition, in_order_of_use, shortened
 
@@ -271,7 +271,7 @@ def _of_given(
     elif christoffel:
         coriolis, is_christoffel = by_christoffel(mass_matrix, system), True
         products = coriolis @ Matrix([[u] for u in system.speeds])
-        forces = Matrix([[textbook_form(each)] for each in (forces + products).entries])
+        forces = Matrix([[reader_of(system).form(each)] for each in (forces + products).entries])
     constraints = _column([balance.constraints for balance in balances])
     return MatrixForm(
         system, mass_matrix, coriolis, nothing, nothing, forces, constraints, is_christoffel=is_christoffel
@@ -296,14 +296,14 @@ def by_christoffel(mass_matrix: Matrix, system: Variables) -> Matrix:
 
     With it, M' - 2 C is skew-symmetric [Murray, Li & Sastry 1994, sec. 4.2].
     """
-    q, n = system.coordinates, len(system.coordinates)
+    q, n, reader = system.coordinates, len(system.coordinates), reader_of(system)
     rates = [[[diff(mass_matrix[i, j], q[k]) for k in range(n)] for j in range(n)] for i in range(n)]
 
     def entry(i: int, j: int) -> Expr:
         total = number(0)
         for k, speed in enumerate(system.speeds):
             total += (rates[i][j][k] + rates[i][k][j] - rates[j][k][i]) / 2 * speed
-        return textbook_form(total)
+        return reader.form(total)
 
     return Matrix([[entry(i, j) for j in range(n)] for i in range(n)])
 

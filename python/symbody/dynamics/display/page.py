@@ -7,11 +7,12 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from symbody.multibody import Variables
-from symbody.symbolic import Expr, Matrix, cost, listing, simplify
-from symbody.symbolic.calculus.rewrite import textbook_form
+from symbody.symbolic import Expr, Matrix, cost, listing
+from symbody.symbolic.calculus.reader import Reader
 from symbody.symbolic.expression.latex_layout import ARTICLE, aligned, broken
 
 from .balance import Balance
+from .reader_of import reader_of
 from .row import LINE, lines, printed, written
 from .short_names import Definition, in_order_of_use, shortened
 
@@ -41,11 +42,15 @@ class Page:
     named: tuple[tuple[Expr, Expr], ...] = ()
 
     @cached_property
+    def _reader(self) -> Reader:
+        return reader_of(self.system)
+
+    @cached_property
     def _rates(self) -> tuple[tuple[Expr, Expr], ...]:
         """The kinematics that need a line, then the rates of the states."""
         states = dict(self.state_rates)
         kinematics = ((rate, value) for rate, value in self.system.known_rates.items() if rate not in states)
-        return tuple((rate, textbook_form(value)) for rate, value in (*kinematics, *self.state_rates))
+        return tuple((rate, self._reader.form(value)) for rate, value in (*kinematics, *self.state_rates))
 
     def description(self) -> str:
         """Return the equations line by line, after the quantities that have names."""
@@ -75,7 +80,7 @@ class Page:
     def _pieces(self) -> tuple[Expr, ...]:
         terms = [term for balance in self.balances for term in (*balance.left, *balance.right)]
         rates, named = ((side for pair in pairs for side in pair) for pairs in (self._rates, self.named))
-        return (*terms, *map(shorter, self.constraints), *rates, *named)
+        return (*terms, *(shorter(each, self._reader) for each in self.constraints), *rates, *named)
 
     def _named_rows(self, notation: str) -> tuple[list[Definition], list[tuple[str, str]]]:
         """Return named quantities, and the left and right sides of all rows with short names."""
@@ -121,15 +126,15 @@ class Page:
         return list(zip(texts[::2], texts[1::2], strict=True))
 
 
-def shorter(constraint: Expr) -> Expr:
+def shorter(constraint: Expr, reader: Reader) -> Expr:
     """Return a constraint as it was given, unless it has a shorter form.
 
     That of rolling is the product of many rotations: most of its terms cancel, and the form is found from what is left.
     """
-    forms = [constraint, textbook_form(constraint)]
+    forms = [constraint, reader.form(constraint)]
     if _MANY < cost(constraint).total < _TOO_MANY:
-        forms.append(textbook_form(simplify(constraint)))
-    return min(forms, key=lambda form: len(str(form)))
+        forms.append(reader.simplest_form(constraint))
+    return min(forms, key=reader.length)
 
 
 _MANY, _TOO_MANY = 50, 200

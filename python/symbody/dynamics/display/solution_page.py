@@ -6,14 +6,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
-from symbody.multibody import System, Variables
+from symbody.multibody import Variables
 from symbody.symbolic import Expr, cost, latex, substitute
-from symbody.symbolic.calculus.reader import Reader
 from symbody.symbolic.expression.latex_layout import ARTICLE, aligned, broken
 from symbody.symbolic.given.arguments import counted
 
-from .difference import differences
 from .page import indented
+from .reader_of import reader_of
 from .row import printed
 from .short_names import Definition, shortened
 from .summary import READABLE
@@ -78,7 +77,7 @@ class SolutionPage:
 
     def _rows(self, notation: str) -> tuple[list[Definition], list[tuple[Expr, str]]]:
         """Return named quantities, and the values that have a form, by the names of those that are solved for."""
-        reader = Reader(differences(self.system) if isinstance(self.system, System) else ())
+        reader = reader_of(self.system)
         names = {place: unknown * place / self.values[unknown] for unknown, place in self._solved.items()}
         given = {unknown: value for unknown, value in self.values.items() if unknown not in self._solved}
         forms = [reader(value) for value in substitute(list(given.values()), names)]

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from functools import cached_property
 from typing import Any, NamedTuple, TypeGuard, final
 
 from symbody.errors import LoadError
 from symbody.multibody.load import Action, Load
-from symbody.symbolic import Expr, functions_of_time, number, time_derivative
+from symbody.symbolic import Expr, number, time_derivative, time_function
 from symbody.symbolic.expression.container import Container, contains
 from symbody.symbolic.given.arguments import brief
 
@@ -116,8 +116,12 @@ class Element(Load):
         return self.name or f"{self.kind}(on {bodies})"
 
 
-def terms_of_law(element: Element) -> tuple[Expr, ...]:
+def terms_of_law(element: Element, taken: Collection[str] = ()) -> tuple[Expr, ...]:
     """Return the terms of the force along a line, by its length l and its rate; a positive force pulls.
+
+    Args:
+        element: the spring, damper or actuator.
+        taken: the names of the model; if l is one of them, the length is called so in full.
 
     >>> from symbody import Body, functions_of_time, ground, origin, spring, symbols, translate
     >>> x, (k, c) = functions_of_time("x"), symbols("k c")
@@ -128,8 +132,8 @@ def terms_of_law(element: Element) -> tuple[Expr, ...]:
     law = element.law
     if "force" in law:
         return (law["force"],)
-    is_taken = any(leaf.name == "l" for value in law.values() for leaf in value.free_symbols)
-    length = functions_of_time("length" if is_taken else "l")
+    is_taken = "l" in taken or any(leaf.name == "l" for value in law.values() for leaf in value.free_symbols)
+    length = time_function("length" if is_taken else "l")
     terms = (law["stiffness"] * (length - law["free_length"]), law["damping"] * time_derivative(length))
     return tuple(term for term in terms if not term.is_zero)
 

@@ -271,7 +271,8 @@ def _pivots(places: Sequence[Array], count: int) -> tuple[int, ...]:
 
 
 def _nearly_largest(values: Array) -> NDArray[np.bool_]:
-    return np.asarray(values >= values.max() * (1 - _ROUNDED))
+    found: NDArray[np.bool_] = values >= values.max() * (1 - _ROUNDED)
+    return found
 
 
 def _for_speeds(system: Variables, J: Array, count: int) -> Array:

@@ -12,7 +12,8 @@ from symbody.symbolic.expression.traverse import post_order
 from .cost import cost
 from .derivative import substitute
 from .difference import by_differences, with_differences
-from .rewrite import textbook_form
+from .rewrite import simplify, textbook_form
+from .standard_names import AS_GIVEN, StandardNames
 
 _LARGE = 100
 """Operations from which on an expression stays as it is: nobody reads it."""
@@ -29,16 +30,33 @@ class Reader:
     """Finds the forms of a set of equations; opposite and doubled values have opposite and doubled forms.
 
     Differences that the user wrote stay together, where a form with them is no longer. The work is bounded by the
-    operations of what is read, so that the result depends on the equations alone.
+    operations of what is read, so that the result depends on the equations alone; it is done in standard names, so that
+    other names give the same terms.
     """
 
-    def __init__(self, differences: Sequence[Expr] = ()) -> None:
-        self._differences = tuple(differences)
+    def __init__(self, names: StandardNames = AS_GIVEN, differences: Sequence[Expr] = ()) -> None:
+        self._names = names
+        self._differences = tuple(map(names.standard, differences))
         self._known: dict[Expr, Expr] = {}
         self._read = 0
 
     def __call__(self, expression: Expr) -> Expr:
         """Return the form for the reader."""
+        return self._names.original(self._read_standard(self._names.standard(expression)))
+
+    def length(self, expression: Expr) -> int:
+        """Return the length of an expression in standard names."""
+        return _length(self._names.standard(expression))
+
+    def form(self, expression: Expr) -> Expr:
+        """Return the form for the reader of an expression by itself, which is read however long it is."""
+        return self._names.original(textbook_form(self._names.standard(expression)))
+
+    def simplest_form(self, expression: Expr) -> Expr:
+        """Return the same of its simplest form."""
+        return self._names.original(textbook_form(simplify(self._names.standard(expression))))
+
+    def _read_standard(self, expression: Expr) -> Expr:
         known = self._known.get(expression)
         if known is None:
             multiple = self._multiple_of_known(expression)

@@ -14,6 +14,7 @@ from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 from symbody.symbolic.expression.container import Kind, Rewrite, is_container, rewritten
 from symbody.symbolic.expression.leaves import ExprLike
+from symbody.symbolic.given.arguments import expression_or_container
 
 __all__ = ["coeff", "collect", "combine_trig", "expand", "expand_trig", "factor_terms", "simplify"]
 
@@ -191,4 +192,4 @@ def _each(operation: Callable[[Expr], Expr]) -> Rewrite:
 def _rewritten(name: str, expression: Any) -> Any:
     if is_container(expression):
         return rewritten(expression, _each(partial(_core.rewrite, name)), name)
-    return _core.rewrite(name, expression)
+    return _core.rewrite(name, expression_or_container(expression, name))

@@ -27,6 +27,7 @@ __all__ = [
     "Rewrite",
     "contains",
     "derived",
+    "expressions_in",
     "in_latex",
     "is_container",
     "rewritten",
@@ -75,6 +76,13 @@ def is_container(value: object) -> bool:
 def rewritten(value: Any, operation: Rewrite, place: str) -> Any:
     """Return the container with the operation applied to all its expressions; the place is named in messages."""
     return _Pass(place, lambda entry, _: (entry.parts, entry.rebuilt)).run(value, operation)
+
+
+def expressions_in(value: Any, place: str) -> tuple[Expr, ...]:
+    """Return all expressions in a container, in their order; the place is named in messages."""
+    one = _Pass(place, lambda entry, _: (entry.parts, entry.rebuilt))
+    one.taken_apart(value, "")
+    return tuple(one.leaves)
 
 
 def substituted(value: Any, mapping: Mapping[Any, Any]) -> Any:

@@ -101,6 +101,16 @@ def expression(value: object, place: str) -> Expr:
     return _core.number(value, place)
 
 
+def expression_or_container(value: object, place: str) -> Expr:
+    """Return a number or an expression as an expression where containers of these are taken too, as the error tells."""
+    try:
+        return expression(value, place)
+    except ArgumentError as fault:
+        wanted = "a number (int, float, Fraction, NumPy scalar)"
+        more = f"{wanted}, or what holds them: a list, a matrix, a body, equations"
+        raise ArgumentError(str(fault).replace(f"expression or {wanted}", f"expression, {more}")) from None
+
+
 def with_known_names(function: Callable[P, R]) -> Callable[P, R]:
     """Return a function that reports missing arguments and unknown names, with the name that may be meant.
 

@@ -9,6 +9,7 @@ from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 from symbody.symbolic.expression.container import in_latex, is_container
 from symbody.symbolic.expression.leaves import ExprLike
+from symbody.symbolic.given.arguments import expression_or_container
 
 __all__ = ["latex", "listing", "listing_of_equations", "maple"]
 
@@ -30,7 +31,7 @@ def latex(expression: Any) -> str:
     return (
         in_latex(expression, "latex")
         if is_container(expression)
-        else _core.number(expression, "latex").latex()
+        else expression_or_container(expression, "latex").latex()
     )
 
 

@@ -116,9 +116,9 @@ impl Ring<'_> {
         forms
     }
 
-    /// Whether each term has two sines or cosines.
-    pub(super) fn is_of_pairs(&self, polynomial: &Polynomial) -> bool {
-        polynomial.iter().all(|(monomial, _)| self.waves_of(monomial) == 2)
+    /// Whether a term has two sines or cosines, and none has more.
+    pub(super) fn has_pairs(&self, polynomial: &Polynomial) -> bool {
+        polynomial.iter().map(|(monomial, _)| self.waves_of(monomial)).max() == Some(2)
     }
 
     /// The number of sines and cosines in a product.

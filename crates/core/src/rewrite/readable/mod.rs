@@ -14,7 +14,7 @@ mod wave_square;
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::error::Error;
-use crate::graph::{Graph, Id, View};
+use crate::graph::{Function, Graph, Id, View};
 use crate::polynomial::Budget;
 use crate::print::compare_names;
 
@@ -25,7 +25,7 @@ use super::ring::Ring;
 const LARGEST_PART: usize = 1_500;
 const TERMS: usize = 200;
 /// The most terms of a sum of products of waves.
-const JOINED: usize = 8;
+const JOINED: usize = 200;
 /// The most terms handled for one part.
 const WORK: usize = 30_000;
 /// The same for squares that are completed.
@@ -38,12 +38,12 @@ const LONG: usize = 16;
 
 impl Graph {
     /// The form of an expression for the reader: of the forms that are tried, the one that reads shortest. Its text is
-    /// never longer than the given one, nor is that of any part.
+    /// never longer than the given one.
     ///
     /// # Errors
     /// If a part cannot be rebuilt.
     pub fn readable(&mut self, id: Id) -> Result<Id, Error> {
-        let found = self.form_for_reader(id, true)?;
+        let found = self.form_of_given_or_expanded(id, true)?;
         Ok(if self.is_no_longer(found, id) { found } else { id })
     }
 
@@ -53,7 +53,11 @@ impl Graph {
     /// # Errors
     /// If a part cannot be rebuilt.
     pub fn textbook_form(&mut self, id: Id) -> Result<Id, Error> {
-        let form = self.form_for_reader(id, false)?;
+        self.form_of_given_or_expanded(id, false)
+    }
+
+    fn form_of_given_or_expanded(&mut self, id: Id, is_bounded: bool) -> Result<Id, Error> {
+        let form = self.form_for_reader(id, is_bounded)?;
         if self.tree_cost(&[id]).total() > EXPANDED {
             return Ok(form);
         }
@@ -61,8 +65,10 @@ impl Graph {
         if expanded == id {
             return Ok(form);
         }
-        let other = self.form_for_reader(expanded, false)?;
-        let is_better = other != form && self.same(other, id) && self.reading(other) < self.reading(form);
+        let other = self.form_for_reader(expanded, is_bounded)?;
+        let is_taken = !is_bounded || self.is_no_longer(other, id);
+        let is_better =
+            is_taken && other != form && self.same(other, id) && self.reading(other) < self.reading(form);
         Ok(if is_better { other } else { form })
     }
 
@@ -72,7 +78,7 @@ impl Graph {
         }
         self.choose_form(|graph| {
             let flat = graph.with_flat_sums(id)?;
-            let joined = graph.inside_out(flat, Self::push_enclosed_or_factors, &mut |graph, part| {
+            let joined = graph.inside_out(flat, Self::push_sums, &mut |graph, part| {
                 let joined = graph.joined_waves(part)?;
                 let is_taken = !is_bounded || graph.is_no_longer(joined, part);
                 Ok(if is_taken { joined } else { part })
@@ -88,16 +94,18 @@ impl Graph {
         form == given || length(form) <= length(given)
     }
 
-    /// A sum of products of two waves as one of waves of sums, if that has no more terms: a chain of rotations about one
-    /// axis, from the innermost outwards, takes the sum of its angles, with little work.
+    /// A sum of products of waves as one of waves of sums, if that has fewer terms: a chain of rotations about one
+    /// axis, from the innermost outwards, takes the sum of its angles, with little work. Sums in which no wave stands
+    /// stay closed.
     fn joined_waves(&mut self, part: Id) -> Result<Id, Error> {
-        if !matches!(self.view(part), View::Sum(_)) {
+        if !self.is_sum(self.without_number(part)) {
             return Ok(part);
         }
         let atoms = self.atoms_by_name(part);
+        let closed = self.sums_without_waves(part);
         let mut ring = Ring::with_atoms(self, Budget::new(JOINED, WORK), &atoms);
-        let Ok(sum) = ring.polynomial(part, Opening::Sums) else { return Ok(part) };
-        if sum.len() > JOINED || !ring.is_of_pairs(&sum) {
+        let Ok(sum) = ring.polynomial_over(part, Opening::Products, closed) else { return Ok(part) };
+        if sum.len() > JOINED || !ring.has_pairs(&sum) {
             return Ok(part);
         }
         match ring.combined(&sum) {
@@ -106,6 +114,29 @@ impl Graph {
             }
             _ => Ok(part),
         }
+    }
+
+    /// The node itself if it is a sum, and what it encloses.
+    fn push_sums(&self, id: Id, out: &mut FxHashSet<Id>) {
+        self.push_enclosed(id, out);
+        if self.is_sum(id) {
+            out.insert(id);
+        }
+    }
+
+    /// The sums in a part in whose terms no sine or cosine stands.
+    fn sums_without_waves(&self, part: Id) -> FxHashSet<Id> {
+        let mut with_waves: FxHashSet<Id> = FxHashSet::default();
+        let mut found: FxHashSet<Id> = FxHashSet::default();
+        for id in self.post_order(&[part]) {
+            let is_wave = matches!(self.view(id), View::Function(Function::Sin | Function::Cos, _));
+            if is_wave || self.children(id).iter().any(|child| with_waves.contains(child)) {
+                with_waves.insert(id);
+            } else if self.is_sum(id) {
+                found.insert(id);
+            }
+        }
+        found
     }
 
     fn most_readable(&mut self, part: Id, is_bounded: bool) -> Id {

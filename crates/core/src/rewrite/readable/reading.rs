@@ -142,11 +142,11 @@ impl Graph {
         sums.map(|(id, _)| self.flat_terms(id).iter().filter(|term| is_cancelled(term)).count()).sum()
     }
 
-    fn is_sum(&self, id: Id) -> bool {
+    pub(super) fn is_sum(&self, id: Id) -> bool {
         matches!(self.view(id), View::Sum(_))
     }
 
-    fn without_number(&self, mut id: Id) -> Id {
+    pub(super) fn without_number(&self, mut id: Id) -> Id {
         while let View::Scale(_, child) = self.view(id) {
             id = child;
         }

@@ -1,0 +1,108 @@
+"""Standard names for the variables of a model: what is chosen among forms by length doesn't depend on the user's names.
+
+The form of a sum, and what a search for a form meets first, follow the names, too. So forms are looked for in standard
+names, all equally long, which the variables get in the order of the model.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+from symbody.errors import ExpressionError
+from symbody.symbolic import _core
+from symbody.symbolic._core import Expr
+
+from .derivative import substitute
+
+_TIME = _core.time()
+_RANKED = 8
+"""The most new variables of an expression that are told apart by their places in it."""
+
+
+@dataclass(frozen=True)
+class StandardNames:
+    """Variables with the user's names, and those that stand for them.
+
+    Attributes:
+        standing: what stands for each variable.
+        given: the variables, by what stands for them.
+    """
+
+    standing: Mapping[Expr, Expr]
+    given: Mapping[Expr, Expr]
+
+    def standard(self, expression: Expr) -> Expr:
+        """Return an expression in standard names."""
+        return substitute([expression], self.standing)[0]
+
+    def original(self, expression: Expr) -> Expr:
+        """Return an expression in the user's names."""
+        return substitute([expression], self.given)[0]
+
+
+AS_GIVEN = StandardNames({}, {})
+"""The names of the user."""
+
+
+def standard_names(variables: Sequence[Expr], expressions: Iterable[Expr]) -> StandardNames:
+    """Return standard names for variables, then for others in the order in which expressions contain them.
+
+    Args:
+        variables: functions of time and parameters in their order.
+        expressions: those of the model in their order.
+
+    >>> from symbody import functions_of_time, symbols
+    >>> theta, (length, mass) = functions_of_time("theta"), symbols("length mass")
+    >>> standard_names([theta], [mass, mass * length]).standard(mass * length * theta)
+    a0*a1*A0
+    """
+    standing = dict[Expr, Expr]()
+    for variable in variables:
+        _enter(variable, standing)
+    for expression in expressions:
+        _enter_all(expression, standing)
+    return StandardNames(standing, {standard: given for given, standard in standing.items()})
+
+
+def _enter_all(expression: Expr, standing: dict[Expr, Expr]) -> None:
+    leaves = (leaf for leaf in expression.free_symbols if leaf.kind in _LETTERS and leaf != _TIME)
+    new = {_base(leaf) for leaf in leaves} - {*standing}
+    for leaf in sorted(new, key=lambda leaf: _rank(leaf, new, expression, standing)):
+        _enter(leaf, standing)
+
+
+def _rank(
+    leaf: Expr, new: set[Expr], expression: Expr, standing: Mapping[Expr, Expr]
+) -> tuple[str, str, str]:
+    """Return what tells a variable from others in an expression: how it occurs there; at last its name."""
+    if not 1 < len(new) <= _RANKED:
+        return leaf.kind, "", leaf.name
+    alike = {other: _standard(other, int(other != leaf)) for other in new}
+    try:
+        text = str(substitute([expression], {**standing, **alike})[0])
+    except ExpressionError:  # a divisor is zero where all others are equal
+        text = ""
+    return leaf.kind, text, leaf.name
+
+
+def _enter(variable: Expr, standing: dict[Expr, Expr]) -> None:
+    if variable.kind in _LETTERS and variable not in standing:
+        same = sum(other.kind == variable.kind for other in standing)
+        standing[variable] = _standard(variable, same)
+
+
+def _base(leaf: Expr) -> Expr:
+    return leaf if leaf.kind == "symbol" else _core.time_function(leaf.name, small=leaf.assumption == "small")
+
+
+def _standard(variable: Expr, number: int) -> Expr:
+    letters, (tens, ones) = _LETTERS[variable.kind], divmod(number, 10)
+    name = f"{letters[tens]}{ones}" if tens < len(letters) else f"{letters[-1]}{number}"
+    kind = variable.assumption
+    if variable.kind == "time_function":
+        return _core.time_function(name, small=kind == "small")
+    return _core.symbol(name, positive=kind == "positive", real=kind != "none", small=kind == "small")
+
+
+_LETTERS = {"symbol": "abcdefghijklmnopqrstuvwxyz", "time_function": "ABCDEFGHIJKLMNOPQRSTUVWXYZ"}
