@@ -87,7 +87,7 @@ def shortened(
     >>> shortened(["a*cos(q2)"])
     ([], ['a*cos(q2)'])
     >>> shortened(["(a + b*cos(q1))*q2''"] * 100, [(1, 2, "a + b*cos(q1)")])[0]
-    [('c1', 'cos(q1)'), ('M12', 'a + b*c1')]
+    [('M12', 'a + b*cos(q1)')]
     """
     style = _NOTATIONS[notation]
     before = _length([*rows], given, style)

@@ -70,7 +70,7 @@ class ForwardDynamics:
     >>> pendulum = System([bob], coordinates=[theta], gravity=Vector(ground, 0, -g, 0))
     >>> solution = forward_dynamics(newton_euler(pendulum))
     >>> solution.method, solution.accelerations
-    ('ldl', (-g*sin(theta)/l,))
+    ('articulated_body', (-g*sin(theta)/l,))
     >>> print(solution.description())
     ACCELERATIONS of theta'
         theta'' = -g*sin(theta)/l
