@@ -255,8 +255,13 @@ def _are_regular(kinematics: Kinematics, A: Array) -> Flags:
     m, n, count = A.shape
     if kinematics.rank < m or m > n or (m == n and not kinematics.is_rheonomic):
         return np.zeros(count, dtype=bool)
-    are_regular = least_ratios(A / row_sizes(np.moveaxis(A, -1, 0)).T.reshape(m, 1, count)) > RANK
-    others = np.moveaxis(A[..., ~are_regular], -1, 0)
-    s = np.linalg.svd(others / row_sizes(others), compute_uv=False)
-    are_regular[~are_regular] = s[:, -1] > RANK * s[:, 0]
-    return np.asarray(are_regular)
+    scaled = A / row_sizes(np.moveaxis(A, -1, 0)).T.reshape(m, 1, count)
+    are_regular = np.zeros(count, dtype=bool) if count <= _FEW else least_ratios(scaled) > RANK
+    if not are_regular.all():
+        s = np.linalg.svd(np.moveaxis(scaled[..., ~are_regular], -1, 0), compute_uv=False)
+        are_regular[~are_regular] = s[:, -1] > RANK * s[:, 0]
+    return are_regular
+
+
+_FEW = 8
+"""The number of matrices up to which their singular values take less time than bounds of these."""
