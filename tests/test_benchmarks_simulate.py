@@ -169,6 +169,7 @@ def test_linkages_agree() -> None:
     found = measured(linkages(4, 0.1), sample=2, rounds=1)
     assert found.check < 1e-9
     assert all(rate.error <= found.batch.error for rate in found.rates)
+    assert "is missing" not in report.throughput(found)  # no rival is asked for
 
 
 @pytest.mark.skipif(bool(by_mujoco.missing()), reason=by_mujoco.missing())

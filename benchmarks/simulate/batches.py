@@ -77,7 +77,7 @@ def pendulums(problem: Problem, side: int) -> Batch:
         ]
     if not by_diffrax.missing():
         manners.append(Manner("JAX, vmap of diffrax's Tsit5", by_diffrax.by_tsit5(problem), _from(1e-6)))
-    return Batch(problem, starts(side), tuple(manners), ERROR, PENDULUMS)
+    return Batch(problem, starts(side), tuple(manners), ERROR, PENDULUMS, by_diffrax.missing())
 
 
 def _from(loosest: float) -> tuple[float, ...]:
@@ -118,4 +118,4 @@ def arms(count: int, duration: float = 1.0) -> Batch:
             for threads in (1, 2)
             for many in [by_mujoco.by_rollout(arm(), duration, threads)]
         ]
-    return Batch(problem, arm_starts(count), tuple(manners), 1e-4, ARMS)
+    return Batch(problem, arm_starts(count), tuple(manners), 1e-4, ARMS, by_mujoco.missing())

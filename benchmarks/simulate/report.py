@@ -10,7 +10,7 @@ from statistics import median
 from textwrap import fill
 
 from ..evaluate.report import _met, _version
-from . import by_diffrax, by_mujoco, by_scipy, by_symbody
+from . import by_scipy, by_symbody
 from .precision import ERRORS, Comparison, Curve, Effort
 from .throughput import WITHOUT_LANES, Rate, Throughput
 
@@ -202,8 +202,7 @@ def throughput(found: Throughput) -> str:
     loops = [rate for rate in found.rates if "solve_ivp" in rate.manner.label]
     loop = max(loops, key=lambda rate: rate.per_second, default=None)
     rows = [_rate(rate, len(batch.states), loop) for rate in found.rates]
-    missing = dict.fromkeys(filter(None, (by_diffrax.missing(), by_mujoco.missing())))
-    lacking = [f"**{', '.join(missing)} is missing.**", ""] if missing else []
+    lacking = [f"**{batch.missing} is missing.**", ""] if batch.missing else []
     told = [line for rival in AIMS if (line := _beside(rival, found.rates))]
     verdict = [*told, ""] if told else []
     return "\n".join([f"### {name}", "", fill(sentence, WIDTH), "", *lacking, *head, *rows, "", *verdict])

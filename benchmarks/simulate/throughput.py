@@ -89,6 +89,7 @@ class Batch:
         manners: the ways; the first one is symbody's.
         error: what each contender may miss at the end, in rad or in lengths.
         text: what the report says of the motions.
+        missing: rivals for this system that are not installed; the empty text if all are there.
     """
 
     problem: Problem
@@ -96,6 +97,7 @@ class Batch:
     manners: tuple[Manner, ...]
     error: float
     text: str
+    missing: str = ""
 
 
 @dataclass(frozen=True)
