@@ -7,8 +7,7 @@ use crate::runge_kutta::{Tableau, between, hermite_terms, terms};
 
 use super::columns::{Columns, Waiting, read};
 use super::stages::{StepColumns, combine};
-use super::stretch::blend;
-use super::vectors::{Loop, in_vectors};
+use super::vectors::{Loop, blend, in_vectors};
 
 /// The functions of the events along the steps of all lanes.
 pub(super) struct Crossings<const W: usize> {

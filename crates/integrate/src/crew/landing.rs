@@ -10,8 +10,7 @@ use crate::tolerances::Tolerances;
 
 use super::columns::{Columns, Waiting};
 use super::stages::StepColumns;
-use super::stretch::blend;
-use super::vectors::{Loop, in_vectors};
+use super::vectors::{Loop, blend, in_vectors};
 
 /// The changes that lead onto the constraints, to first order: of the coordinates, and of the speeds.
 pub(super) struct Corrections<'a, const W: usize> {

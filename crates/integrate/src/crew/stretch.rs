@@ -14,7 +14,7 @@ use super::crossings::Crossings;
 use super::landing::{Corrections, Landings};
 use super::norms::{Distances, Squares};
 use super::stages::StepColumns;
-use super::vectors::{Loop, in_vectors};
+use super::vectors::{Loop, blend, in_vectors};
 
 /// The steps of all lanes.
 pub(super) struct Stretches<const W: usize> {
@@ -398,15 +398,4 @@ impl<const W: usize> Loop for Moves<'_, W> {
             }
         }
     }
-}
-
-/// Replace the numbers of some lanes.
-#[allow(clippy::inline_always, reason = "what isn't inlined there isn't compiled for those vectors")]
-#[inline(always)]
-pub(super) fn blend<const W: usize>(old: &mut [f64; W], new: &[f64; W], chosen: &[bool; W]) {
-    let mut both = *old;
-    for lane in 0..W {
-        both[lane] = if chosen[lane] { new[lane] } else { both[lane] };
-    }
-    *old = both;
 }
