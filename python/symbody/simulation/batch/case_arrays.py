@@ -94,6 +94,16 @@ class Results:
             getattr(self, name)[cases] = getattr(part, name)
         self.occurrences.add(part.occurrences.table.renumbered(cases))
 
+    def cut(self, start: int, stop: int) -> Results:
+        """Return the results of successive cases, as those of a batch of their own."""
+        events = self.occurrences.table
+        own = slice(*np.searchsorted(events.case, (start, stop)).tolist())
+        occurrences = CaseEvents(stop - start, events.state.shape[1], events.slopes.shape[2])
+        columns = (events.event, events.t, events.state, events.slopes)
+        occurrences.add(Occurrences(events.case[own] - start, *(column[own] for column in columns)))
+        rows = {name: getattr(self, name)[start:stop] for name in _COLUMNS}
+        return Results(**rows, occurrences=occurrences)
+
     def arrays(self) -> dict[str, NDArray[Any]]:
         """Return all results as arrays of numbers and texts, for a file."""
         events = self.occurrences.table
