@@ -99,8 +99,10 @@ class Results:
         events = self.occurrences.table
         own = slice(*np.searchsorted(events.case, (start, stop)).tolist())
         occurrences = CaseEvents(stop - start, events.state.shape[1], events.slopes.shape[2])
-        columns = (events.event, events.t, events.state, events.slopes)
-        occurrences.add(Occurrences(events.case[own] - start, *(column[own] for column in columns)))
+        part = Occurrences(
+            events.case[own] - start, events.event[own], events.t[own], events.state[own], events.slopes[own]
+        )
+        occurrences.add(part)
         rows = {name: getattr(self, name)[start:stop] for name in _COLUMNS}
         return Results(**rows, occurrences=occurrences)
 
