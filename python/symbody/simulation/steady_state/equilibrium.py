@@ -459,5 +459,32 @@ def _unbalanced(problem: Balance, q: Array, forces: Array) -> str:
     return (
         f"{_WHERE}: none was found; nearest, at {place}: {name} is off by {F[worst]:.3g}; expected loads that "
         "can balance: give a guess nearer to the equilibrium, or hold coordinates that no load holds, "
-        f"such as fixed={{{eqs.coordinates[0]}: ...}}"
+        f"such as fixed={{{eqs.coordinates[0]}: ...}}{_across(problem, q)}"
     )
+
+
+def _across(problem: Balance, q: Array) -> str:
+    """Return that no finite forces balance a load, if constraints nearly depend on each other at a position."""
+    kinematics = kinematics_of(problem.equations, dict(problem.conditions.given))
+    m, n = len(kinematics.constraints), len(problem.equations.coordinates)
+    if not m or kinematics.has_states:
+        return ""
+    values = dict(zip(problem.conditions.parameters, problem.p, strict=True))
+    p = np.array([values[name] for name in kinematics.parameters])
+    with np.errstate(all="ignore"):
+        A = kinematics.velocity(problem.t, q[:n], p)[0][
+            :m
+        ]  # as it is: a gradient that nearly vanishes is told too
+    if not np.isfinite(A).all():
+        return ""
+    s = np.linalg.svd(A, compute_uv=False)
+    if kinematics.rank > len(s) or s[kinematics.rank - 1] > _NEARLY * s[0]:
+        return ""
+    return (
+        ". The constraints nearly depend on each other there, so that no finite forces of theirs balance a load in "
+        "that direction, as one across a straight chain of bars"
+    )
+
+
+_NEARLY = 1e-2
+"""The ratio of singular values up to which constraints nearly depend on each other."""
