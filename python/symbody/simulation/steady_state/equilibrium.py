@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from symbody.dynamics import Equations
 from symbody.errors import ModelError, SimulationError, notify
-from symbody.multibody import System
+from symbody.multibody import System, Variables
 from symbody.simulation.constraint.consistent_position import listed_values, positions
 from symbody.simulation.constraint.kinematics import kinematics_of
 from symbody.simulation.constraint.opposite_axes import check_senses
@@ -125,6 +125,16 @@ class Equilibrium(Mapping[Expr, float]):
             **self.states,
             time: balance.t,
         }
+
+    @property
+    def system(self) -> Variables:
+        """The system that is at rest."""
+        return self._solution.balance.equations.system
+
+    @property
+    def t(self) -> float:
+        """The time, in s."""
+        return self._solution.balance.t
 
     @property
     def _solution(self) -> ImplicitSlopes:
