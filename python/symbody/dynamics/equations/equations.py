@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 from typing import Any
 
+from symbody.deferred import cached_property
 from symbody.dynamics.display.balance import balances
 from symbody.dynamics.display.line_page import with_lines_if_shorter
 from symbody.dynamics.display.matrix_form import MatrixForm, matrix_form, with_names
@@ -51,6 +51,11 @@ class Assembly:
     mass_matrix: Matrix
     bias: tuple[Expr, ...]
 
+    @classmethod
+    def of_entries(cls, entries: Sequence[Expr], n: int) -> Assembly:
+        """Return the coefficients by their entries: those of M, n x n and row by row, then those of the bias."""
+        return cls(Matrix.from_entries(n, n, entries[: n * n]), tuple(entries[n * n :]))
+
     def of_first_order(self, system: Variables) -> Assembly:
         """Return the coefficients without the terms that small variables make negligible in ``M u' + bias``.
 
@@ -72,8 +77,7 @@ class Assembly:
         entries = without_idle_symbols((*self.mass_matrix.entries, *self.bias))
         if len(entries) <= _MOST_ENTRIES:
             entries = _each_without_idle_symbols(entries)
-        rows = [entries[k * n : (k + 1) * n] for k in range(n)]
-        return Assembly(Matrix(rows), entries[n * n :])
+        return Assembly.of_entries(entries, n)
 
 
 _MOST_ENTRIES = 60
