@@ -25,6 +25,7 @@ from symbody.symbolic import (
     cost,
     derivation,
     free_symbols,
+    idle_symbols,
     truncated,
     without_idle_symbols,
 )
@@ -85,11 +86,27 @@ _MOST_ENTRIES = 60
 
 
 def _each_without_idle_symbols(entries: tuple[Expr, ...]) -> tuple[Expr, ...]:
-    """Return entries without symbols that are idle in one of them, if all together take fewer operations."""
-    bare = {entry: without_idle_symbols((entry,))[0] for entry in dict.fromkeys(entries)}
-    alone = tuple(bare[entry] for entry in entries)
-    numbers = tuple(form if form.is_number else entry for entry, form in zip(entries, alone, strict=True))
-    return alone if cost(alone).total < cost(numbers).total else numbers
+    """Return entries without symbols that are idle in one of them, if all together take fewer operations.
+
+    Those that are numbers are written as such in any case. The others are rewritten one after another, the longest one
+    first, until they take no fewer operations even without the rest.
+    """
+    idle = {entry: found for entry in dict.fromkeys(entries) if (found := idle_symbols((entry,)))}
+    bare: dict[Expr, Expr] = {}
+    for entry in [entry for entry, found in idle.items() if entry.free_symbols <= {*found}]:
+        form = without_idle_symbols((entry,))[0]
+        if form.is_number:
+            bare[entry] = form
+            del idle[entry]
+    numbers = tuple(bare.get(entry, entry) for entry in entries)
+    fewest = cost(numbers).total
+    made = [entry for entry in numbers if entry not in idle]
+    for entry in sorted(idle, key=lambda entry: -cost(entry).total):
+        bare[entry] = without_idle_symbols((entry,))[0]
+        made.append(bare[entry])
+        if cost(made).total >= fewest:
+            return numbers
+    return tuple(bare.get(entry, entry) for entry in entries)
 
 
 @dataclass(frozen=True, eq=False)
