@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 from typing import Any
 
+from symbody.deferred import cached_property
 from symbody.dynamics.display.abridged import PAGES, abridged, pages_of
 from symbody.dynamics.display.balance import Balance, balances
 from symbody.dynamics.display.equation_page import EquationPage
@@ -27,6 +27,7 @@ from symbody.symbolic import (
     cost,
     derivation,
     free_symbols,
+    idle_symbols,
     readable,
     truncated,
     without_idle_symbols,
@@ -54,6 +55,11 @@ class Assembly:
     mass_matrix: Matrix
     bias: tuple[Expr, ...]
 
+    @classmethod
+    def of_entries(cls, entries: Sequence[Expr], n: int) -> Assembly:
+        """Return the coefficients by their entries: those of M, n x n and row by row, then those of the bias."""
+        return cls(Matrix.from_entries(n, n, entries[: n * n]), tuple(entries[n * n :]))
+
     def of_first_order(self, system: Variables) -> Assembly:
         """Return the coefficients without the terms that small variables make negligible in ``M u' + bias``.
 
@@ -75,8 +81,7 @@ class Assembly:
         entries = without_idle_symbols((*self.mass_matrix.entries, *self.bias))
         if len(entries) <= _MOST_ENTRIES:
             entries = _each_without_idle_symbols(entries)
-        rows = [entries[k * n : (k + 1) * n] for k in range(n)]
-        return Assembly(Matrix(rows), entries[n * n :])
+        return Assembly.of_entries(entries, n)
 
 
 _MOST_ENTRIES = 60
@@ -84,11 +89,27 @@ _MOST_ENTRIES = 60
 
 
 def _each_without_idle_symbols(entries: tuple[Expr, ...]) -> tuple[Expr, ...]:
-    """Return entries without symbols that are idle in one of them, if all together take fewer operations."""
-    bare = {entry: without_idle_symbols((entry,))[0] for entry in dict.fromkeys(entries)}
-    alone = tuple(bare[entry] for entry in entries)
-    numbers = tuple(form if form.is_number else entry for entry, form in zip(entries, alone, strict=True))
-    return alone if cost(alone).total < cost(numbers).total else numbers
+    """Return entries without symbols that are idle in one of them, if all together take fewer operations.
+
+    Those that are numbers are written as such in any case. The others are rewritten one after another, the longest one
+    first, until they take no fewer operations even without the rest.
+    """
+    idle = {entry: found for entry in dict.fromkeys(entries) if (found := idle_symbols((entry,)))}
+    bare: dict[Expr, Expr] = {}
+    for entry in [entry for entry, found in idle.items() if entry.free_symbols <= {*found}]:
+        form = without_idle_symbols((entry,))[0]
+        if form.is_number:
+            bare[entry] = form
+            del idle[entry]
+    numbers = tuple(bare.get(entry, entry) for entry in entries)
+    fewest = cost(numbers).total
+    made = [entry for entry in numbers if entry not in idle]
+    for entry in sorted(idle, key=lambda entry: -cost(entry).total):
+        bare[entry] = without_idle_symbols((entry,))[0]
+        made.append(bare[entry])
+        if cost(made).total >= fewest:
+            return numbers
+    return tuple(bare.get(entry, entry) for entry in entries)
 
 
 @dataclass(frozen=True, eq=False)

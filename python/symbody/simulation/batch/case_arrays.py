@@ -94,6 +94,18 @@ class Results:
             getattr(self, name)[cases] = getattr(part, name)
         self.occurrences.add(part.occurrences.table.renumbered(cases))
 
+    def cut(self, start: int, stop: int) -> Results:
+        """Return the results of successive cases, as those of a batch of their own."""
+        events = self.occurrences.table
+        own = slice(*np.searchsorted(events.case, (start, stop)).tolist())
+        occurrences = CaseEvents(stop - start, events.state.shape[1], events.slopes.shape[2])
+        part = Occurrences(
+            events.case[own] - start, events.event[own], events.t[own], events.state[own], events.slopes[own]
+        )
+        occurrences.add(part)
+        rows = {name: getattr(self, name)[start:stop] for name in _COLUMNS}
+        return Results(**rows, occurrences=occurrences)
+
     def arrays(self) -> dict[str, NDArray[Any]]:
         """Return all results as arrays of numbers and texts, for a file."""
         events = self.occurrences.table

@@ -21,7 +21,7 @@ from .measures.measure import Course, Crossings
 from .plan import Plan
 from .statistics.statistic import Partial
 
-__all__ = ["Chunk", "run_chunk"]
+__all__ = ["Chunk", "run_chunk", "summed_up"]
 
 Array = NDArray[np.float64]
 
@@ -59,7 +59,18 @@ def run_chunk(plan: Plan, cases: Cases, first: int, threads: int, keep_going: Ke
         threads: how many run at a time.
         keep_going: called from time to time with the number of finished cases; False ends all of them.
     """
-    results = run_cases(plan.task, cases, threads, keep_going)
+    return summed_up(plan, cases, first, run_cases(plan.task, cases, threads, keep_going))
+
+
+def summed_up(plan: Plan, cases: Cases, first: int, results: Results) -> Chunk | None:
+    """Sum up some cases; return None if not all of them were run.
+
+    Args:
+        plan: what the cases share.
+        cases: the cases.
+        first: the number of the first of them in the study.
+        results: their results.
+    """
     if len(results.missing):
         return None
     with noting() as found:
