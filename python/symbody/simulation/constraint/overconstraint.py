@@ -148,7 +148,15 @@ def _check_moves_elsewhere(system: Variables, A: Array, kernel: Array, where: st
 
 
 def _check_has_neighbours(kinematics: Kinematics, p: Array, time: float, q: Array, where: str) -> None:
-    """Check that a position whose constraints allow speeds, but no motions along them, doesn't stand alone."""
+    """Check that a position whose constraints allow speeds, but no motions along them, doesn't stand alone.
+
+    Args:
+        kinematics: the constraints.
+        p: the values of their parameters.
+        time: the time, in s.
+        q: the coordinates.
+        where: the function that the user called, for messages.
+    """
     space = ConfigurationSpace(kinematics, p, time, follows_time=kinematics.is_rheonomic)
     place = np.append(q, time) if kinematics.is_rheonomic else q
     if next(space.neighbours(place, TRIES, SURE), None) is None:
