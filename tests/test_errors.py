@@ -1477,7 +1477,8 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         lambda: reaction(embedded(slider_crank(), [time_derivative(pin.coordinate)]), pin),
         (
             "reaction: the multipliers of these equations are eliminated; expected the equations from which they "
-            "were embedded"
+            "were embedded, by which inverse_dynamics(equations, motion, unknowns=[]) evaluates reactions along a "
+            "motion"
         ),
     ),
     # --- frames ---

@@ -23,7 +23,7 @@ pub struct Occurrence {
 /// Looks for events, step by step.
 pub struct Watch<'a> {
     functions: Option<(&'a BoundCode, &'a [EventKind])>,
-    /// The instant up to which it has looked, and the values there, unless the stepper has looked as well.
+    /// The instant up to which it has looked, and the values there.
     t: f64,
     values: Vec<f64>,
     /// An instant, and the state there.
@@ -52,6 +52,11 @@ impl<'a> Watch<'a> {
         self.functions.is_some()
     }
 
+    /// Whether it has looked beyond an instant: a step was repeated, and the new one is shorter.
+    pub fn is_ahead_of(&self, t: f64) -> bool {
+        self.is_needed() && self.t > t
+    }
+
     /// The kind of an event; `None` if there are no events.
     pub fn kind(&self, event: usize) -> Option<EventKind> {
         self.functions.and_then(|(_, kinds)| kinds.get(event)).copied()
@@ -72,6 +77,7 @@ impl<'a> Watch<'a> {
         match stepper.sight() {
             Sight::Unknown => self.evaluate_parts(function, (stepper, projection), end)?,
             Sight::Nothing => {
+                stepper.read_event_values_at_end(&mut self.values);
                 self.t = end;
                 return Ok(Vec::new());
             }

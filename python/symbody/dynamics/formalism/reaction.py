@@ -116,8 +116,8 @@ def reaction(
         cut: the joint; or a body, or several.
         on: which side of the joint the reaction acts on; the child by default. On the parent it has the other sign. The
             reaction of bodies acts on them, and needs none.
-        about: the point of the moment; by default the origin of the child's axes in the joint, the centre of mass of a
-            body, or the origin of the root for several.
+        about: the point of the moment; by default the origin of the child's axes in the joint, the contact of a wheel
+            or of teeth, the centre of mass of a body, or the origin of the root for several.
         frame: the axes of the components; by default those of the joint on the parent, or the root.
 
     Raises:
@@ -155,7 +155,7 @@ def reaction_in(
             _check_side(system, bodies, on)
             return _readable(_on_part(system, bodies, about, frame))
         found = _of_tree(system, placed) if placed.opens else _of_loop(system, placed)
-        found = found if about is None else found.about(about)
+        found = found.about(placed.acting_point if about is None else about)
         found = found.projected(placed.parent_side if frame is None else frame)
         return _on_side(_readable(found), placed, on)
 
@@ -313,7 +313,7 @@ def _multipliers(system: System) -> dict[str, Expr]:
     if system.eliminated:
         raise ModelError(
             "reaction: the multipliers of these equations are eliminated; expected the equations from which they were "
-            "embedded"
+            "embedded, by which inverse_dynamics(equations, motion, unknowns=[]) evaluates reactions along a motion"
         )
     return {each.name: value for each, value in zip(system.conditions, system.multipliers, strict=True)}
 

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from symbody.dynamics import Equations
 from symbody.errors import ModelError, SimulationError, notify
-from symbody.multibody import System
+from symbody.multibody import System, Variables
 from symbody.simulation.constraint.consistent_position import listed_values, positions
 from symbody.simulation.constraint.kinematics import kinematics_of
 from symbody.simulation.constraint.opposite_axes import check_senses
@@ -125,6 +125,16 @@ class Equilibrium(Mapping[Expr, float]):
             **self.states,
             time: balance.t,
         }
+
+    @property
+    def system(self) -> Variables:
+        """The system that is at rest."""
+        return self._solution.balance.equations.system
+
+    @property
+    def t(self) -> float:
+        """The time, in s."""
+        return self._solution.balance.t
 
     @property
     def _solution(self) -> ImplicitSlopes:
@@ -459,5 +469,32 @@ def _unbalanced(problem: Balance, q: Array, forces: Array) -> str:
     return (
         f"{_WHERE}: none was found; nearest, at {place}: {name} is off by {F[worst]:.3g}; expected loads that "
         "can balance: give a guess nearer to the equilibrium, or hold coordinates that no load holds, "
-        f"such as fixed={{{eqs.coordinates[0]}: ...}}"
+        f"such as fixed={{{eqs.coordinates[0]}: ...}}{_across(problem, q)}"
     )
+
+
+def _across(problem: Balance, q: Array) -> str:
+    """Return that no finite forces balance a load, if constraints nearly depend on each other at a position."""
+    kinematics = kinematics_of(problem.equations, dict(problem.conditions.given))
+    m, n = len(kinematics.constraints), len(problem.equations.coordinates)
+    if not m or kinematics.has_states:
+        return ""
+    values = dict(zip(problem.conditions.parameters, problem.p, strict=True))
+    p = np.array([values[name] for name in kinematics.parameters])
+    with np.errstate(all="ignore"):
+        A = kinematics.velocity(problem.t, q[:n], p)[0][
+            :m
+        ]  # as it is: a gradient that nearly vanishes is told too
+    if not np.isfinite(A).all():
+        return ""
+    s = np.linalg.svd(A, compute_uv=False)
+    if kinematics.rank > len(s) or s[kinematics.rank - 1] > _NEARLY * s[0]:
+        return ""
+    return (
+        ". The constraints nearly depend on each other there, so that no finite forces of theirs balance a load in "
+        "that direction, as one across a straight chain of bars"
+    )
+
+
+_NEARLY = 1e-2
+"""The ratio of singular values up to which constraints nearly depend on each other."""

@@ -52,6 +52,11 @@ def make_TIRE(session: Session, wheel: Value, *arguments: Value) -> Value:
     scalars = [session.current(each) for each in arguments[:11]]
     scalars += [number(0)] * (11 - len(scalars))
     y, z, spin, y_def, z_def, *loads = scalars
+    if isinstance(z, Expr) and isinstance(z_def, Expr) and (z + z_def).is_zero:
+        session.notice(
+            "make_TIRE: the radius z + z_def is zero, so that the tyre touches the road at the centre of the wheel; "
+            "expected the distance from there to the contact, such as make_TIRE(wheel, 0, R, 0, 0, 0, X, Y, -N)"
+        )
     road = arguments[11] if len(arguments) > 11 else frame_face.ground_face(mechanics(session))
     table = made(
         "TIRE",

@@ -292,6 +292,11 @@ class Reader:
             else:
                 name = item.name if isinstance(item, Reference) else "?"
                 self.session.lines.append(f"<{name}> {kind} is not valid: it must be applied to a BODY")
+                if kind == "TIRE":
+                    self.session.notice(
+                        f"{self.where}: the tyre {name} is left out, because it is no load; expected its force and "
+                        f"torque, tire_forces({name}), in the set"
+                    )
         for force, where in left_place.left_places(bodies, loads):
             self.session.notice(
                 f"{self.where}: the force {force.name or '?'} acts on {force.on.name or 'a body'} at {where}, from "
