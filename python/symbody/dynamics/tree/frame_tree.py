@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
 
+from symbody.deferred import cached_property
 from symbody.errors import ModelError
 from symbody.geometry import Frame
 from symbody.geometry.component.triple import NULL

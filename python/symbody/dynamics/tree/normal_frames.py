@@ -10,9 +10,9 @@ one leg to those of the next. A particle is left in the axes of its last leg, or
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from functools import cached_property
 from typing import TypeAlias
 
+from symbody.deferred import cached_property
 from symbody.geometry import Frame
 from symbody.geometry.component.triple import NULL, Triple, is_null
 from symbody.geometry.motion.principal_rotation import Rotation, along
