@@ -46,7 +46,7 @@ def compared_forms(system: System) -> tuple[Forms, ...]:
 def _made(system: System) -> Iterator[Forms]:
     """Return the forms to be compared, the given one first, which is no other form at all."""
     frames = targets(system)
-    groups = [NormalFrames(places, _free(system)) for places in by_base(map(placed, frames))]
+    groups = [NormalFrames(places, _free(system)) for places in by_base(placed(frames))]
     if len(groups) == 1 and groups[0].are_many_points:
         yield groups[0].as_points()
         return
