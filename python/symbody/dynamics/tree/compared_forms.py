@@ -16,6 +16,7 @@ from symbody.geometry import Frame
 from symbody.multibody import System
 from symbody.symbolic import derivation
 
+from .anchored_action import anchor_of
 from .frame_tree import frame_tree, targets
 from .normal_frames import FEW_BODIES, NormalFrames, by_base, by_slides
 from .orientation_path import placed
@@ -83,5 +84,5 @@ def _holds_few_particles(system: System) -> bool:
 def _free(system: System) -> frozenset[bytes]:
     """Return the keys of the frames of particles alone on which no loads act."""
     held = {body.frame.key for body in system.bodies if not body.is_particle}
-    held |= {action.anchor.frame.key for action in system.actions}
+    held |= {anchor_of(action).frame.key for action in system.actions}
     return frozenset(body.frame.key for body in system.bodies if body.frame.key not in held)
