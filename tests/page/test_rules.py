@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 import re
 import time
+from collections.abc import Callable
 
 import pytest
 
@@ -41,6 +42,8 @@ from symbody import (
     tanh,
     translate,
 )
+from symbody.errors import ModelError
+from symbody.models import ClassicSystem, bricard_mechanism, rattleback
 from symbody.symbolic.calculus.reading import AWKWARD, awkward_terms
 from symbody.symbolic.calculus.rewrite import short_form, textbook_form
 from tests.laws.random_system import random_system
@@ -465,9 +468,20 @@ def test_the_order_of_speeds_is_that_of_the_system() -> None:
     trailer = car * translate(-a, 0, 0) * rotate("Z", theta) * translate(-b, 0, 0)
     system = System([Body(car, m, Iz=F), Body(trailer, k, Iz=c)], coordinates=[theta], speeds=[u, w])
     text = describe(newton_euler(system))
-    assert "(w' + theta'')" in text
+    assert text.index("*w' ") < text.index("*theta'' ")
     assert "2*w*theta'" in text
     assert "theta'*w" not in text
+
+
+def test_each_acceleration_has_one_coefficient() -> None:
+    """In every row of a chain about one axis, also where the coefficients are equal."""
+    frame, bodies, angles = ground, [], functions_of_time("q1 q2 q3")
+    for angle, length, inertia in zip(angles, symbols("l1 l2 l3"), symbols("J1 J2 J3"), strict=True):
+        frame = frame * rotate("Z", angle)
+        bodies.append(Body(frame, m, Iz=inertia))
+        frame = frame * translate(length, 0, 0)
+    *_, last = newton_euler(System(bodies, coordinates=angles)).description().splitlines()
+    assert last.strip() == "J3*q1'' + J3*q2'' + J3*q3'' = 0"
 
 
 def car_on_wheels() -> System:
@@ -484,7 +498,7 @@ def car_on_wheels() -> System:
 def test_what_is_one_quantity_has_one_name() -> None:
     """Of a car of 14 coordinates: no two definitions have the same value."""
     equations = newton_euler(car_on_wheels())
-    rows = re.split(r"\n    (?! )", equations.description())
+    rows = re.split(r"\n    (?! )", equations.description(whole=True))
     definitions = [row.split(" := ") for row in rows if " := " in row]
     names = {leaf.name: leaf for leaf in equations.system.leaves if leaf.kind == "symbol"}
     names |= {each.name: each for each in equations.coordinates}
@@ -543,7 +557,8 @@ def test_rows_of_random_systems_are_equal_to_the_residuals(seed: int) -> None:
     equations = newton_euler(random_system(seed))
     for balance, residual in zip(equations._page.balances, equations.residuals, strict=True):
         assert balance.residual == residual
-    assert max(map(len, equations.description().splitlines())) <= 110
+    for text in (equations.description(), equations.description(whole=True)):
+        assert max(map(len, text.splitlines())) <= 110
 
 
 def test_entries_that_are_equal_or_opposite_are_joined() -> None:
@@ -605,6 +620,41 @@ def test_six_bodies_in_space_are_shown_in_half_a_second() -> None:
     text = equations.description()
     assert time.process_time() - start < 1  # half of it on an idle machine
     assert max(map(len, text.splitlines())) <= 110
+    assert len(text.splitlines()) <= 60
+    assert len(equations.description(whole=True).splitlines()) > 100
+
+
+@pytest.mark.parametrize("model", [bricard_mechanism, rattleback])
+def test_what_fills_more_than_two_pages_is_shown_in_parts(model: Callable[[], ClassicSystem]) -> None:
+    """Short equations, and the sizes of the others; each can be seen by itself, and equals its residual."""
+    equations = newton_euler(model().system)
+    text, system = equations.description(), equations.system
+    assert not equations.is_readable
+    assert len(text.splitlines()) < 70
+    assert equations.latex().count("operations") > 2
+    assert equations.latex(whole=True).count(r"\\ ") > 80
+    for coordinate in system.coordinates[::3]:
+        page = equations.equation_of(coordinate)
+        lines = page.description().splitlines()
+        assert lines[0] == f"EQUATION OF MOTION of {coordinate}"
+        sizes = (f"equation of {coordinate}: {len(lines) - 1} line", f"equation of {coordinate}:\n")
+        assert any(size in text for size in sizes)
+        assert page.latex().startswith(r"\begin{aligned}")
+    last = equations.equation_of(equations.speeds[-1])
+    unknowns = (*equations.accelerations, *equations.speeds, *equations.multipliers)
+    names = {str(leaf): leaf for leaf in (*system.leaves, *unknowns)}
+    for row in re.split(r"\n    (?! )", last.description())[1:]:
+        name, _, value = row.replace("\n", " ").partition(" := " if " := " in row else " = ")
+        if " := " in row:
+            names[name.strip()] = parse(value, names)
+        else:
+            assert parse(f"{name} - ({value})", names) == equations.residuals[-1]
+
+
+def test_the_equation_of_a_speed_that_is_none_is_refused() -> None:
+    equations = newton_euler(arm("ZY"))
+    with pytest.raises(ModelError, match=r"there is no equation of theta; expected one of q0, q1"):
+        equations.equation_of(theta)
 
 
 def test_a_hundred_bodies_are_shown_by_their_sizes() -> None:

@@ -143,7 +143,8 @@ def test_the_motion_of_a_case_is_computed_again() -> None:
     motion = REFERENCE.motion(worst)
     np.testing.assert_array_equal(motion.t, T)
     np.testing.assert_allclose(motion[x], displacement(CASES[k][worst], CASES[c][worst], 0.1, T), atol=1e-8)
-    alone = oscillators(CASES, measures={"low": measures.minimum(x)}).motion(worst)
+    low, later = measures.minimum(x), measures.value_at(x, 1.5)
+    alone = oscillators(CASES, measures={"low": low, "later": later}).motion(worst)
     assert len(alone.t) == 1001
     np.testing.assert_allclose(
         alone[x], displacement(CASES[k][worst], CASES[c][worst], 0.1, alone.t), atol=1e-8
@@ -250,6 +251,21 @@ def test_lost_chunks_are_run_again(monkeypatch: pytest.MonkeyPatch) -> None:
     at_each_wait(monkeypatch, executor)
     assert same(kept(executor=executor), REFERENCE)
     assert executor.submitted > 13
+
+
+def test_an_executor_that_is_shut_down_keeps_what_is_done(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It cancels its tasks without a word."""
+    executor = ThreadPoolExecutor(1)
+
+    def run(plan: Any, cases: Any, first: int, *rest: Any, real: Any = flight.run_chunk) -> Any:
+        if first == 40:
+            executor.shutdown(wait=False, cancel_futures=True)
+        return real(plan, cases, first, *rest)
+
+    monkeypatch.setattr(flight, "run_chunk", run)
+    with pytest.warns(ModelNotice, match="78 of 128 motions were not run .*cannot schedule new futures"):
+        found = kept(executor=executor)
+    np.testing.assert_array_equal(found["low"][:50], REFERENCE["low"][:50])
 
 
 def test_workers_that_lose_everything_are_told(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -108,7 +108,7 @@ class DrivingLoads:
         if curved:
             raise ModelError(
                 f"{self.where}, unknowns: the equations of motion aren't linear in {', '.join(curved)}; expected "
-                "loads that are, such as a force or its amplitude"
+                "loads that are, such as a force or its amplitude, and motors without a limit"
             )
 
     def solution(

@@ -272,7 +272,8 @@ def equilibrium(
         parameters: the values of all symbols.
         guess: coordinates and states near the equilibrium. By default, they are zero, and floating frames are not
             rotated.
-        fixed: the values of coordinates that are held; the result has the forces that hold them.
+        fixed: the values of coordinates that are held; the result has the forces that hold them. And those of states
+            that rest leaves open, such as the slips of tyres.
         t: the time in loads and constraints, in s: an instant at which forces are in balance. By default it is 0, and
             a notice tells if the system does not stay at rest later.
         inputs: expressions of time and coordinates for the input functions of time.
@@ -324,9 +325,13 @@ def _place(
     conditions = conditions_of(eqs, kinematics.given)
     _check_kinematics(conditions)
     p = parameter_values(conditions.parameters, parameters, where=_WHERE, beside=eqs.system.state_names)
-    held = state_values(eqs.system, fixed, where=_WHERE, argument="fixed", has_speeds=False)
+    has_states = bool(eqs.states)
+    fixed_values = state_values(
+        eqs.system, fixed, where=_WHERE, argument="fixed", has_speeds=False, has_states=has_states
+    )
+    held = {name: value for name, value in fixed_values.items() if name not in eqs.states}
     near = state_values(
-        eqs.system, guess, where=_WHERE, argument="guess", has_speeds=False, has_states=bool(eqs.states)
+        eqs.system, guess, where=_WHERE, argument="guess", has_speeds=False, has_states=has_states
     )
     warn_of_odd_values(eqs, parameters or {}, list(given.values()), _WHERE)
     if held and eqs.system.momenta:
@@ -334,12 +339,12 @@ def _place(
             f"{_WHERE}, fixed: the speeds of the equations are momenta, along which no forces act; expected equations "
             "in speeds, such as newton_euler(system), to hold coordinates"
         )
-    problem = Balance(conditions, t, p, tuple(held), tuple(held))
+    problem = Balance(conditions, t, p, tuple(fixed_values), tuple(held))
     constants = dict(zip(conditions.parameters, p, strict=True))
     of_constraints = np.array([constants[name] for name in kinematics.parameters])
     at = {name: value for name, value in near.items() if name not in eqs.states}
     q = positions(kinematics, of_constraints, t, held, at, where=_WHERE)
-    q = np.append(q, [near.get(state, 0.0) for state in eqs.states])
+    q = np.append(q, [fixed_values.get(state, near.get(state, 0.0)) for state in eqs.states])
     solution = _solved(problem, q)
     _check_finite(problem, solution)
     check_senses(kinematics, of_constraints, t, solution[0][: len(eqs.coordinates)], _WHERE)
@@ -448,7 +453,8 @@ def _many(problem: Balance, q: Array, direction: Array) -> str:
     if names[freest] in problem.equations.states:
         return (
             f"{_WHERE}: the equilibrium is not isolated: the state {names[freest]} can have other values, as neither "
-            "the loads nor the rates of states determine it; leave it out of the states, or let its rate depend on it"
+            "the loads nor the rates of states determine it, as of a tyre at rest; fix it, such as "
+            f"fixed={{{names[freest]}: {q[freest]:.6g}}}, leave it out of the states, or let its rate depend on it"
         )
     together = f"{moved[0]} can" if len(moved) == 1 else f"{', '.join(map(str, moved))} can together"
     return (

@@ -157,7 +157,7 @@ class _Motions:
         states = self._results.states[:, -1, : self._size].copy()
         ended = self._results.status == Status.ENDED_BY_EVENT
         last = self._events.last(np.flatnonzero(ended))
-        t[ended], states[ended] = self._events.t[last], self._events.state[last]
+        t[ended], states[ended] = self._events.t[last], self._events.state[last, : self._size]
         return t, states
 
     def _crossings(self, expression: Expr, own: range) -> Crossings:
@@ -165,7 +165,7 @@ class _Motions:
         events = self._events
         chosen = np.flatnonzero((events.event >= own.start) & (events.event < own.stop))
         case, t = events.case[chosen], events.t[chosen]
-        (values,) = self._values([expression], events.state[chosen], t, case)
+        (values,) = self._values([expression], events.state[chosen, : self._size], t, case)
         return Crossings(case, events.event[chosen] - own.start, t, values)
 
     def _values(self, expressions: list[Expr], states: Array, t: Array, case: NDArray[np.intp]) -> Array:
