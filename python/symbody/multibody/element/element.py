@@ -43,7 +43,7 @@ class Element(Load):
         jumping: an angle in its law that is known from -pi to pi alone, and jumps there.
         sizes: sizes and resistances of its law, by the names of the arguments, which make no sense below zero.
         law: of a force along a line, the terms of ``F = k (l - l0) + c l'`` by the names of the arguments "stiffness",
-            "free_length" and "damping", or "force", F itself; of a torque about an axis, likewise.
+            "free_length" and "damping", or "force", F itself; of an effort along a coordinate of a joint, likewise.
 
     >>> from symbody import Body, functions_of_time, ground, origin, spring, symbols, translate
     >>> x, k = functions_of_time("x"), symbols("k")
