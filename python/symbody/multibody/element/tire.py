@@ -229,6 +229,13 @@ def _rolling(law: TireLaw, contact: TireKinematics, load: Expr, slip: _Slips, le
 
     Rolling resistance opposes the spin. The lateral force acts behind the contact as the wheel travels, so that the
     aligning moment of a wheel that travels back has the other sign; the arm of the longitudinal force stays.
+
+    Args:
+        law: the law.
+        contact: how the wheel moves.
+        load: the vertical load.
+        slip: the slips.
+        least: the speed below which directions are not told apart sharply, or zero.
     """
     if isinstance(law, TireForce):
         return _forces(law, load, slip, contact.camber)
