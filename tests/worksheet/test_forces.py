@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from symbody.worksheet.interpreter.interpret import Interpreter
 from tests.worksheet.printed_by import printed
 
@@ -31,6 +33,17 @@ def test_a_force_at_a_point_that_its_body_leaves_is_told() -> None:
     assert notices(there.replace("ground, 1", "T1, 1")) == []
     jet = "J := make_BODY(ground, 1, 0, 0, 0):\n" + there.replace(", b):", ", b, J):")
     assert notices(jet, "b, J, F") == []
+
+
+@pytest.mark.parametrize("slope", ["", "rotate('Y',e)*"])
+def test_a_road_frame_that_goes_with_the_car_is_a_plane_at_rest(slope: str) -> None:
+    sheet = (
+        f"TR := {slope}translate(x(t),y(t),0)*rotate('Z',psi(t)): TW := TR*rotate('X',phi(t))*translate(0,0,-R): "
+        "W := make_BODY(TW*rotate('Y',theta(t)),m,Id,Ia,Id): make := T -> make_TIRE(W,0,0,0,0,rr(t),X,Y,-N,0,0,0,T): "
+        f"moving := [tire_kinematics(make(TR))]: fixed := [tire_kinematics(make({slope}translate(0,0,0)))]: "
+        "seq(simplify(moving[i]-fixed[i]), i=2..4); subs(phi(t)=0, moving[2]);"
+    )
+    assert printed(sheet) == ["0, 0, 0", "cos(psi(t))*diff(x(t),t)+sin(psi(t))*diff(y(t),t)"]
 
 
 TYRE = """

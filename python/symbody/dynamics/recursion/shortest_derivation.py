@@ -12,6 +12,7 @@ from contextlib import ExitStack, contextmanager
 from typing import TypeAlias
 from weakref import WeakKeyDictionary
 
+from symbody.dynamics.tree.anchored_action import components_at_anchor
 from symbody.dynamics.tree.compared_forms import Forms, compared_forms
 from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree, tree_of_forms
 from symbody.multibody import System
@@ -75,7 +76,7 @@ def _shortest(
 def residuals(system: System, tree: FrameTree) -> tuple[Expr, ...]:
     """Return the residuals; the loads come first, so that their forms are those of the user's frames."""
     for action in tree.actions:
-        action.components(action.anchor.frame)
+        components_at_anchor(action)
     return recursive_newton_euler(system, tree)
 
 

@@ -16,6 +16,7 @@ from symbody.geometry import Frame
 from symbody.multibody import System
 from symbody.symbolic import derivation
 
+from .anchored_action import anchor_of
 from .frame_tree import frame_tree, targets
 from .normal_frames import FEW_BODIES, NormalFrames, by_base, by_slides
 from .orientation_path import placed
@@ -46,7 +47,7 @@ def compared_forms(system: System) -> tuple[Forms, ...]:
 def _made(system: System) -> Iterator[Forms]:
     """Return the forms to be compared, the given one first, which is no other form at all."""
     frames = targets(system)
-    groups = [NormalFrames(places, _free(system)) for places in by_base(map(placed, frames))]
+    groups = [NormalFrames(places, _free(system)) for places in by_base(placed(frames))]
     if len(groups) == 1 and groups[0].are_many_points:
         yield groups[0].as_points()
         return
@@ -83,5 +84,5 @@ def _holds_few_particles(system: System) -> bool:
 def _free(system: System) -> frozenset[bytes]:
     """Return the keys of the frames of particles alone on which no loads act."""
     held = {body.frame.key for body in system.bodies if not body.is_particle}
-    held |= {action.anchor.frame.key for action in system.actions}
+    held |= {anchor_of(action).frame.key for action in system.actions}
     return frozenset(body.frame.key for body in system.bodies if body.frame.key not in held)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import inspect
+import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence, Set, Sized
 from functools import cache
 from types import UnionType
@@ -10,6 +12,24 @@ from typing import Annotated, Any, TypeAlias, TypeVar, Union, get_args, get_orig
 from symbody.symbolic import Expr, ExprLike, number
 
 Test: TypeAlias = Callable[[object], bool]
+
+
+def hints_of(function: Callable[..., object]) -> dict[str, Any]:
+    """Return the annotations of a function, as `typing.get_type_hints` does.
+
+    That one compiles each text anew. Functions have few different ones, and wait for them when they are first called.
+    """
+    names = inspect.unwrap(function).__globals__
+    return {
+        name: _hint(text, names["__name__"]) if isinstance(text, str) else text
+        for name, text in function.__annotations__.items()
+    }
+
+
+@cache
+def _hint(text: str, module: str) -> Any:
+    """Return what a text means as an annotation in a module."""
+    return eval(text, vars(sys.modules[module]))
 
 
 def accepts(hint: Any, value: object) -> bool:

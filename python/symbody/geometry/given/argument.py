@@ -9,13 +9,13 @@ from collections.abc import Callable, Iterable, Mapping
 from functools import cache, wraps
 from inspect import Parameter, signature
 from types import NoneType, UnionType
-from typing import Annotated, Any, NamedTuple, ParamSpec, TypeVar, Union, get_args, get_origin, get_type_hints
+from typing import Annotated, Any, NamedTuple, ParamSpec, TypeVar, Union, get_args, get_origin
 
 from symbody.errors import ArgumentError, JointError, SymbodyError
 from symbody.symbolic import ExprLike
 from symbody.symbolic.given.arguments import comparison_note, described, unknown_option
 
-from .annotation import Test, is_collection, strangers, test_of
+from .annotation import Test, hints_of, is_collection, strangers, test_of
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -126,7 +126,7 @@ class _Door(NamedTuple):
 
     @classmethod
     def of(cls, function: Callable[..., object], error: type[SymbodyError]) -> _Door:
-        hints = get_type_hints(function, include_extras=True)
+        hints = hints_of(function)
         parameters = signature(function).parameters.values()
         kinds = {p.kind for p in parameters}
         named = {p.name: _Argument.of(p.name, hints.get(p.name, object)) for p in parameters}

@@ -63,7 +63,8 @@ def _of_one(function: Callable[[Expr], Expr]) -> Command:
                 f"{name}: {session.text(x)[:60]} is no expression; map applies a function to each item"
             )
         argument = scalar(session, x)
-        return with_decimals(_of_inverse(function, argument) or function(argument), argument)
+        found = _of_inverse(function, argument) or function(argument)
+        return with_decimals(found, argument, digits=session.options.digits)
 
     return command
 
@@ -105,9 +106,9 @@ def arctan(session: Session, y: Value, x: Value | None = None) -> Value:
     """arctan(y), arctan(y, x): the angle whose tangent is y, or that of the point x, y."""
     a = scalar(session, y)
     if x is None:
-        return with_decimals(atan(a), a)
+        return with_decimals(atan(a), a, digits=session.options.digits)
     b = scalar(session, x)
-    return with_decimals(atan2(a, b), a, b)
+    return with_decimals(atan2(a, b), a, b, digits=session.options.digits)
 
 
 def surd(session: Session, x: Value, n: Value) -> Value:
@@ -288,7 +289,10 @@ def evalf(session: Session, *values: Value) -> Value:
     """evalf(e [, n]): numbers as decimals; of a sequence, those of each."""
     places = as_integer(values[1]) if len(values) == 2 else None
     if places is not None:
-        return in_decimals(session, values[0], places)
+        made = in_decimals(session, values[0], places)
+        if isinstance(made, Expr) and made.is_number and places > session.options.digits:
+            session.options.precise[made] = min(places, _DOUBLE)
+        return made
     return sequence([in_decimals(session, each, session.options.digits) for each in values])
 
 
@@ -298,6 +302,8 @@ _DOUBLE = 16
 
 def in_decimals(session: Session, value: Value, digits: int) -> Value:
     """Return a value with decimals for numbers; exponents that are integers stay."""
+    if isinstance(value, Expr):
+        value = _held_in_decimals(session, value, digits)
     if isinstance(value, Expr):
         return _scalar_in_decimals(session, value, digits)
     if isinstance(value, Listed | MapleSet | Sequence):
@@ -314,6 +320,14 @@ def in_decimals(session: Session, value: Value, digits: int) -> Value:
         entries = [in_decimals(session, session.current(each), digits) for each in found.entries]
         return replace(found, entries=entries)
     return value
+
+
+def _held_in_decimals(session: Session, value: Expr, digits: int) -> Value:
+    """Return a scalar in which integrals and roots that were written as such are numbers."""
+    held = {each: session.opaque[each.name] for each in value.free_symbols if each.name in session.opaque}
+    made = {each: in_decimals(session, inner, digits) for each, inner in held.items()}
+    found = {each: inner for each, inner in made.items() if isinstance(inner, Expr)}
+    return session.rebuild(value, {**found}) if found else value
 
 
 def _scalar_in_decimals(session: Session, value: Expr, digits: int) -> Expr:

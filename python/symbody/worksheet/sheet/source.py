@@ -11,11 +11,19 @@ __all__ = ["Cell", "Line", "Remark", "SyntaxMistake"]
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """A line of input, without its prompt: its text, and where this begins in the file."""
+    """A line of input, without its prompt.
+
+    Attributes:
+        text: the code.
+        line: where this begins in the file.
+        column: likewise.
+        prompted: whether a prompt stands before it.
+    """
 
     text: str
     line: int
     column: int = 1
+    prompted: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,12 +36,14 @@ class Cell:
         prose: the text before it.
         remarks_lost_marks: text behind the last terminator of a line, without one of its own, is a remark: exports to
             text leave out the marks of remarks.
+        unread: input of which the file has no text.
     """
 
     input: tuple[Line, ...]
     printed: tuple[str, ...] = ()
     prose: tuple[str, ...] = ()
     remarks_lost_marks: bool = True
+    unread: tuple[SyntaxMistake, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
