@@ -7,6 +7,7 @@ from functools import cached_property
 from typing import Any, NamedTuple, TypeGuard, final
 
 from symbody.errors import LoadError
+from symbody.geometry import Point
 from symbody.multibody.load import Action, Load
 from symbody.symbolic import Expr, number, time_derivative, time_function
 from symbody.symbolic.expression.container import Container, contains
@@ -44,6 +45,7 @@ class Element(Load):
         sizes: sizes and resistances of its law, by the names of the arguments, which make no sense below zero.
         law: of a force along a line, the terms of ``F = k (l - l0) + c l'`` by the names of the arguments "stiffness",
             "free_length" and "damping", or "force", F itself; of a torque about an axis, likewise.
+        ends: of a force along a line, the points between which it acts.
 
     >>> from symbody import Body, functions_of_time, ground, origin, spring, symbols, translate
     >>> x, k = functions_of_time("x"), symbols("k")
@@ -66,6 +68,7 @@ class Element(Load):
         jumping: Expr | None = None,
         sizes: Mapping[str, Expr] | None = None,
         law: Mapping[str, Expr] | None = None,
+        ends: Sequence[Point] = (),
     ) -> None:
         self.kind, self.name, self.potential = kind, name, potential
         self.undefined, self.jumping = undefined, jumping
@@ -73,6 +76,7 @@ class Element(Load):
         self.quantities = dict(quantities or {})
         self.sizes = dict(sizes or {})
         self.law = dict(law or {})
+        self.ends = tuple(ends)
         self._actions = tuple(actions)
 
     @cached_property
@@ -154,7 +158,7 @@ def _parts(element: Element) -> tuple[Any, ...]:
     if element.undefined is not None:
         given.append(element.undefined.where_zero)
     named = (element.states, element.quantities, element.sizes, element.law)
-    return *element.actions, *(value for each in named for value in each.values()), *given
+    return *element.actions, *(value for each in named for value in each.values()), *given, *element.ends
 
 
 def _rebuilt(element: Element, parts: Sequence[Any]) -> Element:
@@ -167,7 +171,8 @@ def _rebuilt(element: Element, parts: Sequence[Any]) -> Element:
     given = {name: next(remaining) for name in _OPTIONAL if getattr(element, name) is not None}
     undefined = None if element.undefined is None else element.undefined._replace(where_zero=next(remaining))
     named: dict[str, Any] = {"states": states, "quantities": quantities, "sizes": sizes, "law": law}
-    return Element(element.kind, actions, name=element.name, undefined=undefined, **named, **given)
+    ends = [next(remaining) for _ in element.ends]
+    return Element(element.kind, actions, name=element.name, undefined=undefined, ends=ends, **named, **given)
 
 
 contains(Element, Container(_parts, _rebuilt, advice="its potential and its quantities have one"))
