@@ -215,4 +215,24 @@ mod tests {
         assert!(g.shows_number(Pending::Product(&[(modulus, one), (Id::ZERO, one)]), &zero));
         Ok(())
     }
+
+    #[test]
+    fn functions_of_what_is_in_one_class_are_one() -> Result<(), Error> {
+        let g = &mut Graph::new();
+        let [x, y] = ["x", "y"].map(|name| g.symbol(name, Assumption::Real));
+        let square = |g: &mut Graph, id: Id| g.pow_number(id, &Number::integer(2));
+        let sum = g.add(x, y);
+        let opened = [square(g, x)?, g.mul(x, y)?, square(g, y)?];
+        let two = g.number_id(&Number::integer(2));
+        let one = NumberId::ONE;
+        let forms = [square(g, sum)?, g.sum(&[(one, opened[0]), (two, opened[1]), (one, opened[2])])];
+        let [first, second] = forms.map(|form| g.apply(Function::Sign, &[form]));
+        let (first, second) = (first?, second?);
+        assert!(g.shows(Pending::Node(first), second, false));
+        assert!(g.shows(Pending::Function(Function::Sign, &[forms[0]]), second, false));
+        assert!(!g.shows(Pending::Node(first), second, true));
+        let other = g.apply(Function::Sign, &[sum])?;
+        assert!(!g.shows(Pending::Node(first), other, false));
+        Ok(())
+    }
 }
