@@ -161,7 +161,7 @@ def with_states(states: object, force: object = None, **options: object) -> Syst
 
 A, B, C = Link("A", 1), Link("B", 1), Link("C", 1)
 pin, other_pin = revolute("P", ground, A), revolute("Q", ground, B)
-belt = Constraint(pin.coordinate - 2 * other_pin.coordinate, name="belt")
+cam = Constraint(pin.coordinate - sin(other_pin.coordinate), name="cam")
 
 
 def pendulum() -> Equations:
@@ -1457,9 +1457,9 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     ),
     (
         errors.ModelError,
-        lambda: reaction(newton_euler(assemble([pin, other_pin]).system(constraints=[belt])), pin),
+        lambda: reaction(newton_euler(assemble([pin, other_pin]).system(constraints=[cam])), pin),
         (
-            "reaction: the constraint belt, phi_P - 2*phi_Q = 0 isn't one of a joint, and holds phi_P, phi_Q, so "
+            "reaction: the constraint cam, phi_P - sin(phi_Q) = 0 isn't one of a joint, and holds phi_P, phi_Q, so "
             "that it isn't known on which bodies it acts; close the loop by a joint, or take the reaction on a "
             "body: reaction(equations, body)"
         ),
@@ -1477,7 +1477,8 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         lambda: reaction(embedded(slider_crank(), [time_derivative(pin.coordinate)]), pin),
         (
             "reaction: the multipliers of these equations are eliminated; expected the equations from which they "
-            "were embedded"
+            "were embedded, by which inverse_dynamics(equations, motion, unknowns=[]) evaluates reactions along a "
+            "motion"
         ),
     ),
     # --- frames ---

@@ -302,6 +302,25 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     ),
     (
         errors.ArgumentError,
+        lambda: studied(
+            measures={"x mean": measures.average(x)}, outputs={"x": x}, statistics=[statistics.moments()]
+        ),
+        ("study: the name 'x mean' of a measure or an output is taken, or contains '/'; rename it"),
+    ),
+    (
+        errors.ArgumentError,
+        lambda: studied(
+            measures={"end": measures.final(symbols("status") * x)},
+            cases={symbols("status"): [1.0, 2.0]},
+            path="study.zarr",
+        ),
+        (
+            "study: the file needs the name 'status' for an array of its own, but a parameter has it; rename the "
+            "parameter, or leave out path"
+        ),
+    ),
+    (
+        errors.ArgumentError,
         lambda: studied(units={"a": 1}),
         ("study, units: {'a': 1} is a dict; expected names and units, such as {'peak': 'm/s'}"),
     ),

@@ -166,14 +166,9 @@ def notify(message: str) -> None:
 def user_frame() -> FrameType | None:
     """Return the frame that makes variables: the innermost one outside of symbody, or of a function of `models`."""
     frame = inspect.currentframe()
-    while frame is not None and _is_ours(frame) and not _is_of_models(frame):
+    while frame is not None and not _makes_variables(str(frame.f_globals.get("__name__"))):
         frame = frame.f_back
     return frame
-
-
-def _is_of_models(frame: FrameType) -> bool:
-    """Whether a frame is one of `symbody.models`, whose names are its own: F of one is not F of the other."""
-    return _name_is_of_models(str(frame.f_globals.get("__name__")))
 
 
 def _is_ours(frame: FrameType) -> bool:
@@ -182,9 +177,12 @@ def _is_ours(frame: FrameType) -> bool:
 
 
 @cache
-def _name_is_of_models(module: str) -> bool:
-    """Whether a module is one of `symbody.models`; each variable that is made asks for it, so answers are kept."""
-    return module.startswith("symbody.models.")
+def _makes_variables(module: str) -> bool:
+    """Whether a module is the user's, or one of `symbody.models`, whose names are its own: F of one is no F of another.
+
+    Each variable that is made asks for it, so answers are kept.
+    """
+    return not _name_is_ours(module) or module.startswith("symbody.models.")
 
 
 @cache

@@ -15,12 +15,16 @@ from symbody import (
     fixed,
     functions_of_time,
     ground,
+    linear_tire,
+    motor,
     newton_euler,
     prismatic,
     reaction,
     revolute,
     symbols,
+    tire,
 )
+from symbody.errors import SimulationError
 
 g, l, F = symbols("g l F")
 weight = Vector(ground, 0, -g, 0)
@@ -88,3 +92,46 @@ def test_what_is_statically_indeterminate_is_told() -> None:
             "indeterminate; it is taken to exert none; leave it out, or put a bushing in its place to share them"
         )
     assert reaction(system, beam).force.components == (0, 2 * g, 0)
+
+
+def test_a_chain_that_couples_two_slides() -> None:
+    """A mast of two stages: the chain over the inner one pulls the carriage up, and the inner stage down twice."""
+    inner, carriage = Link("inner", 3.0), Link("carriage", 5.0)
+    B, C = prismatic("B", ground, inner, axis="Y"), prismatic("C", inner, carriage, axis="Y")
+    made = assemble([B, C])
+    lift = motor(B.coordinate, F, on=made.body(inner), name="lift")
+    equations = newton_euler(
+        made.system([lift], constraints=[B.coordinate - C.coordinate], gravity=Vector(ground, 0, -10, 0))
+    )
+    found = equilibrium(equations, {F: 130.0}, fixed={B.coordinate: 0.5})
+    with pytest.warns(
+        ModelNotice, match=r"couples s_B, s_C; its forces are taken to act along them in the joints B, C"
+    ):
+        chain = reaction(equations, C)
+    assert found.evaluate(chain.force.components)[1] == pytest.approx(50.0)
+    with pytest.warns(ModelNotice, match="the pull of a belt on its bearings, is not known"):
+        mast = reaction(equations, B)
+    assert found.evaluate(mast.force.components)[1] == pytest.approx(80.0 - 130.0)
+
+
+def test_slips_of_a_tyre_at_rest_are_fixed() -> None:
+    """Rest leaves them open, as the wheel doesn't roll."""
+    axle, wheel = Link("axle"), Link("wheel", 20.0, 1.0, 1.0, 1.0)
+    Z, W = prismatic("Z", ground, axle, axis="Z"), revolute("W", axle, wheel, axis="Y")
+    made = assemble([Z, W])
+    tyre = tire(
+        made.body(wheel),
+        0.3,
+        linear_tire(cornering=10.0, longitudinal=12.0, per_load=True),
+        stiffness=1e5,
+        relaxation=(0.2, 0.4),
+        name="w",
+    )
+    equations = newton_euler(made.system([tyre], gravity=Vector(ground, 0, 0, -10)))
+    kappa, alpha = equations.states
+    with pytest.raises(SimulationError, match=r"as of a tyre at rest; fix it, such as fixed=\{\w+_w: "):
+        equilibrium(equations, {}, fixed={W.coordinate: 0}, guess={Z.coordinate: 0.29})
+    at_rest = {W.coordinate: 0, kappa: 0, alpha: 0.1}
+    found = equilibrium(equations, {}, fixed=at_rest, guess={Z.coordinate: 0.29})
+    assert found[Z.coordinate] == pytest.approx(0.3 - 200.0 / 1e5)
+    assert (found.states, list(found.holding)) == ({kappa: 0.0, alpha: 0.1}, [W.coordinate])

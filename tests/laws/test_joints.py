@@ -191,7 +191,7 @@ def test_ideal_joints_do_no_work(kind: str, form: str, seed: int) -> None:
     case = moving(kind, form, seed)
     for placed in case.mechanism.joints:
         v, w = relative(placed)
-        found = reaction(case.equations, placed.joint)
+        found = reaction(case.equations, placed.joint, about=placed.point)
         size = np.linalg.norm(case.numbers([*found.force.components, *found.moment.components]))
         power = case.numbers([dot(found.force, v) + dot(found.moment, w)])
         assert abs(power[0]) < 1e-9 * max(1.0, float(size))

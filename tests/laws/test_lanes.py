@@ -105,8 +105,8 @@ def test_models(name: str, method: str, monkeypatch: pytest.MonkeyPatch) -> None
     assert_same(*in_both_ways(monkeypatch, equations, varied(model, 3), model.initial, instants, **options))
 
 
-@pytest.mark.parametrize("method", ["dop853", "tsit5"])
-def test_linkages_swing(method: str, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize(("method", "has_events"), [("dop853", False), ("tsit5", True), ("dop853", True)])
+def test_linkages_swing(method: str, *, has_events: bool, monkeypatch: pytest.MonkeyPatch) -> None:
     """They turn back, and some of their steps are rejected: motions take these by themselves, and lanes go on."""
     (a, b, x, y), (m, l) = functions_of_time("a b x y"), symbols("m l")
     arms = [Point(rotate("Z", q), l, 0, 0) for q in (a, b)]
@@ -122,10 +122,13 @@ def test_linkages_swing(method: str, monkeypatch: pytest.MonkeyPatch) -> None:
     initial = {a: -2.2 + starts[0], b: -0.9 + starts[1]}
     given = newton_euler(five_bar), {m: 1.0, l: np.linspace(0.5, 1, CASES)}, initial, np.linspace(0, 4, 6)
     options: dict[str, Any] = {"method": method, "rtol": 1e-6, "atol": 1e-6, "guess": {x: 0.3, y: -1.5}}
+    if has_events:
+        options["events"] = [Event(time_derivative(x)), Event(time_derivative(a, 2), direction=1)]
     alone, together = in_both_ways(monkeypatch, *given, **options, threads=1)
     assert_same(alone, together)
     assert together.results.counts[:, 1].max() > 0
     assert together.completed.all()
+    assert (len(together.results.occurrences.table) > 2 * CASES) == has_events
 
 
 @pytest.mark.parametrize("name", ["four_bar", "slider_crank", "rolling_disc"])

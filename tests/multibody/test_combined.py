@@ -224,3 +224,14 @@ def test_tensors_of_doubles_are_symmetric_but_for_rounding() -> None:
     """0.1 + 0.2 is not 0.3 in doubles; the entry above the diagonal counts."""
     body = Body.of_inertia(ground, 1, [[1, 0.1 + 0.2, 0], [0.3, 1, 0], [0, 0, 1]])
     assert float(body.products[2]) == -(0.1 + 0.2)
+
+
+def test_rotors_without_mass_add_their_inertias() -> None:
+    """They have no centre of mass, which no equation asks for."""
+    one, other = (
+        Body(moving, 0, J1, J2, J3),
+        Body(moving * translate(a, 0, 0) * rotate("X", alpha), 0, J3, J1, J1),
+    )
+    both = combined([one, other])
+    assert (both.mass, both.moments) == (0, (J1 + J3, J2 + J1, J3 + J1))
+    assert kinetic_energy(both) == kinetic_energy(one) + kinetic_energy(other)

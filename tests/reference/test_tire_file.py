@@ -163,8 +163,15 @@ def test_missing_files_and_names(tmp_path: Path) -> None:
         tire_file(None)  # type: ignore[arg-type]
     path.write_text(f"{START}[LATERAL_COEFFICIENTS]\nPCY1 = 1.3\nPDYX = 1", encoding="utf-8")
     with pytest.warns(
-        ModelNotice, match=r"tire_file a.tir: PDYX \(line 7\) mean nothing to the law and are left out"
+        ModelNotice, match=r"tire_file a.tir: PDYX \(line 7\) means nothing to the law and is left out"
     ):
         file = tire_file(path)
     with pytest.raises(LoadError, match=r"tire_file a.tir: no 'FNOMI'; it has FNOMIN"):
         file["FNOMI"]
+
+
+def test_unknown_coefficients_are_told_in_any_section_but_those_of_the_carcass(tmp_path: Path) -> None:
+    path = tmp_path / "a.tir"
+    path.write_text(f"{START}PXX9 = 3\nPCY12 = 1\n[VERTICAL]\nPFZ1 = 0.7\n", encoding="utf-8")
+    with pytest.warns(ModelNotice, match=r"tire_file a.tir: PXX9 \(line 5\), PCY12 \(line 6\) mean nothing"):
+        assert tire_file(path)["PFZ1"] == 0.7

@@ -14,6 +14,7 @@ from symbody import (
     Torque,
     Vector,
     cos,
+    embedded,
     floating_frame,
     functions_of_time,
     ground,
@@ -583,3 +584,23 @@ def test_a_force_at_a_distance_of_zero():
         SimulationError, match="at t = 1 s the equation of motion of x isn't finite; a function"
     ):
         inverse_dynamics(eqs, {x: t - 1}, {m: 1, k: 1}, [0, 1, 2])
+
+
+def test_multipliers_along_a_motion_of_embedded_equations():
+    """They are those of the equations that were embedded; where loads have to help, a message says so."""
+    linkage = slider_crank()
+    values = {**linkage.parameters, linkage["T"]: 0.3, linkage["F"]: -0.5}
+    whole, short = (
+        simulate(eqs, values, {linkage["phi"]: 0.3}, (0, 0.2), rtol=1e-11, atol=1e-12)
+        for eqs in (linkage.equations, embedded(linkage.equations))
+    )
+    multiplier = linkage.equations.multipliers[0]
+    with pytest.raises(
+        SimulationError, match=r"constraints were eliminated: simulate the equations with multipl"
+    ):
+        short[multiplier]
+    found = inverse_dynamics(linkage.equations, short, unknowns=[])
+    assert np.allclose(found[multiplier], whole[multiplier], rtol=1e-7, atol=1e-9)
+    assert repr(found) == "InverseDynamics of multipliers: 1001 instants from 0 to 0.2 s"
+    with pytest.raises(SimulationError, match="no multipliers alone balance the equation of motion of"):
+        inverse_dynamics(linkage.equations, short, values | {linkage["T"]: 0.4}, unknowns=[])

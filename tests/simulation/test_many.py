@@ -51,6 +51,7 @@ from symbody.simulation.integrate.native import problem_of, run
 from symbody.simulation.model.model import model_of
 from symbody.simulation.motion.simulate import simulate
 from symbody.symbolic.given.arguments import described
+from tests.simulation import oscillator
 
 Array = NDArray[np.float64]
 m, l, g = symbols("m l g")
@@ -742,6 +743,30 @@ def test_the_motion_of_a_case_is_the_one_that_simulate_gives(constraints: Any) -
         np.testing.assert_array_equal(motion.outputs["turn"], alone.outputs["turn"])
         assert motion.parameters == dict(alone.parameters)
         assert (motion.message, motion.energy_drift) == (alone.message, alone.energy_drift)
+
+
+def test_the_motion_that_an_event_ends_has_its_work() -> None:
+    """A damper takes energy, so that the work is integrated up to the event."""
+    hit = Event(oscillator.x, terminal=True)
+    given: dict[str, Any] = {"t": (0, 5), "events": [hit], "initial": {oscillator.x: 1.0}}
+    stiffness = np.array([1.0, 2.0])
+    values = {oscillator.m: 1.0, oscillator.c: 0.1}
+    runs = simulate_many(oscillator.OSCILLATOR, values, cases={oscillator.k: stiffness}, **given)
+    for case in (0, 1):
+        own = {**values, oscillator.k: stiffness[case]}
+        motion, alone = runs.motion(case), simulate(oscillator.OSCILLATOR, own, **given)
+        assert alone.t[-1] < 5
+        np.testing.assert_array_equal(motion.states, alone.states)
+        assert motion.energy_drift == alone.energy_drift
+        assert motion.events == alone.events
+
+
+def test_a_parameter_that_is_no_number_is_named() -> None:
+    values = {oscillator.m: 1.0, oscillator.c: 0.1, oscillator.k: [1.0, np.nan]}
+    with pytest.warns(ModelNotice, match="1 of 2 motions failed"):
+        runs = simulate_many(oscillator.OSCILLATOR, values, {oscillator.x: 1.0}, t=(0, 1))
+    (failed,) = runs.failures
+    assert (failed.index, failed.message) == (1, "simulate, parameters: k is nan; expected a finite number")
 
 
 def test_cases_without_a_motion_are_told() -> None:

@@ -402,8 +402,8 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     ),
     (
         ParameterError,
-        lambda: equilibrium(newton_euler(with_states({z: x - z}, z)), {m: 1}, fixed={z: 1}),
-        "equilibrium, fixed: z is not a coordinate of this system; expected one of x",
+        lambda: equilibrium(newton_euler(with_states({z: x - z}, z)), {m: 1}, fixed={y: 1}),
+        "equilibrium, fixed: y is not a coordinate or a state of this system; expected one of x, z",
     ),
     (
         ParameterError,
@@ -415,7 +415,8 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         lambda: equilibrium(newton_euler(with_states({z: x}, -x)), {m: 1}),
         (
             "equilibrium: the equilibrium is not isolated: the state z can have other values, as neither the loads nor "
-            "the rates of states determine it; leave it out of the states, or let its rate depend on it"
+            "the rates of states determine it, as of a tyre at rest; fix it, such as fixed={z: 0}, leave it out of the "
+            "states, or let its rate depend on it"
         ),
     ),
     (

@@ -143,7 +143,8 @@ def test_the_motion_of_a_case_is_computed_again() -> None:
     motion = REFERENCE.motion(worst)
     np.testing.assert_array_equal(motion.t, T)
     np.testing.assert_allclose(motion[x], displacement(CASES[k][worst], CASES[c][worst], 0.1, T), atol=1e-8)
-    alone = oscillators(CASES, measures={"low": measures.minimum(x)}).motion(worst)
+    low, later = measures.minimum(x), measures.value_at(x, 1.5)
+    alone = oscillators(CASES, measures={"low": low, "later": later}).motion(worst)
     assert len(alone.t) == 1001
     np.testing.assert_allclose(
         alone[x], displacement(CASES[k][worst], CASES[c][worst], 0.1, alone.t), atol=1e-8
@@ -252,6 +253,21 @@ def test_lost_chunks_are_run_again(monkeypatch: pytest.MonkeyPatch) -> None:
     assert executor.submitted > 13
 
 
+def test_an_executor_that_is_shut_down_keeps_what_is_done(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It cancels its tasks without a word."""
+    executor = ThreadPoolExecutor(1)
+
+    def run(plan: Any, cases: Any, first: int, *rest: Any, real: Any = flight.run_chunk) -> Any:
+        if first == 40:
+            executor.shutdown(wait=False, cancel_futures=True)
+        return real(plan, cases, first, *rest)
+
+    monkeypatch.setattr(flight, "run_chunk", run)
+    with pytest.warns(ModelNotice, match="78 of 128 motions were not run .*cannot schedule new futures"):
+        found = kept(executor=executor)
+    np.testing.assert_array_equal(found["low"][:50], REFERENCE["low"][:50])
+
+
 def test_workers_that_lose_everything_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
     executor = Reversed(loses=lambda _: True)
     at_each_wait(monkeypatch, executor)
@@ -356,8 +372,8 @@ class Enough(Exception):
 
 
 def stop_after(monkeypatch: pytest.MonkeyPatch, chunks: int) -> None:
-    """Let the study fail when it begins another chunk."""
-    real, begun = flight.run_chunk, []
+    """Let the study fail when it sums up another chunk."""
+    real, begun = flight.summed_up, []
 
     def run(*given: Any) -> Any:
         if len(begun) == chunks:
@@ -365,20 +381,20 @@ def stop_after(monkeypatch: pytest.MonkeyPatch, chunks: int) -> None:
         begun.append(1)
         return real(*given)
 
-    monkeypatch.setattr(flight, "run_chunk", run)
+    monkeypatch.setattr(flight, "summed_up", run)
 
 
 @pytest.mark.parametrize("commit", [2, *repeated([16])])
 def test_a_study_is_continued(commit: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """After an accident, and once more; each chunk runs once. Nothing of the way is left in the file."""
     monkeypatch.setattr("symbody.simulation.studies.accumulation.COMMIT", commit)
-    path, real, run = tmp_path / "study.zarr", flight.run_chunk, []
+    path, real, run = tmp_path / "study.zarr", flight.summed_up, []
     for chunks in (3, 5):
         with monkeypatch.context() as patch:
             stop_after(patch, chunks)
             with pytest.raises(Enough):
                 kept(path=path, threads=1)
-    monkeypatch.setattr(flight, "run_chunk", lambda *given: run.append(1) or real(*given))
+    monkeypatch.setattr(flight, "summed_up", lambda *given: run.append(1) or real(*given))
     assert same(kept(path=path, threads=1), REFERENCE)
     assert len(run) == 5
     assert same(kept(path=path), REFERENCE)
@@ -387,15 +403,17 @@ def test_a_study_is_continued(commit: int, tmp_path: Path, monkeypatch: pytest.M
 
 
 def test_ctrl_c_keeps_finished_chunks(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    path, real = tmp_path / "study.zarr", flight.run_chunk
+    path, real, begun = tmp_path / "study.zarr", flight.run_cases, []
 
-    def run(plan: Any, cases: Any, first: int, *rest: Any) -> Any:
-        if first == 40:
+    def run(*given: Any) -> Any:
+        if len(begun) == 4:
             os.kill(os.getpid(), signal.SIGINT)
-        return real(plan, cases, first, *rest)
+        begun.append(1)
+        return real(*given)
 
     with monkeypatch.context() as patch:
-        patch.setattr(flight, "run_chunk", run)
+        patch.setattr(flight, "TOGETHER", 1)
+        patch.setattr(flight, "run_cases", run)
         with pytest.warns(ModelNotice, match=r"of 128 motions were not run \(interrupted\)"):
             found = kept(path=path)
     done = 128 - len(found.not_run)
@@ -437,13 +455,13 @@ def test_a_file_keeps_what_was_found(tmp_path: Path, monkeypatch: pytest.MonkeyP
     """A study that goes on tells what the first part has found, and so does one that is opened again."""
     given: dict[str, Any] = {"t": (0, 40), "cases": {k: np.full(24, 1e6), c: np.linspace(3e3, 4e3, 24)}}
     given |= {"measures": {"end": measures.final(x)}, "chunk": 8, "threads": 1, "rtol": 1e-4, "atol": 1e-6}
-    path, real = tmp_path / "study.zarr", flight.run_chunk
+    path, real = tmp_path / "study.zarr", flight.summed_up
     stiff = "study: in 24 of 24 cases, first case 0: stability, not accuracy, limits the step size"
     with monkeypatch.context() as patch:
         stop_after(patch, 2)
         with pytest.raises(Enough):
             oscillators(path=path, **given)
-    monkeypatch.setattr(flight, "run_chunk", real)
+    monkeypatch.setattr(flight, "summed_up", real)
     with pytest.warns(ModelNotice, match=stiff):
         found = oscillators(path=path, **given)
     with pytest.warns(ModelNotice, match=stiff):
@@ -479,8 +497,8 @@ def test_a_killed_process_loses_no_more_than_its_chunk(tmp_path: Path) -> None:
     program = (
         "import sys, time; from symbody.simulation.studies import flight\n"
         "from tests.simulation import test_study\n"
-        "real = flight.run_chunk\n"
-        "flight.run_chunk = lambda *given: (time.sleep(0.2), real(*given))[1]\n"
+        "real = flight.summed_up\n"
+        "flight.summed_up = lambda *given: (time.sleep(0.2), real(*given))[1]\n"
         "test_study.kept(path=sys.argv[1], threads=1)\n"
     )
     root = Path(__file__).parents[2]

@@ -15,19 +15,27 @@ from symbody import (
     Torque,
     Vector,
     assemble,
+    equilibrium,
     fixed,
     free_body_diagram,
     functions_of_time,
+    gear,
     ground,
     motor,
     newton_euler,
     planar,
     prismatic,
+    project,
     reaction,
     revolute,
+    rolling,
     rotate,
     simulate,
     spring,
+    steady,
+    symbols,
+    time_derivative,
+    torsion_spring,
     translate,
 )
 from symbody.errors import ViewError
@@ -221,3 +229,76 @@ def test_what_holds_a_body_without_joints_is_drawn_as_its_support(tmp_path):
         force = motion.evaluate(reaction(equations, body).force.components)[:, 0]
         text = free_body_diagram(motion, body, tmp_path / "body.svg").read_text()
         assert f"support {np.linalg.norm(force):.3g} N<" in text
+
+
+def arm():
+    """A bar on a hinge, held by a spring; the equations and the pin."""
+    bar = Link("bar", 2.0, Iz=0.1, center=(0.5, 0, 0))
+    pin = revolute("J", ground, bar)
+    made = assemble([pin])
+    coil = torsion_spring(pin.coordinate, 30.0, on=made.body(bar), name="coil")
+    return newton_euler(made.system([coil], gravity=Vector(ground, 0, -10, 0))), pin
+
+
+def test_an_equilibrium_is_drawn_as_a_motion_is(tmp_path):
+    equations, pin = arm()
+    found = equilibrium(equations, {})
+    drawn = free_body_diagram(found, "bar", tmp_path / "bar.svg")
+    torque = found[30.0 * pin.coordinate]
+    assert sorted(texts(drawn)) == ["J 20 N", "bar", f"coil {abs(torque):.3g} N m", "weight 20 N"]
+    held = equilibrium(equations, {}, fixed={pin.coordinate: 0.0})
+    drawn = free_body_diagram(held, "bar", tmp_path / "held.svg")
+    assert sorted(texts(drawn)) == ["J 20 N", "bar", "support 10 N m", "weight 20 N"]
+    assert (found.t, found.system) == (0.0, equations.system)
+
+
+def test_a_steady_motion_is_drawn_at_its_first_instant(tmp_path):
+    """A bob of 2 kg at the radius 1 m that turns with 3 rad/s: 18 N towards the axis."""
+    bob = Link("bob", 2.0, Iz=0.1, center=(1, 0, 0))
+    pin = revolute("J", ground, bob)
+    equations = newton_euler(assemble([pin]).system())
+    found = steady(equations, {}, given={time_derivative(pin.coordinate): 3.0})
+    assert sorted(texts(free_body_diagram(found, "bob", tmp_path / "bob.svg"))) == ["J 18 N", "bob"]
+
+
+def test_a_structure_is_drawn_with_numbers_for_its_symbols(tmp_path):
+    l, m = symbols("l m")
+    inner, outer = Link("inner", 3 * m, center=(l / 2, 0, 0)), Link("outer", m, center=(l / 2, 0, 0))
+    joints = [fixed("clamp", ground, inner), fixed("weld", inner, outer, at=(l, 0, 0))]
+    system = assemble(joints).system(gravity=Vector(ground, 0, -10, 0))
+    path = tmp_path / "inner.svg"
+    drawn = free_body_diagram(system, inner, path, parameters={l: 1.0, m: 1.0})
+    expected = ["clamp 30 N m", "clamp 40 N", "inner", "weight 30 N", "weld 10 N", "weld 5 N m"]
+    assert sorted(texts(drawn)) == expected
+    with pytest.raises(ViewError) as raised:
+        free_body_diagram(system, inner, path, parameters={m: 1.0})
+    assert str(raised.value) == (
+        "free_body_diagram, parameters: no value for l; expected numbers for the symbols of a structure, such as "
+        "parameters={l: 1.0}"
+    )
+    with pytest.raises(ViewError, match="has its own values; expected parameters of a structure alone"):
+        free_body_diagram(equilibrium(arm()[0], {}), "bar", path, parameters={m: 1.0})
+
+
+def test_forces_of_teeth_and_of_the_ground_act_where_they_touch(tmp_path):
+    """So they have no moment."""
+    pinion, wheel = Link("pinion", 1.0, Iz=0.01), Link("wheel", 2.0, Iz=0.02)
+    P, Q = revolute("P", ground, pinion), revolute("Q", ground, wheel, at=(0.08, 0, 0))
+    G = gear("G", P, Q, 0.05, 0.03)
+    made = assemble([P, Q, G])
+    drive = Torque(ground, 0, 0, 0.3, on=made.body(pinion), name="drive")
+    train = newton_euler(made.system([drive]))
+    place = project(reaction(train, G).at, ground).coordinates
+    assert place == (0.05, 0, 0)
+    drawn = free_body_diagram(simulate(train, t=(0, 0.1)), pinion, tmp_path / "pinion.svg")
+    assert sorted(texts(drawn)) == ["G 5.08 N", "P 5.08 N", "drive 0.3 N m", "pinion"]
+
+    ball = Link("ball", 2.0, 0.05, 0.05, 0.05)
+    K = rolling("K", ground, ball, radius=0.3, crown=0.3)
+    rolls = newton_euler(assemble([K]).system(gravity=Vector(ground, 1, 0, -10)))
+    found = reaction(rolls, K)
+    assert project(found.at, ground).coordinates == (*K.coordinates[:2], 0)
+    assert found.moment.components == (0, 0, 0)
+    friction = 2.0 / (1 + 2.0 * 0.3**2 / 0.05)
+    drawn = free_body_diagram(simulate(rolls, t=(0, 0.1)), ball, tmp_path / "ball.svg")
+    assert sorted(texts(drawn)) == [f"K {np.hypot(20, friction):.3g} N", "ball", "weight 20.1 N"]

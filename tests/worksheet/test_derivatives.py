@@ -63,6 +63,23 @@ CASES = {
         "`diff/psi` := proc(a,b) omega(a) end proc: diff(sin(psi(2*t)),t); diff(psi(3*q),q);",
         ["cos(psi(2*t))*omega(2*t)", "omega(3*q)"],
     ),
+    "by a place whose variable moves another one": (
+        "diff(f(q(t),t),t); diff(f(x^2,x),x); diff(f(q(t),x),x);",
+        [
+            "D[1](f)(q(t),t)*diff(q(t),t)+D[2](f)(q(t),t)",
+            "2*x*D[1](f)(x^2,x)+D[2](f)(x^2,x)",
+            "diff(f(q(t),x),x)",
+        ],
+    ),
+    "a rule of a quasi-coordinate": (
+        (
+            "`diff/s` := proc(a,b,w) b*diff(a,w) end: P := origin(translate(s(x(t),y(t)),0,0)): "
+            "comp_X(acceleration(P)); comp_X(newton_equations({make_BODY(P,1)})); "
+            "`diff/z` := proc(a,b,w) c(a,b)*diff(a,w)+e(a,b)*diff(b,w) end: P := origin(translate(z(x(t),y(t)),0,0)): "
+            "simplify(comp_X(velocity(acceleration(P)))-diff(z(x(t),y(t)),t,t,t));"
+        ),
+        [*["diff(x(t),t)*diff(y(t),t)+y(t)*diff(x(t),`$`(t,2))"] * 2, "0"],
+    ),
     "a rule in a velocity": (
         "`diff/q` := proc(t) u(t) end proc: comp_X(velocity(origin(translate(q(t),0,0))));",
         ["u(t)"],

@@ -37,6 +37,16 @@ def test_saved_objects_are_objects_again(tmp_path: Path) -> None:
     ]
 
 
+def test_saved_forces_act_on_the_saved_bodies_of_a_table(tmp_path: Path) -> None:
+    bodies = "w[1] := make_BODY(translate(x(t),0,0), m): w[2] := make_BODY(translate(x(t),b,0), m): "
+    force = "F := make_FORCE(make_VECTOR(ground,X,0,0), origin(ground), w[1]): "
+    printed(bodies + force + 'save w, F, "w.mpl":', tmp_path)
+    text = 'read "w.mpl": comp_X(newton_equations({w[1], w[2], F}));'
+    assert printed(text, tmp_path)[-1] == "2*m*diff(x(t),`$`(t,2))-X"
+    skipped = printed('read "w.mpl": comp_X(newton_equations({w[2], F}));', tmp_path)
+    assert skipped[0] == "<F> FORCE is not valid: it must be applied to a BODY"
+
+
 def test_values_are_saved_with_what_was_assigned_since(tmp_path: Path) -> None:
     printed('a := 2*b: b := 3: save a, "a.m";', tmp_path)
     assert (tmp_path / "a.m").read_text() == "a := 6;\n"

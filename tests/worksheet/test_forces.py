@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from symbody.worksheet.interpreter.interpret import Interpreter
 from tests.worksheet.printed_by import printed
 
@@ -31,3 +33,54 @@ def test_a_force_at_a_point_that_its_body_leaves_is_told() -> None:
     assert notices(there.replace("ground, 1", "T1, 1")) == []
     jet = "J := make_BODY(ground, 1, 0, 0, 0):\n" + there.replace(", b):", ", b, J):")
     assert notices(jet, "b, J, F") == []
+
+
+@pytest.mark.parametrize("slope", ["", "rotate('Y',e)*"])
+def test_a_road_frame_that_goes_with_the_car_is_a_plane_at_rest(slope: str) -> None:
+    sheet = (
+        f"TR := {slope}translate(x(t),y(t),0)*rotate('Z',psi(t)): TW := TR*rotate('X',phi(t))*translate(0,0,-R): "
+        "W := make_BODY(TW*rotate('Y',theta(t)),m,Id,Ia,Id): make := T -> make_TIRE(W,0,0,0,0,rr(t),X,Y,-N,0,0,0,T): "
+        f"moving := [tire_kinematics(make(TR))]: fixed := [tire_kinematics(make({slope}translate(0,0,0)))]: "
+        "seq(simplify(moving[i]-fixed[i]), i=2..4); subs(phi(t)=0, moving[2]);"
+    )
+    assert printed(sheet) == ["0, 0, 0", "cos(psi(t))*diff(x(t),t)+sin(psi(t))*diff(y(t),t)"]
+
+
+TYRE = """
+with(MBSymba_r6): with(MBSymba_r6_tire):
+hub := translate(x(t), 0, -h)*rotate('Z', delta(t))*rotate('X', phi(t)):
+wheel := make_BODY(hub*rotate('Y', theta(t)), m, Jd, Ja, Jd):
+"""
+
+
+def told(tyre: str, statement: str) -> tuple[list[str], list[str]]:
+    interpreter = Interpreter()
+    lines = printed(f"{TYRE}tire := make_TIRE(wheel{tyre}):\n{statement}", interpreter=interpreter)
+    return lines, interpreter.session.notices
+
+
+def test_a_tyre_among_bodies_is_told_to_be_no_load() -> None:
+    _, notices = told(", 0, R, 0, 0, 0, X, Y, -N", "newton_equations({wheel, tire}):")
+    assert notices == [
+        (
+            "newton_equations: the tyre tire is left out, because it is no load; expected its force and torque, "
+            "tire_forces(tire), in the set"
+        )
+    ]
+
+
+def test_a_tyre_without_a_radius_is_told() -> None:
+    assert told(", 0, 0, 0, 0, R", "")[1] == []
+    assert told(", 0, 0", "")[1] == [
+        (
+            "make_TIRE: the radius z + z_def is zero, so that the tyre touches the road at the centre of the wheel; "
+            "expected the distance from there to the contact, such as make_TIRE(wheel, 0, R, 0, 0, 0, X, Y, -N)"
+        )
+    ]
+
+
+def test_the_lateral_velocity_of_a_cambered_tyre_is_short() -> None:
+    """The spin, which moves the contact ahead alone, is not in it."""
+    lines, _ = told(", rho*sin(phi(t)), R-rho+rho*cos(phi(t))", "tire_kinematics(tire)[3];")
+    assert "theta" not in lines[-1]
+    assert len(lines[-1]) < 120

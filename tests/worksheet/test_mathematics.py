@@ -76,6 +76,7 @@ def test_complex_numbers_are_those_of_python(text: str, value: float) -> None:
         ("int(int(x*y^2, x = 0..1), y = 0..2)", 4 / 3),
         ("limit((1 - cos(x))/x^2, x = 0)", 1 / 2),
         ("value(Int(sin(x), x = 0..Pi))", 2),
+        ("evalf(3*Int(exp(-x^2), x = 0..1) + 1, 15)", 3 * quad(lambda x: math.exp(-(x**2)), 0, 1)[0] + 1),
     ],
 )
 def test_integrals_and_limits(text: str, value: float) -> None:

@@ -31,6 +31,19 @@ CASES = {
         "M := <<1|2>,<3|4>>: M^%T; LinearAlgebra[Transpose](M); LinearAlgebra:-Transpose(<a,b>);",
         ["Matrix([[1, 3], [2, 4]])", "Matrix([[1, 3], [2, 4]])", "Vector[row]([a, b])"],
     ),
+    "eigenvalues of two matrices": (
+        (
+            "with(LinearAlgebra): K := <2,1/2;1/2,1/2>: M := <8/3,5/6;5/6,1/3>: Eigenvalues(K, M); "
+            "v, V := Eigenvectors(evalf(K), M): map(round, 10^6*(K . V - M . V . DiagonalMatrix(v))); "
+            "linalg[eigenvals](matrix([[2,0],[0,3]]), matrix([[1,0],[0,2]])); IdentityMatrix(2, 3);"
+        ),
+        [
+            "Vector[column]([[6/7*7^(1/2)+3], [3-6/7*7^(1/2)]])",
+            "Matrix([[0, 0], [0, 0]])",
+            "3/2, 2",
+            "Matrix([[1, 0, 0], [0, 1, 0]])",
+        ],
+    ),
     "evalm": (
         "A := matrix(2,2,[[1,2],[3,k]]): evalm(A &* A - 1); evalm(2*A+A); evalm(A^2);",
         [

@@ -52,6 +52,7 @@ pub struct Balance<'a> {
 
 impl<'a> Balance<'a> {
     pub fn new(dynamics: &'a Dynamics, tolerances: Tolerances, t: f64, state: &[f64]) -> Self {
+        let pending = if dynamics.energies.is_some() { LOOK.1 * (1 + state.len()) } else { 0 };
         let mut new = Self {
             energies: dynamics.energies.as_ref(),
             tolerances,
@@ -64,10 +65,10 @@ impl<'a> Balance<'a> {
             checked: 0,
             most: 0.0,
             records: Thinned::new(),
-            pending: Vec::new(),
+            pending: Vec::with_capacity(pending),
         };
         new.look(t, state);
-        if let Some([kinetic, potential]) = new.energies_of(&new.pending)[..].first().copied().flatten() {
+        if let Some([kinetic, potential]) = finite(&new.energies_of(&new.pending)) {
             new.first = kinetic + potential - new.work(state);
             new.first_potential = potential;
         }
@@ -95,9 +96,10 @@ impl<'a> Balance<'a> {
     /// Check the balance at the pending states.
     fn evaluate(&mut self, width: usize) {
         let rows = std::mem::take(&mut self.pending);
-        for (row, energies) in rows.chunks(1 + width).zip(self.energies_of(&rows)) {
+        let values = self.energies_of(&rows);
+        for (row, energies) in rows.chunks(1 + width).zip(values.chunks(2)) {
             let (t, state) = (row[0], &row[1..]);
-            let Some([kinetic, potential]) = energies else { continue };
+            let Some([kinetic, potential]) = finite(energies) else { continue };
             let work = self.work(state);
             for energy in [kinetic, potential - self.first_potential, work] {
                 self.moving = self.moving.max(energy.abs());
@@ -153,16 +155,15 @@ impl<'a> Balance<'a> {
 
     fn at(&self, t: f64, state: &[f64]) -> Option<[f64; 2]> {
         let row: Vec<f64> = std::iter::once(t).chain(state.iter().copied()).collect();
-        self.energies_of(&row).first().copied().flatten()
+        finite(&self.energies_of(&row))
     }
 
-    /// The energies at states, where they are finite: rows of an instant and a state.
-    fn energies_of(&self, rows: &[f64]) -> Vec<Option<[f64; 2]>> {
+    /// The energies at states, two for each: rows of an instant and a state.
+    fn energies_of(&self, rows: &[f64]) -> Vec<f64> {
         let Some(code) = self.energies.filter(|_| !rows.is_empty()) else { return Vec::new() };
         let mut values = vec![0.0; rows.len() / code.inputs() * 2];
         code.call_rows(rows, &mut values);
-        let energies = values.chunks(2).map(|energies| [energies[0], energies[1]]);
-        energies.map(|two| two.iter().all(|energy| energy.is_finite()).then_some(two)).collect()
+        values
     }
 
     /// Update the changes of the energy by errors of one tolerance in each entry.
@@ -179,8 +180,8 @@ impl<'a> Balance<'a> {
         }
         let changes: Vec<f64> = self
             .energies_of(&rows)
-            .into_iter()
-            .map(|near| near.map_or(0.0, |[kinetic, potential]| (kinetic + potential - energy).abs()))
+            .chunks(2)
+            .map(|near| finite(near).map_or(0.0, |[kinetic, potential]| (kinetic + potential - energy).abs()))
             .collect();
         let sum = |changes: &[f64]| changes.iter().fold(0.0, |sum, change| sum + change);
         let (both, least) = changes.split_at(changes.len() / 2);
@@ -193,5 +194,13 @@ impl<'a> Balance<'a> {
         let mut spreads = self.spreads.kept().to_vec();
         spreads.sort_by(f64::total_cmp);
         spreads.get(spreads.len() / 2).copied().unwrap_or(0.0)
+    }
+}
+
+/// The kinetic and the potential energy of a state, if they are finite.
+fn finite(energies: &[f64]) -> Option<[f64; 2]> {
+    match *energies {
+        [kinetic, potential] if kinetic.is_finite() && potential.is_finite() => Some([kinetic, potential]),
+        _ => None,
     }
 }

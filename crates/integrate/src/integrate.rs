@@ -160,7 +160,8 @@ impl Course<'_> {
         (step, end): (usize, f64),
         run: &mut Run,
     ) -> Result<usize, Failure> {
-        let has_events = self.watch.is_needed() && !stepper.looks_for_events();
+        let is_looking = stepper.looks_for_events() && !self.watch.is_ahead_of(stepper.t());
+        let has_events = self.watch.is_needed() && !is_looking;
         let before = stepper.statistics().steps;
         let until = self.record.instants.get(run.reached).copied().unwrap_or(end);
         let stretch = Stretch { until, steps: LOOK.0 - step % LOOK.0 };

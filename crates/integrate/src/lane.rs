@@ -195,6 +195,11 @@ impl Lane {
         self.crew.read_event_values(self.number, start, ends);
     }
 
+    /// Read these values at the end of the last step, where the crew looks for events.
+    pub(crate) fn read_event_values_at_end(&self, values: &mut [f64]) {
+        self.crew.read_event_values_at_end(self.number, values);
+    }
+
     /// Read the terms of the dense output of the last step, where the crew looks for events.
     pub(crate) fn read_terms(&self, terms: &mut [Vec<f64>]) {
         self.crew.read_terms(self.number, terms);
@@ -235,5 +240,6 @@ pub(crate) trait Desk {
     fn has_dense_stages(&self) -> bool;
     fn looks_for_events(&self) -> bool;
     fn read_event_values(&self, lane: usize, start: &mut [f64], ends: &mut [f64]);
+    fn read_event_values_at_end(&self, lane: usize, values: &mut [f64]);
     fn read_terms(&self, lane: usize, terms: &mut [Vec<f64>]);
 }

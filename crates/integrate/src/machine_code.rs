@@ -113,7 +113,8 @@ impl BoundCode {
     /// If the number of constants is not the number that the code reads.
     pub fn new(code: MachineCode, constants: &[f64]) -> Self {
         assert_eq!(constants.len(), code.constants, "constants of compiled code");
-        let mut inputs = vec![0.0; 1 + code.states];
+        let mut inputs = Vec::with_capacity(1 + code.states + constants.len());
+        inputs.resize(1 + code.states, 0.0);
         inputs.extend_from_slice(constants);
         Self { code, inputs: RefCell::new(inputs), lane: None }
     }
@@ -164,7 +165,9 @@ impl BoundCode {
     pub(crate) fn call_rows(&self, rows: &[f64], out: &mut [f64]) {
         let width = 1 + self.code.states;
         assert_eq!(rows.len() / width * self.code.outputs, out.len(), "the outputs of compiled code");
-        if let Some(lane) = &self.lane {
+        // One state alone is evaluated sooner by the code for one.
+        let is_one = rows.len() == width;
+        if let Some(lane) = self.lane.as_ref().filter(|lane| !is_one || lane.shares_functions()) {
             return lane.evaluate_rows(rows, &self.inputs.borrow()[width..], out);
         }
         for (row, out) in rows.chunks(width).zip(out.chunks_mut(self.code.outputs)) {

@@ -89,7 +89,7 @@ pub trait Stepper {
         None
     }
 
-    /// Whether the steps of [`Self::advance`] end at the first in which an event may happen.
+    /// Whether steps that are taken together end at the first in which an event may happen.
     fn looks_for_events(&self) -> bool {
         false
     }
@@ -102,6 +102,9 @@ pub trait Stepper {
     /// Write the values of the functions of the events at the start of the last step and at the ends of its parts, if
     /// some function passes zero in it.
     fn read_event_values(&self, _start: &mut [f64], _ends: &mut [f64]) {}
+
+    /// Write the values of these functions at the end of the last step, if none passes zero in it.
+    fn read_event_values_at_end(&self, _values: &mut [f64]) {}
 
     /// The instant of the state.
     fn t(&self) -> f64;

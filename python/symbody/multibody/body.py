@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import cached_property
 from typing import Annotated, TypeAlias, final
 
+from symbody.deferred import cached_property
 from symbody.errors import BodyError
 from symbody.geometry import Frame, Point, Scalar, Triple, origin
 from symbody.geometry.component.triple import expression, triple

@@ -24,7 +24,7 @@ def combined(bodies: Several, *, frame: Frame | None = None, name: str = "") -> 
 
     With ``m = sum(m_k)`` and the centre ``c = sum(m_k c_k)/m``, the tensor of inertia about c is
     ``sum(R_k J_k R_k^T + m_k (d^2 1 - d d^T))`` with ``d = c_k - c`` [Huygens, Steiner]. Bodies of negative mass are
-    taken away.
+    taken away. Rotors without mass add their inertias alone, at the place of the first.
 
     Args:
         bodies: the bodies.
@@ -43,22 +43,33 @@ def combined(bodies: Several, *, frame: Frame | None = None, name: str = "") -> 
         raise BodyError(f"combined: the body {brief(twice)} is given twice; give it once")
     axes = bodies[0].frame if frame is None else frame
     mass = sum((body.mass for body in bodies), start=number(0))
-    if mass.is_zero:
-        raise BodyError(
-            f"combined: the masses of {', '.join(map(brief, bodies))} add up to zero, so that there is no centre "
-            "of mass; give bodies with mass"
-        )
     placed = [_Placed.of(body, axes) for body in bodies]
-    moment = (number(0), number(0), number(0))
-    for each in placed:
-        moment = add3(moment, scale3(each.mass, each.place))
-    center = scale3(1 / mass, moment)
+    center = _center(bodies, placed, mass)
     total = [number(0)] * 9
     for each in placed:
         about = steiner(each.mass, sub3(each.place, center))
         total = [a + b + c for a, b, c in zip(total, each.tensor, about, strict=True)]
     xx, xy, xz, _, yy, yz, _, _, zz = total
     return Body(Point(axes, *center), mass, xx, yy, zz, -yz, -xz, -xy, name=name)
+
+
+def _center(bodies: Sequence[Body], placed: Sequence[_Placed], mass: Expr) -> Triple:
+    """Return the centre of mass; of rotors without mass, which have none, the place of the first.
+
+    Raises:
+        BodyError: the masses add up to zero, but they are not all zero.
+    """
+    if all(body.mass.is_zero for body in bodies):
+        return placed[0].place
+    if mass.is_zero:
+        raise BodyError(
+            f"combined: the masses of {', '.join(map(brief, bodies))} add up to zero, so that there is no centre "
+            "of mass; give bodies with mass"
+        )
+    moment = (number(0), number(0), number(0))
+    for each in placed:
+        moment = add3(moment, scale3(each.mass, each.place))
+    return scale3(1 / mass, moment)
 
 
 class _Placed(NamedTuple):

@@ -17,8 +17,9 @@ def check_function_of_time(thing: Expr, where: str) -> None:
 
 def rate_of_any(coordinates: Iterable[Expr], leaves: Iterable[Expr]) -> Expr | None:
     """Return the first by name of the leaves that are rates of coordinates."""
+    rates = [leaf for leaf in leaves if leaf.kind == "time_function" and leaf.order > 0]
+    if not rates:  # as in most frames, for each of which this is asked
+        return None
     names = {coordinate.name for coordinate in coordinates}
-    rates = (
-        leaf for leaf in leaves if leaf.kind == "time_function" and leaf.order > 0 and leaf.name in names
-    )
-    return min(rates, key=lambda leaf: (leaf.name, leaf.order), default=None)
+    of_coordinates = (rate for rate in rates if rate.name in names)
+    return min(of_coordinates, key=lambda rate: (rate.name, rate.order), default=None)

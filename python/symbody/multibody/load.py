@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Any, Self, final
 
+from symbody.deferred import cached_property
 from symbody.errors import LoadError
 from symbody.geometry import Frame, Point, Scalar, Triple, Vector
 from symbody.geometry.frame.coordinates import path
@@ -254,7 +255,7 @@ class Force(_Vectorial):
         super().__init__(what, components, on, reaction, name)
         self.at = at
 
-    @property
+    @cached_property
     def actions(self) -> tuple[Action, ...]:
         direct = Action(self.on, self.vector, self.at)
         return (direct,) if self.reaction is None else (direct, Action(self.reaction, -self.vector, self.at))
@@ -298,7 +299,7 @@ class Torque(_Vectorial):
     ) -> None:
         super().__init__(what, components, on, reaction, name)
 
-    @property
+    @cached_property
     def actions(self) -> tuple[Action, ...]:
         direct = Action(self.on, self.vector)
         return (direct,) if self.reaction is None else (direct, Action(self.reaction, -self.vector))

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from functools import cached_property
 from importlib import import_module
 from types import MappingProxyType
 from typing import Annotated, Any, TypeAlias, TypeVar, final
 
+from symbody.deferred import cached_property
 from symbody.errors import ArgumentError, ModelError, ModelNotice
 from symbody.geometry import Frame, Vector
 from symbody.geometry.component.triple import expression

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from copy import copy
-from functools import cached_property
 from itertools import count
 from types import MappingProxyType
 from typing import Annotated, Any, Self, TypeAlias
 
+from symbody.deferred import cached_property
 from symbody.errors import ConstraintError, ModelError
 from symbody.geometry.component.triple import Rate, expression
 from symbody.geometry.motion.floating import by_speeds, known_rates, rate_by

@@ -15,6 +15,7 @@ from symbody.symbolic.calculus.derivative import (
     time_derivatives,
 )
 from symbody.symbolic.calculus.idle import idle_symbols, without_idle_symbols
+from symbody.symbolic.calculus.readable import readable
 from symbody.symbolic.calculus.rewrite import (
     coeff,
     collect,
@@ -22,7 +23,6 @@ from symbody.symbolic.calculus.rewrite import (
     expand,
     expand_trig,
     factor_terms,
-    readable,
     simplify,
 )
 from symbody.symbolic.calculus.taylor import ENERGY, MOTION, are_small, small, taylor, truncated

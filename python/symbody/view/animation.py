@@ -20,7 +20,7 @@ from symbody.geometry import Frame, Point
 from symbody.multibody import Body, Load, Variables
 from symbody.symbolic import Expr
 from symbody.symbolic.given.arguments import with_known_names
-from symbody.view.drawable_motion import DrawableMotion, mechanism_of
+from symbody.view.drawable_motion import DrawableMotion, drawable, mechanism_of
 from symbody.view.drawing_options import DrawingOptions
 from symbody.view.scene import scene
 from symbody.view.shape import Shape
@@ -146,6 +146,7 @@ def animate(
     True
     """
     file = None if path is None else _page_file(path)
+    motion = drawable(motion, "animate")
     loads = (mechanism_of(motion).loads if forces else ()) if isinstance(forces, bool) else forces
     options = DrawingOptions(shapes or {}, frames, points, traces, lines, loads, reactions, follow)
     name = title or motion.system.name or "symbody"

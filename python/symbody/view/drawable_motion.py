@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Protocol
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,6 +40,95 @@ class DrawableMotion(Protocol):
         ...
 
 
+@dataclass(frozen=True, eq=False)
+class OneInstant:
+    """What holds at one instant alone, as a motion: an equilibrium, a steady motion at its first instant.
+
+    Attributes:
+        found: has the `system`, the instant `t`, and `evaluate`, which returns one value for each expression.
+    """
+
+    found: Any
+
+    @property
+    def t(self) -> NDArray[np.float64]:
+        return np.array([float(self.found.t)])
+
+    @property
+    def system(self) -> Variables:
+        system: Variables = self.found.system
+        return system
+
+    def __getitem__(self, expression: Expr) -> NDArray[np.float64]:
+        return np.asarray(self.evaluate([expression])[0])
+
+    def evaluate(self, expressions: Sequence[Expr]) -> NDArray[np.float64]:
+        """Return the values as a column."""
+        return np.asarray(self.found.evaluate(expressions), dtype=np.float64).reshape(-1, 1)
+
+
+@dataclass(frozen=True, eq=False)
+class Structure:
+    """A system in which nothing moves, as a motion of one instant.
+
+    Attributes:
+        system: the system, without coordinates.
+        parameters: the values of its parameters.
+        where: the function that the user called, for messages.
+    """
+
+    system: System
+    parameters: Mapping[Expr, float]
+    where: str
+
+    @property
+    def t(self) -> NDArray[np.float64]:
+        return np.zeros(1)
+
+    def __getitem__(self, expression: Expr) -> NDArray[np.float64]:
+        return np.asarray(self.evaluate([expression])[0])
+
+    def evaluate(self, expressions: Sequence[Expr]) -> NDArray[np.float64]:
+        """Return the values as a column.
+
+        Raises:
+            ViewError: a parameter has no value.
+        """
+        missing = sorted(
+            map(str, {leaf for each in expressions for leaf in each.free_symbols} - {*self.parameters})
+        )
+        if missing:
+            raise ViewError(
+                f"{self.where}, parameters: no value for {', '.join(missing)}; expected numbers for the symbols of a "
+                f"structure, such as parameters={{{missing[0]}: 1.0}}"
+            )
+        values = [
+            each.evaluate({leaf: self.parameters[leaf] for leaf in each.free_symbols}) for each in expressions
+        ]
+        return np.array(values, dtype=np.float64).reshape(-1, 1)
+
+
+def drawable(found: Any, where: str, parameters: Mapping[Expr, float] | None = None) -> DrawableMotion:
+    """Return what can be drawn: a motion as it is; an equilibrium, a steady motion or a structure as one instant.
+
+    Args:
+        found: the argument of the user.
+        where: the function that was called, for messages.
+        parameters: the values of the parameters of a structure.
+
+    Raises:
+        ViewError: parameters are given beside a motion, which has its own.
+    """
+    if isinstance(found, System) and not found.coordinates:
+        return Structure(found, parameters or {}, where)
+    if parameters is not None:
+        raise ViewError(
+            f"{where}, parameters: {described(found)} has its own values; expected parameters of a structure alone, "
+            "which is a system without coordinates"
+        )
+    return OneInstant(found) if np.ndim(getattr(found, "t", [])) == 0 else found
+
+
 def mechanism_of(motion: DrawableMotion, where: str = "animate") -> System:
     """Return the system that moves, with its bodies.
 
@@ -51,7 +141,8 @@ def mechanism_of(motion: DrawableMotion, where: str = "animate") -> System:
     """
     if not (hasattr(motion, "t") and hasattr(motion, "system")):
         raise ViewError(
-            f"{where}: motion = {described(motion)}; expected a motion, such as simulate(equations, ...) returns"
+            f"{where}: motion = {described(motion)}; expected a motion, such as simulate(equations, ...) returns, an "
+            "equilibrium or a steady motion"
         )
     if not isinstance(motion.system, System):
         raise ViewError(

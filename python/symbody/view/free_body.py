@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,15 +19,20 @@ from symbody.geometry import Point, Vector, origin
 from symbody.multibody import Body, Link, System
 from symbody.symbolic import Expr
 from symbody.symbolic.given.arguments import brief, given_twice, with_known_names
-from symbody.view.drawable_motion import DrawableMotion, mechanism_of
+from symbody.view.drawable_motion import DrawableMotion, drawable, mechanism_of
 from symbody.view.drawing_options import DrawingOptions
 from symbody.view.pose import paths, values
 from symbody.view.scene import scene
 from symbody.view.sketch import sketch_of
+from symbody.view.solid import corners
 from symbody.view.svg import sketch_svg
 from symbody.view.whole_file import file_of, write_whole
 
 __all__ = ["free_body_diagram"]
+
+Drawn: TypeAlias = Annotated[
+    Any, "a motion, an equilibrium, a steady motion, or a system without coordinates"
+]
 
 Array = NDArray[np.float64]
 
@@ -87,11 +92,12 @@ class _Instant:
 
 @with_known_names
 def free_body_diagram(
-    motion: DrawableMotion,
+    motion: Drawn,
     part: Body | Link | str | Collection[Body | Link | str],
     path: str | os.PathLike[str],
     *,
     t: float | None = None,
+    parameters: Mapping[Expr, float] | None = None,
 ) -> Path:
     """Draw a part that is cut off, with its loads, weights and the reactions of its joints, and return the SVG file.
 
@@ -103,13 +109,15 @@ def free_body_diagram(
     an arrow with two heads. What is zero is not drawn, nor what acts between bodies of the part, such as a spring.
 
     Args:
-        motion: a motion of a system with bodies.
+        motion: a motion of a system with bodies, an equilibrium, or a steady motion at its first instant; or a system
+            in which nothing moves.
         part: a body or link, its name, or several.
         path: the file.
         t: the instant; by default the first one. The nearest instant of the motion is drawn.
+        parameters: the values of the symbols of a system in which nothing moves.
 
     Raises:
-        ViewError: a body is none of the system.
+        ViewError: a body is none of the system, or a value is missing.
         PictureError: the file can't be written.
 
     >>> import os, tempfile
@@ -123,9 +131,10 @@ def free_body_diagram(
     'bob.svg'
     """
     file = _svg_file(path)
-    system = mechanism_of(motion, _WHERE)
+    whole = drawable(motion, _WHERE, parameters)
+    system = mechanism_of(whole, _WHERE)
     members = _members(system, part)
-    drawn = _Instant(motion, 0 if t is None else _index(motion.t, t))
+    drawn = _Instant(whole, 0 if t is None else _index(whole.t, t))
     content = scene(drawn, DrawingOptions(), "")
     kept = [k for k, body in enumerate(system.bodies) if body in members]
     members = [system.bodies[k] for k in kept]
@@ -201,7 +210,7 @@ def _arms(
 def _points(motion: DrawableMotion, system: System, members: Sequence[Body]) -> list[dict[str, Any]]:
     """Return the points of the joints of the part."""
     names = [body.name for body in members]
-    points = [joint.point for joint in system.joints if any(name in names for name, _ in joint.ends)]
+    points = [joint.acting_point for joint in system.joints if any(name in names for name, _ in joint.ends)]
     return [{"name": "", "path": path.tolist()} for path in paths(motion, points)]
 
 
@@ -323,10 +332,17 @@ def _facing(content: dict[str, Any]) -> dict[str, list[float]]:
 
 
 def _radius(content: dict[str, Any]) -> float:
-    """Return the radius of the part: of its points and centres of mass; where these coincide, by the mechanism's."""
+    """Return the radius of the part: of its points and centres of mass, or half of its solids' if that is more.
+
+    Where there is neither, it is by the mechanism's.
+    """
     places = _places(content)
     middle = (places.min(axis=0) + places.max(axis=0)) / 2
-    radius, whole = float(np.linalg.norm(places - middle, axis=1).max()), float(content["view"]["radius"])
+    sizes = [
+        float(np.ptp(corners(solid), axis=0).max()) for body in content["bodies"] for solid in body["parts"]
+    ]
+    radius = max(float(np.linalg.norm(places - middle, axis=1).max()), max(sizes, default=0.0) / 4)
+    whole = float(content["view"]["radius"])
     return radius if radius > 0.05 * whole else 0.2 * whole
 
 

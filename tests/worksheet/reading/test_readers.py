@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import os
 from pathlib import Path
 
@@ -218,3 +219,44 @@ def test_seeds(seed: str, cells: int, count: int) -> None:
     assert not any(isinstance(one, SyntaxMistake) for one in found)
     assert (len(read), len(found)) == (cells, count)
     assert sum(isinstance(one, For) for one in found) == (3 if seed.startswith("001") else 0)
+
+
+def test_a_formula_below_its_prompt_is_one_output() -> None:
+    (cell,) = source_cells("> simplify(e);\n                     2\n                    l\n")
+    assert [block.split() for block in cell.printed] == [["2", "l"]]
+
+
+@pytest.mark.parametrize("value", ["true", "a-b", "m"])
+def test_words_are_output_where_one_is_missing(value: str) -> None:
+    (cell,) = source_cells(f"> is(m, a-b);\n\n{value}\n")
+    assert cell.printed == (value,)
+    assert source_cells(f"> is(m, a-b);\n\nfalse\n\n{value}\n")[0].printed[:1] == ("false",)
+    assert source_cells("> is(m, a-b):\n\nm\n")[0].printed == ()
+
+
+FORMULA = (
+    '<Worksheet><Group><Input><Text-field style="2D Input"><Equation executable="true" style="2D Input" '
+    'input-equation="">{}</Equation></Text-field></Input></Group></Worksheet>'
+)
+
+
+@pytest.mark.parametrize(("text", "count"), [("x", 1), ("", 0)])
+def test_input_that_is_stored_as_a_formula_is_a_mistake(text: str, count: int) -> None:
+    length = chr(33 + len(text))
+    stored = f"-I%mrowG6#/I+modulenameG6\"I,TypesettingGI(_syslibGF'6#-I#miGF$6%Q{length}{text}F'/%'italicG"
+    cells = source_cells(FORMULA.format(base64.b64encode(stored.encode()).decode()))
+    found = [each for cell in cells for each in statements(cell)]
+    assert len(found) == count
+    for each in found:
+        assert isinstance(each, SyntaxMistake)
+        assert "convert it to 1-D Math Input" in each.message
+
+
+def test_code_in_a_field_of_text() -> None:
+    cells = source_cells(
+        '<Worksheet><Group><Input><Text-field prompt="> " style="Text">so <Font executable="true" '
+        'style="Maple Input">a := 3;</Font> is</Text-field></Input></Group><Group><Input><Text-field prompt="> ">'
+        '<Font style="Maple Input">b := a;</Font></Text-field></Input></Group></Worksheet>'
+    )
+    assert code(cells) == [["a := 3;"], ["b := a;"]]
+    assert cells[0].prose == ("so  is",)

@@ -1,18 +1,17 @@
 //! The steps in which an event may happen, found for all lanes at once: the functions of the events are evaluated in
-//! the dense output of accepted steps, at the same instants as those of a motion alone.
+//! the dense output of accepted steps, at the same instants as those of a motion alone, and on the constraints.
 
 use crate::dynamics::EventKind;
 use crate::event::{PARTS, crosses, end_of_part};
-use crate::runge_kutta::{Tableau, between, hermite_terms, terms};
 
 use super::columns::{Columns, Waiting, read};
-use super::stages::{StepColumns, combine};
-use super::stretch::blend;
-use super::vectors::{Loop, in_vectors};
+use super::dense::Dense;
+use super::landing::{Chosen, Corrections, Landings};
+use super::stages::StepColumns;
+use super::vectors::{Loop, blend, in_vectors};
 
 /// The functions of the events along the steps of all lanes.
 pub(super) struct Crossings<const W: usize> {
-    tableau: &'static Tableau,
     directions: Vec<i32>,
     /// Whether some function passes zero in the last step of each motion.
     pub found: [bool; W],
@@ -21,20 +20,16 @@ pub(super) struct Crossings<const W: usize> {
     values: Vec<[f64; W]>,
     /// The values at the start of the step and at the ends of its parts, one after another.
     parts: Vec<Vec<[f64; W]>>,
-    /// The terms of the dense output of the step.
-    terms: Vec<Vec<[f64; W]>>,
 }
 
 impl<const W: usize> Crossings<W> {
-    pub fn new(tableau: &'static Tableau, kinds: &[EventKind], entries: usize) -> Self {
+    pub fn new(kinds: &[EventKind]) -> Self {
         Self {
-            tableau,
             directions: kinds.iter().map(|kind| kind.direction).collect(),
             found: [false; W],
             is_known: [false; W],
             values: vec![[0.0; W]; kinds.len()],
             parts: vec![vec![[0.0; W]; kinds.len()]; 1 + PARTS as usize],
-            terms: vec![vec![[0.0; W]; entries]; terms(tableau)],
         }
     }
 
@@ -43,33 +38,47 @@ impl<const W: usize> Crossings<W> {
         self.is_known[lane] = false;
     }
 
-    /// Note in which of the accepted steps, which end at these instants, some function passes zero.
+    /// Note in which of the accepted steps, which end at these instants, some function passes zero. Return the steps in
+    /// which all states are on the constraints.
     pub fn find(
         &mut self,
         (accepted, ends): (&[bool; W], &[f64; W]),
-        step: &StepColumns<W>,
+        (step, dense): (&StepColumns<W>, &Dense<W>),
         function: &mut Columns<W>,
+        (landings, corrections): (Option<&Landings<W>>, &mut Corrections<'_, W>),
         waiting: &mut Waiting<'_, W>,
-    ) {
+    ) -> [bool; W] {
         self.evaluate_starts(accepted, step, function, waiting);
-        in_vectors::<W>(Terms { tableau: self.tableau, step, out: &mut self.terms });
         self.parts[0].copy_from_slice(&self.values);
-        let mut found = [false; W];
+        let (mut found, mut accepted) = ([false; W], *accepted);
         for part in 1..=PARTS {
             let instants = std::array::from_fn(|lane| end_of_part(part, step.t[lane], ends[lane]));
-            function.inputs[0] = instants;
             let state = &mut function.inputs[1..=step.entries];
-            in_vectors::<W>(States { instants, ends, step, terms: &self.terms, state });
-            function.evaluate(&mut Waiting { lanes: *accepted, noted: &mut *waiting.noted });
+            match landings {
+                Some(landings) if part == PARTS => state.copy_from_slice(&landings.states),
+                _ => dense.states_at(instants, ends, step, state),
+            }
+            if let Some(landings) = landings.filter(|_| part < PARTS) {
+                let chosen = Chosen { lanes: &accepted, instants: &instants, bounds: &landings.bounds };
+                accepted = landings.project(state, chosen, corrections, waiting);
+            }
+            function.inputs[0] = instants;
+            function.evaluate(&mut Waiting { lanes: accepted, noted: &mut *waiting.noted });
             let (earlier, later) = self.parts.split_at_mut(part as usize);
             let (before, after) = (&earlier[part as usize - 1], &mut later[0]);
             after.copy_from_slice(&function.outputs);
             in_vectors::<W>(Signs { directions: &self.directions, before, after, found: &mut found });
         }
         for (values, last) in self.values.iter_mut().zip(&self.parts[PARTS as usize]) {
-            blend(values, last, accepted);
+            blend(values, last, &accepted);
         }
         self.found = std::array::from_fn(|lane| accepted[lane] && found[lane]);
+        accepted
+    }
+
+    /// Read the values at the end of the last step.
+    pub fn read_end(&self, lane: usize, values: &mut [f64]) {
+        read(lane, &self.values, values);
     }
 
     /// Read the values at the start of the last step, and at the ends of its parts, one after another.
@@ -77,13 +86,6 @@ impl<const W: usize> Crossings<W> {
         read(lane, &self.parts[0], start);
         for (ends, values) in ends.chunks_mut(start.len()).zip(&self.parts[1..]) {
             read(lane, values, ends);
-        }
-    }
-
-    /// Read the terms of the dense output of the last step.
-    pub fn read_terms(&self, lane: usize, terms: &mut [Vec<f64>]) {
-        for (term, columns) in terms.iter_mut().zip(&self.terms) {
-            read(lane, columns, term);
         }
     }
 
@@ -107,76 +109,6 @@ impl<const W: usize> Crossings<W> {
         }
         for (is_known, is_new) in self.is_known.iter_mut().zip(is_new) {
             *is_known |= is_new;
-        }
-    }
-}
-
-/// The terms of the dense output of a step.
-struct Terms<'a, const W: usize> {
-    tableau: &'static Tableau,
-    step: &'a StepColumns<W>,
-    out: &'a mut [Vec<[f64; W]>],
-}
-
-impl<const W: usize> Loop for Terms<'_, W> {
-    #[allow(clippy::inline_always, reason = "what isn't inlined there isn't compiled for those vectors")]
-    #[inline(always)]
-    fn run(self) {
-        let Self { tableau, step, out } = self;
-        let (hermite, higher) = out.split_at_mut(out.len() - tableau.dense.len());
-        let [change, first, second] = hermite else { unreachable!("there are three terms") };
-        let (rates, rates_at_end) = (step.rates(0), step.rates(tableau.stages));
-        for i in 0..step.entries {
-            for lane in 0..W {
-                let ends = (step.before[i][lane], step.after[i][lane]);
-                let slopes = (rates[i][lane], rates_at_end[i][lane]);
-                (change[i][lane], first[i][lane], second[i][lane]) =
-                    hermite_terms(step.h[lane], ends, slopes);
-            }
-        }
-        for (terms, weights) in higher.iter_mut().zip(tableau.dense) {
-            combine(terms, None, &step.rates, weights);
-            for term in terms {
-                for (entry, h) in term.iter_mut().zip(&step.h) {
-                    // A motion alone adds the products to 0, which makes 0 of -0.
-                    *entry = (0.0 + *entry) * h;
-                }
-            }
-        }
-    }
-}
-
-/// The states at an instant of each step.
-struct States<'a, const W: usize> {
-    instants: [f64; W],
-    ends: &'a [f64; W],
-    step: &'a StepColumns<W>,
-    terms: &'a [Vec<[f64; W]>],
-    state: &'a mut [[f64; W]],
-}
-
-impl<const W: usize> Loop for States<'_, W> {
-    #[allow(clippy::inline_always, reason = "what isn't inlined there isn't compiled for those vectors")]
-    #[inline(always)]
-    fn run(self) {
-        let Self { instants, ends, step, terms, state } = self;
-        let (mut parts, mut is_end) = ([0.0; W], [false; W]);
-        for lane in 0..W {
-            let (t, start, h) = (instants[lane], step.t[lane], step.h[lane]);
-            parts[lane] = (t - start) / h;
-            is_end[lane] = t >= ends[lane] || t >= start + h;
-        }
-        for (i, y) in state.iter_mut().enumerate() {
-            let mut sums = [0.0; W];
-            for (k, term) in terms.iter().enumerate().rev() {
-                for lane in 0..W {
-                    sums[lane] = between(sums[lane], term[i][lane], k, parts[lane]);
-                }
-            }
-            for lane in 0..W {
-                let inside = step.before[i][lane] + sums[lane];
-                y[lane] = if is_end[lane] { step.after[i][lane] } else { inside };
-            }
         }
     }
 }

@@ -1,4 +1,5 @@
-//! The ends of accepted steps, put onto the constraints for all lanes at once: by the corrections of a motion alone.
+//! States of all lanes, put onto the constraints at once by the corrections of a motion alone: the ends of accepted
+//! steps, and states within them.
 //!
 //! Where a correction is too large or does not converge, the motion takes the step itself, since it knows ways out.
 
@@ -10,8 +11,7 @@ use crate::tolerances::Tolerances;
 
 use super::columns::{Columns, Waiting};
 use super::stages::StepColumns;
-use super::stretch::blend;
-use super::vectors::{Loop, in_vectors};
+use super::vectors::{Loop, blend, in_vectors};
 
 /// The changes that lead onto the constraints, to first order: of the coordinates, and of the speeds.
 pub(super) struct Corrections<'a, const W: usize> {
@@ -28,12 +28,28 @@ pub(super) struct Landings<const W: usize> {
     pub states: Vec<[f64; W]>,
     /// The largest speeds at both ends of the steps.
     pub fastest: [f64; W],
+    /// The largest changes of a speed that corrections within these steps may make.
+    pub bounds: [f64; W],
+}
+
+/// Some lanes, the instants of their states, and the largest changes of a speed that corrections may make.
+#[derive(Clone, Copy)]
+pub(super) struct Chosen<'a, const W: usize> {
+    pub lanes: &'a [bool; W],
+    pub instants: &'a [f64; W],
+    pub bounds: &'a [f64; W],
 }
 
 impl<const W: usize> Landings<W> {
     pub fn new(tolerances: Tolerances, (coordinates, speeds): (usize, usize), entries: usize) -> Self {
         let speeds = coordinates..coordinates + speeds;
-        Self { tolerances, coordinates, speeds, states: vec![[0.0; W]; entries], fastest: [0.0; W] }
+        let states = vec![[0.0; W]; entries];
+        Self { tolerances, coordinates, speeds, states, fastest: [0.0; W], bounds: [0.0; W] }
+    }
+
+    /// The places of the speeds in a state.
+    pub fn speeds(&self) -> Range<usize> {
+        self.speeds.clone()
     }
 
     /// The largest speeds of some states.
@@ -54,17 +70,35 @@ impl<const W: usize> Landings<W> {
     ) -> [bool; W] {
         let (before, after) = (self.fastest_of(&step.before), self.fastest_of(&step.after));
         self.fastest = std::array::from_fn(|lane| before[lane].max(after[lane]));
-        self.states.copy_from_slice(&step.after);
-        let mut landed = *accepted;
+        self.bounds = std::array::from_fn(|lane| {
+            let here = self.fastest[lane];
+            bound(&self.tolerances, TOLERANCES.0, largest[lane].max(here), here)
+        });
+        let mut states = std::mem::take(&mut self.states);
+        states.copy_from_slice(&step.after);
+        let chosen = Chosen { lanes: accepted, instants: ends, bounds: &self.bounds };
+        let landed = self.project(&mut states, chosen, corrections, waiting);
+        self.states = states;
+        landed
+    }
+
+    /// Put states of some lanes onto the constraints; return where that is done.
+    pub fn project(
+        &self,
+        states: &mut [[f64; W]],
+        chosen: Chosen<'_, W>,
+        corrections: &mut Corrections<'_, W>,
+        waiting: &mut Waiting<'_, W>,
+    ) -> [bool; W] {
+        let mut landed = *chosen.lanes;
         if let Some(positions) = &mut corrections.positions {
-            self.close(&mut landed, ends, positions, waiting);
+            self.close(states, &mut landed, chosen.instants, positions, waiting);
         }
         if let Some(velocities) = &mut corrections.velocities {
-            let changes = self.correct(&landed, ends, self.speeds.clone(), velocities, waiting);
-            for lane in 0..W {
-                let here = self.fastest[lane];
-                let most = bound(&self.tolerances, TOLERANCES.0, largest[lane].max(here), here);
-                landed[lane] &= changes.sizes[lane] <= most;
+            let to = (&landed, chosen.instants, self.speeds.clone());
+            let changes = correct(states, to, velocities, waiting);
+            for (landed, (size, most)) in landed.iter_mut().zip(changes.sizes.iter().zip(chosen.bounds)) {
+                *landed &= size <= most;
             }
         }
         landed
@@ -72,15 +106,17 @@ impl<const W: usize> Landings<W> {
 
     /// Correct the coordinates until they satisfy the constraints.
     fn close(
-        &mut self,
+        &self,
+        states: &mut [[f64; W]],
         landed: &mut [bool; W],
-        ends: &[f64; W],
+        instants: &[f64; W],
         positions: &mut Columns<W>,
         waiting: &mut Waiting<'_, W>,
     ) {
         let (mut goes_on, mut sizes) = (*landed, [f64::INFINITY; W]);
         for _ in 0..ITERATIONS {
-            let changes = self.correct(&goes_on, ends, 0..self.coordinates, positions, waiting);
+            let to = (&goes_on, instants, 0..self.coordinates);
+            let changes = correct(states, to, positions, waiting);
             for lane in (0..W).filter(|&lane| goes_on[lane]) {
                 sizes[lane] = changes.sizes[lane] / changes.scales[lane];
             }
@@ -94,24 +130,22 @@ impl<const W: usize> Landings<W> {
             *landed &= size <= LARGE;
         }
     }
+}
 
-    /// Add a correction to some entries of the states of some lanes.
-    fn correct(
-        &mut self,
-        chosen: &[bool; W],
-        ends: &[f64; W],
-        entries: Range<usize>,
-        correction: &mut Columns<W>,
-        waiting: &mut Waiting<'_, W>,
-    ) -> Changes<W> {
-        correction.inputs[0] = *ends;
-        correction.inputs[1..=self.states.len()].copy_from_slice(&self.states);
-        correction.evaluate(&mut Waiting { lanes: *chosen, noted: &mut *waiting.noted });
-        let mut changes = Changes { sizes: [0.0; W], scales: [1.0; W] };
-        let (states, by) = (&mut self.states[entries], &correction.outputs);
-        in_vectors::<W>(Application { states, by, chosen, changes: &mut changes });
-        changes
-    }
+/// Add a correction to some entries of the states of some lanes, at these instants.
+fn correct<const W: usize>(
+    states: &mut [[f64; W]],
+    (chosen, instants, entries): (&[bool; W], &[f64; W], Range<usize>),
+    correction: &mut Columns<W>,
+    waiting: &mut Waiting<'_, W>,
+) -> Changes<W> {
+    correction.inputs[0] = *instants;
+    correction.inputs[1..=states.len()].copy_from_slice(states);
+    correction.evaluate(&mut Waiting { lanes: *chosen, noted: &mut *waiting.noted });
+    let mut changes = Changes { sizes: [0.0; W], scales: [1.0; W] };
+    let (states, by) = (&mut states[entries], &correction.outputs);
+    in_vectors::<W>(Application { states, by, chosen, changes: &mut changes });
+    changes
 }
 
 /// The largest changes of an entry, NaN if one is not finite, and the largest entries, at least 1.

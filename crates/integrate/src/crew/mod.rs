@@ -10,6 +10,9 @@
 mod columns;
 mod control;
 mod crossings;
+mod defect;
+mod dense;
+mod inside;
 mod landing;
 mod norms;
 mod stages;
@@ -29,7 +32,7 @@ use crate::runge_kutta::Tableau;
 use crate::stepper::{Statistics, Stretch};
 use crate::tolerances::Tolerances;
 use columns::{Columns, Waiting, read, write};
-use crossings::Crossings;
+use inside::Inside;
 use landing::{Corrections, Landings};
 use stages::StepColumns;
 use stretch::{Functions, Stretches};
@@ -55,7 +58,9 @@ struct Crew<const W: usize> {
 fn kept_by_lanes(dynamics: &Dynamics<MachineCode>) -> Option<(usize, usize)> {
     let codes = [&dynamics.position_correction, &dynamics.velocity_correction];
     let are_there = codes.into_iter().flatten().all(|code| code.conditions().is_some());
-    let is_plain = dynamics.sensitivity_correction.is_none() && dynamics.events.is_none();
+    let events = dynamics.events.as_ref();
+    let is_seen = events.is_none_or(|(code, _)| code.conditions().is_some());
+    let is_plain = dynamics.sensitivity_correction.is_none() && is_seen;
     let [coordinates, speeds] = codes.map(|code| code.as_ref().map_or(0, MachineCode::outputs));
     (are_there && is_plain && speeds > 0).then_some((coordinates, speeds))
 }
@@ -66,7 +71,7 @@ impl<const W: usize> Crew<W> {
             || dynamics.functions().iter().map(|code| RefCell::new(code.and_then(Columns::of))).collect();
         let entries = dynamics.rates.outputs();
         let events = dynamics.events.as_ref().filter(|(code, _)| code.conditions().is_some());
-        let crossings = events.map(|(_, kinds)| Crossings::new(tableau, kinds, entries));
+        let inside = events.map(|(_, kinds)| Inside::new(tableau, tolerances, kinds, entries));
         let has_constraints = dynamics.has_constraints();
         let kept = if has_constraints { kept_by_lanes(dynamics) } else { None };
         let landings = kept.map(|kept| Landings::new(tolerances, kept, entries));
@@ -76,7 +81,7 @@ impl<const W: usize> Crew<W> {
             of_rows: columns(),
             step: RefCell::new(StepColumns::new(tableau, entries)),
             shares_functions: has_constraints && landings.is_none(),
-            stretches: RefCell::new(Stretches::new(tableau, tolerances, entries, crossings, landings)),
+            stretches: RefCell::new(Stretches::new(tableau, tolerances, entries, inside, landings)),
             can_have_noted: Cell::new(false),
         }
     }
@@ -222,18 +227,24 @@ impl<const W: usize> Desk for Crew<W> {
     }
 
     fn looks_for_events(&self) -> bool {
-        self.stretches.borrow().crossings().is_some()
+        self.stretches.borrow().inside().is_some()
     }
 
     fn read_event_values(&self, lane: usize, start: &mut [f64], ends: &mut [f64]) {
-        if let Some(crossings) = self.stretches.borrow().crossings() {
-            crossings.read_values(lane, start, ends);
+        if let Some(inside) = self.stretches.borrow().inside() {
+            inside.crossings.read_values(lane, start, ends);
+        }
+    }
+
+    fn read_event_values_at_end(&self, lane: usize, values: &mut [f64]) {
+        if let Some(inside) = self.stretches.borrow().inside() {
+            inside.crossings.read_end(lane, values);
         }
     }
 
     fn read_terms(&self, lane: usize, terms: &mut [Vec<f64>]) {
-        if let Some(crossings) = self.stretches.borrow().crossings() {
-            crossings.read_terms(lane, terms);
+        if let Some(inside) = self.stretches.borrow().inside() {
+            inside.dense.read_terms(lane, terms);
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Sums of squares in all lanes, by which steps are judged: of distances, and of errors in units of the tolerance.
 
-use crate::runge_kutta::{Tableau, tolerance_of_integral, weight};
+use crate::runge_kutta::{Tableau, in_tolerances, tolerance_of_integral, weight};
 use crate::tolerances::Tolerances;
 
 use super::stages::StepColumns;
@@ -18,13 +18,7 @@ impl<const W: usize> Loop for Distances<'_, W> {
     #[allow(clippy::inline_always, reason = "what isn't inlined there isn't compiled for those vectors")]
     #[inline(always)]
     fn run(self) {
-        let mut zeros = [0.0; W];
-        for rates in self.rates.0 {
-            for lane in 0..W {
-                zeros[lane] += 0.0 * rates[lane];
-            }
-        }
-        *self.zeros = zeros;
+        Zeros { rates: self.rates.0, out: self.zeros }.run();
         for ((a, b), sums) in [(self.rates, self.sums.0), (self.states, self.sums.1)] {
             let mut sum = [0.0; W];
             for (a, b) in a.iter().zip(b) {
@@ -34,6 +28,49 @@ impl<const W: usize> Loop for Distances<'_, W> {
             }
             *sums = sum;
         }
+    }
+}
+
+/// A sum of zeros, which is NaN if a rate is not finite.
+pub(super) struct Zeros<'a, const W: usize> {
+    pub rates: &'a [[f64; W]],
+    pub out: &'a mut [f64; W],
+}
+
+impl<const W: usize> Loop for Zeros<'_, W> {
+    #[allow(clippy::inline_always, reason = "what isn't inlined there isn't compiled for those vectors")]
+    #[inline(always)]
+    fn run(self) {
+        let mut zeros = [0.0; W];
+        for rates in self.rates {
+            for lane in 0..W {
+                zeros[lane] += 0.0 * rates[lane];
+            }
+        }
+        *self.out = zeros;
+    }
+}
+
+/// The sums of the squares of vectors in units of the tolerance of states.
+pub(super) struct Weighted<'a, const W: usize> {
+    pub tolerances: Tolerances,
+    pub vector: &'a [[f64; W]],
+    pub states: &'a [[f64; W]],
+    pub sums: &'a mut [f64; W],
+}
+
+impl<const W: usize> Loop for Weighted<'_, W> {
+    #[allow(clippy::inline_always, reason = "what isn't inlined there isn't compiled for those vectors")]
+    #[inline(always)]
+    fn run(self) {
+        let mut sums = [0.0; W];
+        for (entries, states) in self.vector.iter().zip(self.states).take(self.tolerances.controlled) {
+            for lane in 0..W {
+                let scaled = in_tolerances(&self.tolerances, entries[lane], states[lane]);
+                sums[lane] += scaled * scaled;
+            }
+        }
+        *self.sums = sums;
     }
 }
 

@@ -43,20 +43,22 @@ impl<const W: usize> StepColumns<W> {
     /// Evaluate the rates at the states before the step, which are those of the first stage.
     pub fn take_first(&mut self, function: &mut Columns<W>, waiting: &mut Waiting<'_, W>) {
         function.inputs[1..=self.entries].copy_from_slice(&self.before);
-        self.evaluate(0, 0.0, function, waiting);
+        self.evaluate(0, self.t, function, waiting);
     }
 
     /// Evaluate the other stages of a step, the states after it, and the errors.
     pub fn take(&mut self, tableau: &Tableau, function: &mut Columns<W>, waiting: &mut Waiting<'_, W>) {
         let n = self.entries;
         for place in 1..tableau.stages {
-            self.take_stage(place, tableau, function, waiting);
+            let stage = &mut function.inputs[1..=n];
+            combine(stage, Some((&self.before, &self.h)), &self.rates, tableau.a[place]);
+            self.evaluate(place, self.instants(tableau.c[place]), function, waiting);
         }
         self.last_stage.copy_from_slice(&function.inputs[1..=n]);
         combine(&mut self.after, Some((&self.before, &self.h)), &self.rates, tableau.a[tableau.stages]);
         if tableau.evaluates_end {
             function.inputs[1..=n].copy_from_slice(&self.after);
-            self.evaluate(tableau.stages, 1.0, function, waiting);
+            self.evaluate(tableau.stages, self.instants(1.0), function, waiting);
         }
         for (error, weights) in self.errors.iter_mut().zip(tableau.errors) {
             combine(error, None, &self.rates, weights);
@@ -65,29 +67,43 @@ impl<const W: usize> StepColumns<W> {
 
     /// Evaluate the stages of the dense output of a step.
     pub fn take_dense(&mut self, tableau: &Tableau, function: &mut Columns<W>, waiting: &mut Waiting<'_, W>) {
-        function.inputs[1..=self.entries].copy_from_slice(&self.after);
-        self.evaluate(tableau.stages, 1.0, function, waiting);
-        for place in tableau.stages + 1..tableau.c.len() {
-            self.take_stage(place, tableau, function, waiting);
+        for place in tableau.stages..tableau.c.len() {
+            let (_, instants) = self.dense_stage(place, tableau, function);
+            self.evaluate(place, instants, function, waiting);
         }
     }
 
-    fn take_stage(
-        &mut self,
+    /// Write the state at a stage of the dense output, the first of which is the end of the step; return it and the
+    /// instants.
+    pub fn dense_stage<'a>(
+        &self,
         place: usize,
         tableau: &Tableau,
+        function: &'a mut Columns<W>,
+    ) -> (&'a mut [[f64; W]], [f64; W]) {
+        let stage = &mut function.inputs[1..=self.entries];
+        if place == tableau.stages {
+            stage.copy_from_slice(&self.after);
+            return (stage, self.instants(1.0));
+        }
+        combine(stage, Some((&self.before, &self.h)), &self.rates, tableau.a[place]);
+        (stage, self.instants(tableau.c[place]))
+    }
+
+    /// The instants at a fraction of the steps.
+    fn instants(&self, c: f64) -> [f64; W] {
+        std::array::from_fn(|lane| self.t[lane] + c * self.h[lane])
+    }
+
+    /// Evaluate the rates at a stage, whose state is among the inputs of the function.
+    pub fn evaluate(
+        &mut self,
+        place: usize,
+        instants: [f64; W],
         function: &mut Columns<W>,
         waiting: &mut Waiting<'_, W>,
     ) {
-        let stage = &mut function.inputs[1..=self.entries];
-        combine(stage, Some((&self.before, &self.h)), &self.rates, tableau.a[place]);
-        self.evaluate(place, tableau.c[place], function, waiting);
-    }
-
-    fn evaluate(&mut self, place: usize, c: f64, function: &mut Columns<W>, waiting: &mut Waiting<'_, W>) {
-        for (instant, (t, h)) in function.inputs[0].iter_mut().zip(self.t.iter().zip(&self.h)) {
-            *instant = t + c * h;
-        }
+        function.inputs[0] = instants;
         function.evaluate_into(&mut self.rates[place * self.entries..][..self.entries], waiting);
     }
 }

@@ -10,11 +10,11 @@ use crate::tolerances::Tolerances;
 
 use super::columns::{Columns, Waiting, read, write};
 use super::control::Control;
-use super::crossings::Crossings;
+use super::inside::Inside;
 use super::landing::{Corrections, Landings};
 use super::norms::{Distances, Squares};
 use super::stages::StepColumns;
-use super::vectors::{Loop, in_vectors};
+use super::vectors::{Loop, blend, in_vectors};
 
 /// The steps of all lanes.
 pub(super) struct Stretches<const W: usize> {
@@ -30,7 +30,7 @@ pub(super) struct Stretches<const W: usize> {
     last_stage: Vec<[f64; W]>,
     last_rates: Vec<[f64; W]>,
     has_dense_stages: bool,
-    crossings: Option<Crossings<W>>,
+    inside: Option<Inside<W>>,
     landings: Option<Landings<W>>,
     /// The ends of the last accepted steps, before they were put onto the constraints.
     ends: Vec<[f64; W]>,
@@ -48,7 +48,7 @@ impl<const W: usize> Stretches<W> {
         tableau: &'static Tableau,
         tolerances: Tolerances,
         entries: usize,
-        crossings: Option<Crossings<W>>,
+        inside: Option<Inside<W>>,
         landings: Option<Landings<W>>,
     ) -> Self {
         let zeros = || vec![[0.0; W]; entries];
@@ -62,7 +62,7 @@ impl<const W: usize> Stretches<W> {
             last_stage: zeros(),
             last_rates: zeros(),
             has_dense_stages: false,
-            crossings,
+            inside,
             landings,
             ends: zeros(),
         }
@@ -76,8 +76,8 @@ impl<const W: usize> Stretches<W> {
         write(lane, beginning.last_stage.0, &mut self.last_stage);
         write(lane, beginning.last_stage.1, &mut self.last_rates);
         self.lanes[lane] = Some(Control::new(beginning));
-        if let Some(crossings) = &mut self.crossings {
-            crossings.begin(lane);
+        if let Some(inside) = &mut self.inside {
+            inside.crossings.begin(lane);
         }
     }
 
@@ -101,7 +101,7 @@ impl<const W: usize> Stretches<W> {
             last: control.last,
             t: control.t,
             statistics: control.statistics,
-            has_crossing: self.crossings.as_ref().map(|crossings| crossings.found[lane]),
+            has_crossing: self.inside.as_ref().map(|inside| inside.crossings.found[lane]),
             failure: control.failure.clone(),
             landing: self.landings.as_ref().map(|_| Landed {
                 is_own_turn: control.is_own_turn,
@@ -130,9 +130,10 @@ impl<const W: usize> Stretches<W> {
         self.has_dense_stages
     }
 
-    /// What is known of events in the steps; each stretch ends with the first in which one may happen.
-    pub fn crossings(&self) -> Option<&Crossings<W>> {
-        self.crossings.as_ref()
+    /// What is known of the inside of the steps, if events are looked for; each stretch ends with the first step in which
+    /// one may happen.
+    pub fn inside(&self) -> Option<&Inside<W>> {
+        self.inside.as_ref()
     }
 
     /// Try a step of each lane that is not waiting for its motion, and return which lanes now do. Others may wait for a
@@ -157,13 +158,14 @@ impl<const W: usize> Stretches<W> {
         step.take(self.tableau, rates, &mut all);
         let errors = self.errors(step);
         let passed = self.pass(&errors, &lanes);
-        let accepted = self.land(passed, step, &mut corrections, waiting);
+        let landed = self.land(passed, step, &mut corrections, waiting);
+        let accepted = match events {
+            Some(events) => self.look_inside(landed, step, (rates, events), &mut corrections, waiting),
+            None => landed,
+        };
         self.decide(&errors, &accepted, step, &lanes);
         self.add_dense_stages(&accepted, step, rates, waiting);
-        if let Some(events) = events {
-            self.look_for_events(&accepted, step, events, waiting);
-        }
-        let has_crossing = self.crossings.as_ref().map_or([false; W], |crossings| crossings.found);
+        let has_crossing = self.inside.as_ref().map_or([false; W], |inside| inside.crossings.found);
         let is_over: [bool; W] = std::array::from_fn(|lane| {
             let is_over = self.lanes[lane].as_ref().is_none_or(Control::is_over);
             lanes[lane] && (is_over || has_crossing[lane])
@@ -198,15 +200,14 @@ impl<const W: usize> Stretches<W> {
         corrections: &mut Corrections<'_, W>,
         waiting: &mut Waiting<'_, W>,
     ) -> [bool; W] {
+        let ends = self.ends_of(step);
         let Some(landings) = &mut self.landings else { return passed };
         if !passed.contains(&true) {
             return passed;
         }
-        let (mut ends, mut largest) = ([0.0; W], [0.0; W]);
-        for (lane, control) in self.lanes.iter().enumerate() {
-            let Some(control) = control else { continue };
-            (ends[lane], largest[lane]) = (control.end_of_step(step.h[lane]), control.largest_speed);
-        }
+        let largest = std::array::from_fn(|lane| {
+            self.lanes[lane].as_ref().map_or(0.0, |control| control.largest_speed)
+        });
         landings.land((&passed, &ends, &largest), step, corrections, waiting)
     }
 
@@ -300,6 +301,8 @@ impl<const W: usize> Stretches<W> {
     /// Continue after the steps that are accepted, and before the others.
     fn decide(&mut self, errors: &[f64; W], accepted: &[bool; W], step: &StepColumns<W>, lanes: &[bool; W]) {
         let evaluated = self.tableau.stages - usize::from(!self.tableau.evaluates_end);
+        let keeps = self.landings.is_some();
+        let inside = self.inside.as_ref().map_or(0, |inside| inside.evaluations(keeps));
         for (lane, control) in self.lanes.iter_mut().enumerate() {
             let is_waiting = |control: &&mut Control| lanes[lane] && control.failure.is_none();
             let Some(control) = control.as_mut().filter(is_waiting) else { continue };
@@ -311,13 +314,33 @@ impl<const W: usize> Stretches<W> {
                 control.largest_speed = control.largest_speed.max(landings.fastest[lane]);
                 control.statistics.evaluations += usize::from(control.statistics.steps > 0);
             }
-            control.statistics.evaluations += evaluated;
+            control.statistics.evaluations += evaluated + if accepted[lane] { inside } else { 0 };
             let (h, error) = (step.h[lane], errors[lane]);
             if accepted[lane] { control.accept(h, error) } else { control.reject(h, error) }
         }
     }
 
-    /// Evaluate the stages of the dense output, if a motion looks into its step.
+    /// Look for events in accepted steps: motions look at those in which one may happen. Return the steps that are still
+    /// accepted.
+    fn look_inside(
+        &mut self,
+        accepted: [bool; W],
+        step: &mut StepColumns<W>,
+        functions: (&mut Columns<W>, &mut Columns<W>),
+        corrections: &mut Corrections<'_, W>,
+        waiting: &mut Waiting<'_, W>,
+    ) -> [bool; W] {
+        let ends = self.ends_of(step);
+        let Some(inside) = &mut self.inside else { return accepted };
+        if !accepted.contains(&true) {
+            inside.crossings.found = [false; W];
+            return accepted;
+        }
+        let place = (&accepted, &ends);
+        inside.look(place, step, functions, (self.landings.as_ref(), corrections), waiting)
+    }
+
+    /// Evaluate the stages of the dense output, if a motion without constraints looks into its step.
     fn add_dense_stages(
         &mut self,
         accepted: &[bool; W],
@@ -325,39 +348,23 @@ impl<const W: usize> Stretches<W> {
         function: &mut Columns<W>,
         waiting: &mut Waiting<'_, W>,
     ) {
-        let is_watched = self.crossings.is_some();
-        let looks_into =
-            |control: &Control| is_watched || control.last.0 + control.last.1 > control.stretch.until;
-        self.has_dense_stages = self
-            .lanes
-            .iter()
-            .zip(accepted)
-            .any(|(control, is_accepted)| *is_accepted && control.as_ref().is_some_and(looks_into));
+        if self.inside.is_some() || self.landings.is_some() {
+            return;
+        }
+        let looks_into = |control: &Control| control.last.0 + control.last.1 > control.stretch.until;
+        let lanes =
+            std::array::from_fn(|lane| accepted[lane] && self.lanes[lane].as_ref().is_some_and(looks_into));
+        self.has_dense_stages = lanes.contains(&true);
         if self.has_dense_stages {
-            step.take_dense(self.tableau, function, waiting);
+            step.take_dense(self.tableau, function, &mut Waiting { lanes, noted: &mut *waiting.noted });
         }
     }
 
-    /// Note the steps in which an event may happen: their motions look at them.
-    fn look_for_events(
-        &mut self,
-        accepted: &[bool; W],
-        step: &StepColumns<W>,
-        function: &mut Columns<W>,
-        waiting: &mut Waiting<'_, W>,
-    ) {
-        let Some(crossings) = &mut self.crossings else { return };
-        if !accepted.contains(&true) {
-            crossings.found = [false; W];
-            return;
-        }
-        let ends = std::array::from_fn(|lane| self.lanes[lane].as_ref().map_or(0.0, |control| control.t));
-        crossings.find((accepted, &ends), step, function, waiting);
-        for (control, is_accepted) in self.lanes.iter_mut().zip(accepted) {
-            if let Some(control) = control.as_mut().filter(|_| *is_accepted) {
-                control.statistics.evaluations += self.tableau.c.len() - self.tableau.stages;
-            }
-        }
+    /// Where the steps end that were chosen.
+    fn ends_of(&self, step: &StepColumns<W>) -> [f64; W] {
+        std::array::from_fn(|lane| {
+            self.lanes[lane].as_ref().map_or(0.0, |control| control.end_of_step(step.h[lane]))
+        })
     }
 
     /// Continue from the ends of the steps that were accepted.
@@ -398,15 +405,4 @@ impl<const W: usize> Loop for Moves<'_, W> {
             }
         }
     }
-}
-
-/// Replace the numbers of some lanes.
-#[allow(clippy::inline_always, reason = "what isn't inlined there isn't compiled for those vectors")]
-#[inline(always)]
-pub(super) fn blend<const W: usize>(old: &mut [f64; W], new: &[f64; W], chosen: &[bool; W]) {
-    let mut both = *old;
-    for lane in 0..W {
-        both[lane] = if chosen[lane] { new[lane] } else { both[lane] };
-    }
-    *old = both;
 }

@@ -43,3 +43,14 @@ unsafe fn by_avx512(work: impl Loop) {
 unsafe fn by_avx(work: impl Loop) {
     work.run();
 }
+
+/// Replace the numbers of some lanes.
+#[allow(clippy::inline_always, reason = "what isn't inlined there isn't compiled for those vectors")]
+#[inline(always)]
+pub(super) fn blend<const W: usize>(old: &mut [f64; W], new: &[f64; W], chosen: &[bool; W]) {
+    let mut both = *old;
+    for lane in 0..W {
+        both[lane] = if chosen[lane] { new[lane] } else { both[lane] };
+    }
+    *old = both;
+}

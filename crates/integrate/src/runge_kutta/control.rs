@@ -23,6 +23,12 @@ pub(crate) fn weight(tolerances: &Tolerances, before: f64, after: f64) -> f64 {
     1.0 / (tolerances.absolute + tolerances.relative * before.abs().max(after.abs()))
 }
 
+/// An entry of a vector in units of the tolerance of a state.
+#[inline]
+pub(crate) fn in_tolerances(tolerances: &Tolerances, entry: f64, state: f64) -> f64 {
+    entry / (tolerances.absolute + tolerances.relative * state.abs())
+}
+
 /// The error that an integral along the motion may have in a step: by its largest value, and by that of its terms.
 #[inline]
 pub(crate) fn tolerance_of_integral(

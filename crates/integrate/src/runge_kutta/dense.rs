@@ -35,6 +35,14 @@ pub(crate) fn between(sum: f64, term: f64, k: usize, x: f64) -> f64 {
     (sum + term) * if k % 2 == 0 { x } else { 1.0 - x }
 }
 
+/// The same for the sum of the later terms and its slope.
+#[allow(clippy::inline_always, reason = "loops over lanes are compiled for the vectors of their caller")]
+#[inline(always)]
+pub(crate) fn slope_between((sum, slope): (f64, f64), term: f64, k: usize, x: f64) -> (f64, f64) {
+    let (factor, sign) = if k % 2 == 0 { (x, 1.0) } else { (1.0 - x, -1.0) };
+    ((sum + term) * factor, slope * factor + sign * (sum + term))
+}
+
 impl RungeKutta<'_> {
     /// Evaluate the stages of the dense output of the last step.
     fn add_stages(&mut self) {
@@ -56,7 +64,7 @@ impl RungeKutta<'_> {
 
     /// Compute the terms of the dense output of the last step.
     pub(super) fn prepare_dense(&mut self) {
-        if let Some(lane) = self.free_lane().filter(Lane::looks_for_events) {
+        if let Some(lane) = self.rates.lane().filter(|_| self.has_crossing.is_some()) {
             lane.read_terms(&mut self.dense);
             self.is_dense = true;
             return;
@@ -98,11 +106,8 @@ impl RungeKutta<'_> {
     pub(super) fn slopes(&self, x: f64) -> Vec<f64> {
         let h = self.last.1;
         let slope = |i: usize| {
-            let (_, slope) =
-                self.dense.iter().enumerate().rev().fold((0.0, 0.0), |(sum, slope), (k, terms)| {
-                    let (factor, sign) = if k % 2 == 0 { (x, 1.0) } else { (1.0 - x, -1.0) };
-                    ((sum + terms[i]) * factor, slope * factor + sign * (sum + terms[i]))
-                });
+            let terms = self.dense.iter().enumerate().rev();
+            let (_, slope) = terms.fold((0.0, 0.0), |sums, (k, terms)| slope_between(sums, terms[i], k, x));
             slope / h
         };
         (0..self.after.len()).map(slope).collect()

@@ -1,8 +1,7 @@
 //! The error by which a step is judged, in units of the tolerance.
 
-use super::{RungeKutta, count, error_of_step, tolerance_of_integral, weight};
+use super::{RungeKutta, count, error_of_step, in_tolerances, tolerance_of_integral, weight};
 use crate::projection::Tangent;
-use crate::tolerances::Tolerances;
 
 /// If at most this fraction of an error is along the constraints, stages are projected onto them.
 pub(super) const BESIDE: f64 = 0.01;
@@ -10,10 +9,9 @@ pub(super) const BESIDE: f64 = 0.01;
 impl RungeKutta<'_> {
     /// The root mean square of a vector in units of the tolerance.
     pub(super) fn weighted(&self, vector: &[f64]) -> f64 {
-        let Tolerances { relative, absolute, .. } = self.tolerances;
         let controlled = self.tolerances.controlled;
         let states = vector.iter().zip(&self.state).take(controlled);
-        let sum: f64 = states.map(|(v, y)| (v / (absolute + relative * y.abs())).powi(2)).sum();
+        let sum: f64 = states.map(|(v, y)| in_tolerances(&self.tolerances, *v, *y).powi(2)).sum();
         (sum / count(controlled)).sqrt()
     }
 

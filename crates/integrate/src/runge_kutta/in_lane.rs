@@ -123,7 +123,7 @@ impl RungeKutta<'_> {
         (self.step, self.last_error, self.stiff_steps) = (step, last_error, stiff_steps);
         (self.last_regular, self.crossing) = (self.last.1, 0.0);
         (self.is_dense, self.are_rates_here, self.is_careful) = (false, false, false);
-        self.first = First::Unknown;
+        (self.first, self.has_crossing) = (First::Unknown, arrival.has_crossing);
         let last_rates = self.stages.row_mut(self.tableau.stages - 1);
         let last_stage = (&mut self.last_stage[..], last_rates);
         lane.read_landing(LandingResults { state: &mut *landed, sizes: &mut self.sizes, last_stage });

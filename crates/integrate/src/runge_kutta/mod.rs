@@ -21,12 +21,12 @@ use crate::projection::{Projection, Tangent};
 use crate::stepper::{Landing, Sight, Statistics, Stepper, Stretch};
 use crate::tolerances::Tolerances;
 pub(crate) use control::{
-    LEAST_ERROR, error_of_step, factor_after, factor_after_rejection, is_last, is_too_short, note_stiffness,
-    steepness, tolerance_of_integral, weight,
+    LEAST_ERROR, error_of_step, factor_after, factor_after_rejection, in_tolerances, is_last, is_too_short,
+    note_stiffness, steepness, tolerance_of_integral, weight,
 };
-pub(crate) use dense::{between, hermite_terms, terms};
+pub(crate) use dense::{between, hermite_terms, slope_between, terms};
 pub use dop853::DOP853;
-pub(crate) use near_singular::{HELD_BACK, NOISE, SLOW};
+pub(crate) use near_singular::{HELD_BACK, NOISE, SLOW, has_small_defect, has_smooth_defect};
 pub use stages::Stages;
 pub use tableau::{Row, Tableau};
 pub use tsit5::TSIT5;
@@ -104,7 +104,7 @@ pub struct RungeKutta<'a> {
     /// Why the step after the last one failed, if several were taken at once.
     failure: Option<Failure>,
     turn: Turn,
-    /// Whether an event may happen in the last step, if the crew looks for events.
+    /// Whether an event may happen in the last step, if the crew has taken it and looked for events.
     has_crossing: Option<bool>,
 }
 
@@ -278,7 +278,7 @@ impl Stepper for RungeKutta<'_> {
         if self.free_lane().is_some() {
             return self.advance(end, Stretch { until: f64::NEG_INFINITY, steps: 1 });
         }
-        (self.is_careful, self.turn) = (false, Turn::Unknown);
+        (self.is_careful, self.turn, self.has_crossing) = (false, Turn::Unknown, None);
         // In a lane, unknown rates are evaluated with the step.
         if !matches!(self.first, First::Unknown) || self.lane().is_none() {
             self.evaluate_first();
@@ -338,7 +338,7 @@ impl Stepper for RungeKutta<'_> {
     }
 
     fn looks_for_events(&self) -> bool {
-        self.free_lane().is_some_and(|lane| lane.looks_for_events())
+        self.free_lane().or(self.lane_on_constraints()).is_some_and(|lane| lane.looks_for_events())
     }
 
     fn sight(&self) -> Sight {
@@ -350,8 +350,14 @@ impl Stepper for RungeKutta<'_> {
     }
 
     fn read_event_values(&self, start: &mut [f64], ends: &mut [f64]) {
-        if let Some(lane) = self.free_lane() {
+        if let Some(lane) = self.rates.lane() {
             lane.read_event_values(start, ends);
+        }
+    }
+
+    fn read_event_values_at_end(&self, values: &mut [f64]) {
+        if let Some(lane) = self.rates.lane() {
+            lane.read_event_values_at_end(values);
         }
     }
 
@@ -390,6 +396,10 @@ impl Stepper for RungeKutta<'_> {
         if self.t > t {
             self.t = t;
             self.state.copy_from_slice(&self.before);
+            if !self.are_rates_here {
+                // They were in a lane.
+                self.rates.call(self.t, &self.state, self.stages.row_mut(0));
+            }
             // The first stage still holds the rates at the start, unless the rates at the end have been evaluated.
             self.first = if matches!(self.first, First::InPlace) { First::Unknown } else { First::InPlace };
             self.statistics.steps -= 1;

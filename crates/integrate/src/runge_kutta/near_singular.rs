@@ -105,10 +105,10 @@ impl RungeKutta<'_> {
 
     /// Whether the dense output of the last step satisfies the equations in the middle of the step.
     ///
-    /// No error estimate covers the stages of the dense output itself.
+    /// No error estimate covers the stages of the dense output itself. A crew that looks for events has checked that.
     pub(super) fn is_dense_output_certain(&mut self) -> bool {
         let has_own_stages = self.tableau.c.len() > self.tableau.stages + 1;
-        if !has_own_stages || self.tangent.is_none() {
+        if !has_own_stages || self.tangent.is_none() || self.has_crossing.is_some() {
             return true;
         }
         let (t, h) = self.last;
@@ -124,10 +124,21 @@ impl RungeKutta<'_> {
         self.statistics.evaluations += 1;
         let defect = difference(&rates, &self.slopes(0.5));
         let size = h * self.weighted(&defect);
-        size <= DEFECT.0
+        has_small_defect(size)
             || self.tangent.as_ref().is_none_or(|tangent| {
-                let along = h * self.weighted(&tangent.part(middle, &state, defect));
-                along <= if size > 2.0 * along { DEFECT.0 } else { DEFECT.1 }
+                has_smooth_defect(size, h * self.weighted(&tangent.part(middle, &state, defect)))
             })
     }
+}
+
+/// Whether a defect of a dense output, in tolerances, is small.
+#[inline]
+pub(crate) fn has_small_defect(size: f64) -> bool {
+    size <= DEFECT.0
+}
+
+/// Whether a defect is that of a smooth motion, by its part along the constraints.
+#[inline]
+pub(crate) fn has_smooth_defect(size: f64, along: f64) -> bool {
+    along <= if size > 2.0 * along { DEFECT.0 } else { DEFECT.1 }
 }

@@ -31,7 +31,7 @@ def equations(subject: Subject) -> list[Block]:
         sentence += f" and {counted(len(found.constraints), 'constraint')}"
     if found.states:
         sentence += f", with {counted(len(found.states), 'state')} beside the mechanics"
-    text = None if subject.is_large else found.latex()
+    text = found.latex() if found.is_readable else None
     if text is not None and text.count(r"\\ ") < ROWS:
         return [Heading("Equations of motion"), prose(f"{sentence}."), Formula(text)]
     return [Heading("Equations of motion"), *_summary(subject, sentence), *_mass_matrix(subject)]

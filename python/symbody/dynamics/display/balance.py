@@ -213,7 +213,7 @@ def _balance(
         products = (*inertia.quadratic, *inertia.linear)
         velocities = (*joined(products, reader), *_given_accelerations(inertia.constant, reader))
     return Balance(
-        accelerations=tuple(joined(row, reader, by_sign_only=True)),
+        accelerations=tuple(entry * acceleration for entry, acceleration in row),
         velocities=velocities,
         gravity=_terms(part.gravity, reader),
         loads=loads,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -54,6 +54,10 @@ class Page:
 
     def description(self) -> str:
         """Return the equations line by line, after the quantities that have names."""
+        return self._description
+
+    @cached_property
+    def _description(self) -> str:
         definitions, rows = self._named_rows("text")
         sides = [left if right == "" else f"{left} = {right}" for left, right in rows]
         n, m = len(self.balances), len(self.constraints)
@@ -65,7 +69,7 @@ class Page:
         texts += [f"kinematics: {side}" for side in sides[n + m : last]]
         texts += [f"state: {side}" for side in sides[last:]]
         title = f"EQUATIONS OF MOTION of {', '.join(map(str, self.system.driving))}"
-        return "\n".join([title, *(line for text in texts for line in indented(text))])
+        return "\n".join([title, *lines_of(texts)])
 
     def latex(self) -> str:
         """Return the equations in LaTeX, after the quantities that have names; long ones are broken at terms."""
@@ -141,7 +145,12 @@ _MANY, _TOO_MANY = 50, 200
 """The operations of constraints between which terms may cancel, and the form can be found at once."""
 
 
-def indented(text: str) -> list[str]:
+def indented(text: str, line: int = LINE) -> list[str]:
     """Return the lines of a formula on a page; those after the first are indented further."""
-    first, *others = lines(text, LINE - 2 * len(_INDENT))
+    first, *others = lines(text, line - 2 * len(_INDENT))
     return [_INDENT + first, *(2 * _INDENT + other for other in others)]
+
+
+def lines_of(texts: Iterable[str], line: int = LINE) -> list[str]:
+    """Return the lines of formulas on a page."""
+    return [piece for text in texts for piece in indented(text, line)]

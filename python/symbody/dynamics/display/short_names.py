@@ -114,7 +114,7 @@ def in_order_of_use(definitions: Sequence[Definition]) -> list[Definition]:
         ready = (
             place
             for place, (own, value) in enumerate(remaining)
-            if not any(_occurs(name, [value]) for name in names if name != own)
+            if not any(occurs(name, [value]) for name in names if name != own)
         )
         made.append(remaining.pop(next(ready, 0)))
     return made
@@ -135,7 +135,7 @@ def _with_entries(
         name = f"M{style.number.format(index)}" if style.number != "{}" or "," not in index else ""
         count = sum(text.count(bracketed) for text in changed)
         saved = count * (len(bracketed) - len(name)) - len(style.definition.format(name, value))
-        if name and saved > 0 and not _occurs(name, texts):
+        if name and saved > 0 and not occurs(name, texts):
             changed = [text.replace(bracketed, name) for text in changed]
             definitions.append((name, value))
     return definitions, changed
@@ -151,7 +151,7 @@ def _with_waves(texts: Sequence[str], style: _Notation) -> tuple[list[Definition
         name = _name(kind, angle, style, plain)
         is_word = {part["stem"] for part in _parts(angle, style)} != {plain}
         is_often = waves[kind, angle] >= (_OFTEN_WORD if is_word else _OFTEN)
-        if is_often and name is not None and name not in names.values() and not _occurs(name, texts):
+        if is_often and name is not None and name not in names.values() and not occurs(name, texts):
             names[kind, angle] = name
             definitions.append((name, _wave(kind, angle, style)))
 
@@ -171,7 +171,8 @@ def _wave(kind: str, angle: str, style: _Notation) -> str:
     return f"{start}{kind}({angle})"
 
 
-def _occurs(name: str, texts: Sequence[str]) -> bool:
+def occurs(name: str, texts: Sequence[str]) -> bool:
+    """Return whether a name stands in texts as a word."""
     pattern = re.compile(rf"(?<!\w){re.escape(name)}(?!\w)")
     return any(pattern.search(text) for text in texts)
 

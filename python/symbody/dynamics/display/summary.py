@@ -27,7 +27,7 @@ def summary(system: Variables, residuals: Sequence[Expr]) -> str:
         "..." if size is None else f"{size[0]}: {counted(size[1], 'operation')}"
         for size in sizes_by_speed(system, residuals)
     ]
-    return "\n    ".join([f"EQUATIONS OF MOTION of {_total(system, residuals)}", *sizes, *_ADVICE])
+    return "\n    ".join([f"EQUATIONS OF MOTION of {total(system, residuals)}", *sizes, *_ADVICE])
 
 
 def summary_in_latex(system: Variables, residuals: Sequence[Expr]) -> str:
@@ -38,23 +38,24 @@ def summary_in_latex(system: Variables, residuals: Sequence[Expr]) -> str:
         else rf"{latex(size[0])} &\colon \text{{{counted(size[1], 'operation')}}}"
         for size in sizes_by_speed(system, residuals)
     ]
-    return aligned([rf"&\text{{Equations of motion of {_total(system, residuals)}}}", *sizes])
+    return aligned([rf"&\text{{Equations of motion of {total(system, residuals)}}}", *sizes])
 
 
 def summary_table(system: Variables, residuals: Sequence[Expr]) -> str:
     """Return the number and the sizes of equations for a notebook, in HTML."""
     rows = [("...", "...") if size is None else size for size in sizes_by_speed(system, residuals)]
-    title = f"Equations of motion of {_total(system, residuals)}"
+    title = f"Equations of motion of {total(system, residuals)}"
     return html_table(title, ["equation of", "operations"], rows, " ".join(_ADVICE))
 
 
 _ADVICE = (
-    "Too long to be read at once. One of them: readable(equations.residuals[0]);",
+    "Too long to be read at once. One of them: show(equations.equation_of(q)) for a coordinate or speed q;",
     "one entry of the mass matrix: readable(equations.mass_matrix[0, 0]).",
 )
 
 
-def _total(system: Variables, residuals: Sequence[Expr]) -> str:
+def total(system: Variables, residuals: Sequence[Expr]) -> str:
+    """Return the numbers of equations, constraints and operations in words."""
     sizes = f"{counted(len(residuals), 'speed')}, {counted(len(system.constraints), 'constraint')}"
     return f"{sizes}: {counted(cost(residuals).total, 'operation')} in all"
 

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 from typing import Any
 
-from symbody.dynamics.display.balance import balances
+from symbody.deferred import cached_property
+from symbody.dynamics.display.abridged import PAGES, abridged, pages_of
+from symbody.dynamics.display.balance import Balance, balances
+from symbody.dynamics.display.equation_page import EquationPage
 from symbody.dynamics.display.line_page import with_lines_if_shorter
 from symbody.dynamics.display.matrix_form import MatrixForm, matrix_form, with_names
 from symbody.dynamics.display.page import Page
@@ -25,12 +27,14 @@ from symbody.symbolic import (
     cost,
     derivation,
     free_symbols,
+    idle_symbols,
+    readable,
     truncated,
     without_idle_symbols,
 )
 from symbody.symbolic.expression.container import Container, contains, substituted
 from symbody.symbolic.expression.latex_layout import displayed
-from symbody.symbolic.given.arguments import counted
+from symbody.symbolic.given.arguments import brief, counted
 from symbody.symbolic.numeric.program import program_of
 
 from .baumgarte import Damping, stabilized_beside
@@ -50,6 +54,11 @@ class Assembly:
 
     mass_matrix: Matrix
     bias: tuple[Expr, ...]
+
+    @classmethod
+    def of_entries(cls, entries: Sequence[Expr], n: int) -> Assembly:
+        """Return the coefficients by their entries: those of M, n x n and row by row, then those of the bias."""
+        return cls(Matrix.from_entries(n, n, entries[: n * n]), tuple(entries[n * n :]))
 
     def of_first_order(self, system: Variables) -> Assembly:
         """Return the coefficients without the terms that small variables make negligible in ``M u' + bias``.
@@ -72,8 +81,7 @@ class Assembly:
         entries = without_idle_symbols((*self.mass_matrix.entries, *self.bias))
         if len(entries) <= _MOST_ENTRIES:
             entries = _each_without_idle_symbols(entries)
-        rows = [entries[k * n : (k + 1) * n] for k in range(n)]
-        return Assembly(Matrix(rows), entries[n * n :])
+        return Assembly.of_entries(entries, n)
 
 
 _MOST_ENTRIES = 60
@@ -81,11 +89,27 @@ _MOST_ENTRIES = 60
 
 
 def _each_without_idle_symbols(entries: tuple[Expr, ...]) -> tuple[Expr, ...]:
-    """Return entries without symbols that are idle in one of them, if all together take fewer operations."""
-    bare = {entry: without_idle_symbols((entry,))[0] for entry in dict.fromkeys(entries)}
-    alone = tuple(bare[entry] for entry in entries)
-    numbers = tuple(form if form.is_number else entry for entry, form in zip(entries, alone, strict=True))
-    return alone if cost(alone).total < cost(numbers).total else numbers
+    """Return entries without symbols that are idle in one of them, if all together take fewer operations.
+
+    Those that are numbers are written as such in any case. The others are rewritten one after another, the longest one
+    first, until they take no fewer operations even without the rest.
+    """
+    idle = {entry: found for entry in dict.fromkeys(entries) if (found := idle_symbols((entry,)))}
+    bare: dict[Expr, Expr] = {}
+    for entry in [entry for entry, found in idle.items() if entry.free_symbols <= {*found}]:
+        form = without_idle_symbols((entry,))[0]
+        if form.is_number:
+            bare[entry] = form
+            del idle[entry]
+    numbers = tuple(bare.get(entry, entry) for entry in entries)
+    fewest = cost(numbers).total
+    made = [entry for entry in numbers if entry not in idle]
+    for entry in sorted(idle, key=lambda entry: -cost(entry).total):
+        bare[entry] = without_idle_symbols((entry,))[0]
+        made.append(bare[entry])
+        if cost(made).total >= fewest:
+            return numbers
+    return tuple(bare.get(entry, entry) for entry in entries)
 
 
 @dataclass(frozen=True, eq=False)
@@ -271,28 +295,67 @@ class Equations:
         """The page, with names of forces along lines if it is shorter so."""
         return with_lines_if_shorter(self._page, self.residuals, self.bias, self.constraint_jacobian)
 
-    def description(self) -> str:
+    @cached_property
+    def is_readable(self) -> bool:
+        """Whether the equations are written out: they have at most 1000 operations, and fill at most two pages."""
+        return is_readable(self.residuals) and self._printed_page.description().count("\n") <= PAGES
+
+    def description(self, *, whole: bool = False) -> str:
         """Return the equations line by line as a textbook prints them: what `show` prints.
 
         On the left are the accelerations, each with one coefficient, products of speeds, gravity and other loads; on
-        the right are given forces and those of constraints. Of equations that are too long, the sizes are returned.
+        the right are given forces and those of constraints. Of equations that fill more than two pages, the short ones
+        and the sizes of the others are returned; of those of more than 1000 operations, the sizes.
+
+        Args:
+            whole: whether equations of at most 1000 operations are written out, however many pages they fill.
         """
         if not is_readable(self.residuals):
             return summary(self.system, self.residuals)
-        return self._printed_page.description()
+        if whole or self.is_readable:
+            return self._printed_page.description()
+        return abridged(self._printed_page, self.residuals)
 
-    def latex(self) -> str:
+    def equation_of(self, speed: Expr) -> EquationPage:
+        """Return one equation, to be shown by itself with the names that it needs.
+
+        Args:
+            speed: the coordinate whose equation it is, its rate, or the quasi-velocity.
+
+        Raises:
+            ModelError: it is none of these.
+
+        >>> from symbody import newton_euler, show
+        >>> from symbody.models import cart_pole
+        >>> model = cart_pole()
+        >>> show(newton_euler(model.system).equation_of(model.system.coordinates[0]))
+        EQUATION OF MOTION of x
+            (M + m)*x'' + l*m*cos(theta)*theta'' - l*m*sin(theta)*theta'**2 = F
+        """
+        places = {each: k for known in (self.system.driving, self.speeds) for k, each in enumerate(known)}
+        if speed not in places:
+            known = ", ".join(map(str, self.system.driving))
+            raise ModelError(f"equation_of: there is no equation of {brief(speed)}; expected one of {known}")
+        k = places[speed]
+        if is_readable(self.residuals):
+            return pages_of(self._printed_page)[k]
+        return EquationPage(
+            self.system, self.system.driving[k], Balance(velocities=(readable(self.residuals[k]),))
+        )
+
+    def latex(self, *, whole: bool = False) -> str:
         r"""Return the equations and constraints in LaTeX, as a textbook prints them.
 
         Long ones are broken at terms, so that they are as wide as a page of the class `article`. What is higher than a
         page needs `align*` in the place of `aligned`, outside of a formula, after ``\allowdisplaybreaks``. Of
-        equations that are too long, the sizes are returned; ``latex(readable(equations.residuals[0]))`` is one of them.
+        equations that are too long, the sizes are returned; ``latex(equations.equation_of(q))`` is one of them.
+
+        Args:
+            whole: whether equations of at most 1000 operations are written out, however many pages they fill.
         """
-        return (
-            self._printed_page.latex()
-            if is_readable(self.residuals)
-            else summary_in_latex(self.system, self.residuals)
-        )
+        if self.is_readable or (whole and is_readable(self.residuals)):
+            return self._printed_page.latex()
+        return summary_in_latex(self.system, self.residuals)
 
     def matrix_form(self, *, christoffel: bool = False) -> MatrixForm:
         """Return ``M q'' + c + g + loads = Q + phi_q^T lambda`` with each entry in its form for the reader.
@@ -319,7 +382,11 @@ class Equations:
     @cached_property
     def _latex_of_notebook(self) -> str | None:
         """The equations in LaTeX if they are short enough to be read below a cell, and to be written at once."""
-        if cost(self.residuals).total > _AT_ONCE or self.description().count("\n") > _READABLE:
+        if (
+            cost(self.residuals).total > _AT_ONCE
+            or not self.is_readable
+            or self.description().count("\n") > _READABLE
+        ):
             return None
         return displayed(self.latex())
 

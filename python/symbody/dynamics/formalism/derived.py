@@ -8,15 +8,16 @@ two derivations are compared node by node, and none of them costs more operation
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager, nullcontext
 from functools import partial
 from typing import TypeAlias
 
 from symbody.dynamics.equations.constraint_force import in_shared_sums, with_multipliers
 from symbody.dynamics.equations.equations import Assembly, Equations
 from symbody.dynamics.recursion.added_mass import with_added_mass
-from symbody.dynamics.recursion.mass_matrix import mass_matrix
-from symbody.dynamics.recursion.recursive_newton_euler import at_rest, bias, recursive_newton_euler
-from symbody.dynamics.recursion.shortest_tree import mass_matrix_and_bias, shortest_tree
+from symbody.dynamics.recursion.recursive_newton_euler import at_rest
+from symbody.dynamics.recursion.shortest_derivation import Derive, mass_matrix_and_bias, shortest_derivation
+from symbody.dynamics.recursion.shortest_derivation import residuals as by_recursion
 from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree
 from symbody.multibody import System
 from symbody.symbolic import (
@@ -57,26 +58,30 @@ def derived(
         tree = checked_tree(system, where)
         if check is not None:
             check(tree, where)
-        if tree.is_rigid:
-            shortest = shortest_tree(system, recursive_newton_euler)
-            with_multipliers(recursive_newton_euler(system, shortest), system)
-        completed = with_multipliers(_by_speeds(residuals, system), system)
-        found = truncated(completed, MOTION)
+        with _after_recursion(system, by_recursion) as recursion:
+            if recursion:
+                with_multipliers(recursion, system)
+            completed = with_multipliers(_by_speeds(residuals, system), system)
+            found = truncated(completed, MOTION)
     shared = in_shared_sums(without_idle_symbols(found), system)
     return Equations(system, shared, partial(_assemble, residuals, inertia))
 
 
 def _assemble(residuals: Residuals, inertia: Callable[[System], Matrix] | None, system: System) -> Assembly:
-    with derivation(fresh=True, order=ENERGY):
-        if frame_tree(system).is_rigid:
-            tree = shortest_tree(system, mass_matrix_and_bias)
-            bias(system, tree)
-            with_added_mass(mass_matrix(system, tree), system)
+    with derivation(fresh=True, order=ENERGY), _after_recursion(system, mass_matrix_and_bias) as recursion:
+        if recursion:
+            n = len(system.speeds)
+            with_added_mass(Assembly.of_entries(recursion, n).mass_matrix, system)
         made = _by_speeds(residuals, system)
         M = jacobian(made, system.accelerations) if inertia is None else inertia(system)
         assembly = Assembly(M, _known(substitute(made, at_rest(system))))
         assembly = assembly.of_first_order(system)
     return assembly.without_idle_symbols()
+
+
+def _after_recursion(system: System, derive: Derive) -> AbstractContextManager[tuple[Expr, ...]]:
+    """Derive by the recursion of Newton and Euler, if all frames are rigid, and go on in the same derivation."""
+    return shortest_derivation(system, derive) if frame_tree(system).is_rigid else nullcontext(())
 
 
 def _by_speeds(residuals: Residuals, system: System) -> tuple[Expr, ...]:

@@ -6,9 +6,11 @@ from symbody.dynamics.equations.constraint_force import in_shared_sums, with_mul
 from symbody.dynamics.equations.equations import Assembly, Equations
 from symbody.dynamics.equations.independence import check_independent
 from symbody.dynamics.recursion.added_mass import with_added_mass
-from symbody.dynamics.recursion.mass_matrix import mass_matrix
-from symbody.dynamics.recursion.recursive_newton_euler import bias, recursive_newton_euler
-from symbody.dynamics.recursion.shortest_tree import mass_matrix_and_bias, shortest_tree
+from symbody.dynamics.recursion.shortest_derivation import (
+    mass_matrix_and_bias,
+    residuals,
+    shortest_derivation,
+)
 from symbody.errors import ModelError
 from symbody.geometry.given.argument import checked
 from symbody.multibody import System
@@ -46,17 +48,17 @@ def newton_euler(system: System) -> Equations:
     with derivation(fresh=True, order=order_of(system)):
         tree = checked_tree(system, "newton_euler")
         check_rigid(tree, "newton_euler")
-        shortest = shortest_tree(system, recursive_newton_euler)
-        residuals = with_multipliers(recursive_newton_euler(system, shortest), system)
-        residuals = truncated(residuals, MOTION)
-    return Equations(system, in_shared_sums(without_idle_symbols(residuals), system), _assemble)
+        with shortest_derivation(system, residuals) as needed:
+            found = truncated(with_multipliers(needed, system), MOTION)
+    return Equations(system, in_shared_sums(without_idle_symbols(found), system), _assemble)
 
 
 def _assemble(system: System) -> Assembly:
-    with derivation(fresh=True, order=order_of(system)):
-        tree = shortest_tree(system, mass_matrix_and_bias)
-        forces = bias(system, tree)
-        assembly = Assembly(with_added_mass(mass_matrix(system, tree), system), forces).of_first_order(system)
+    order = order_of(system)
+    with derivation(fresh=True, order=order), shortest_derivation(system, mass_matrix_and_bias) as entries:
+        found = Assembly.of_entries(entries, len(system.speeds))
+        M = with_added_mass(found.mass_matrix, system)
+        assembly = Assembly(M, found.bias).of_first_order(system)
     return assembly.without_idle_symbols()
 
 

@@ -15,7 +15,7 @@ from symbody.multibody import Body, Constraint, Link, Load, System
 from symbody.multibody.joint.closure import Closure
 from symbody.multibody.joint.joint import Joint
 from symbody.multibody.joint.placed_joint import PlacedJoint
-from symbody.symbolic import MOTION, Expr, cost, derivation, simplify
+from symbody.symbolic import MOTION, Expr, cost, derivation, diff, simplify
 from symbody.symbolic.expression.container import Container, contains
 from symbody.symbolic.given.arguments import brief, given_twice
 
@@ -116,8 +116,8 @@ def reaction(
         cut: the joint; or a body, or several.
         on: which side of the joint the reaction acts on; the child by default. On the parent it has the other sign. The
             reaction of bodies acts on them, and needs none.
-        about: the point of the moment; by default the origin of the child's axes in the joint, the centre of mass of a
-            body, or the origin of the root for several.
+        about: the point of the moment; by default the origin of the child's axes in the joint, the contact of a wheel
+            or of teeth, the centre of mass of a body, or the origin of the root for several.
         frame: the axes of the components; by default those of the joint on the parent, or the root.
 
     Raises:
@@ -155,7 +155,7 @@ def reaction_in(
             _check_side(system, bodies, on)
             return _readable(_on_part(system, bodies, about, frame))
         found = _of_tree(system, placed) if placed.opens else _of_loop(system, placed)
-        found = found if about is None else found.about(about)
+        found = found.about(placed.acting_point if about is None else about)
         found = found.projected(placed.parent_side if frame is None else frame)
         return _on_side(_readable(found), placed, on)
 
@@ -313,7 +313,7 @@ def _multipliers(system: System) -> dict[str, Expr]:
     if system.eliminated:
         raise ModelError(
             "reaction: the multipliers of these equations are eliminated; expected the equations from which they were "
-            "embedded"
+            "embedded, by which inverse_dynamics(equations, motion, unknowns=[]) evaluates reactions along a motion"
         )
     return {each.name: value for each, value in zip(system.conditions, system.multipliers, strict=True)}
 
@@ -321,22 +321,43 @@ def _multipliers(system: System) -> dict[str, Expr]:
 def _driven(system: System) -> frozenset[Expr]:
     """Return the coordinates that constraints beside the joints' drive.
 
+    One that couples coordinates of joints, as a chain or a belt does, drives each of them: its force along a coordinate
+    is that of a motor in the joint.
+
     Raises:
-        ModelError: such a constraint holds several coordinates, so that it isn't known where it acts.
+        ModelError: another one holds several coordinates, so that it isn't known where it acts.
     """
     own = {f"{joint.name}.{closure.name}" for joint in system.joints for closure in joint.active}
     found: set[Expr] = set()
     for constraint in (each for each in system.conditions if each.name not in own):
         held = _held(system, constraint)
         if len(held) > 1:
-            listed = brief(", ".join(map(str, held)))
-            raise ModelError(
-                f"reaction: the constraint {constraint} isn't one of a joint, and holds {listed}, so that "
-                "it isn't known on which bodies it acts; close the loop by a joint, or take the reaction on a "
-                "body: reaction(equations, body)"
-            )
+            _check_coupling(system, constraint, held)
         found |= {*held}
     return frozenset(found)
+
+
+def _check_coupling(system: System, constraint: Constraint, held: Sequence[Expr]) -> None:
+    """Check that a constraint is linear in coordinates, each of which is that of one joint; tell how it is taken.
+
+    Raises:
+        ModelError: it isn't.
+    """
+    by_coordinate = {joint.coordinates[0]: joint for joint in system.joints if len(joint.coordinates) == 1}
+    slopes = [diff(constraint.condition, q) for q in held]
+    listed = brief(", ".join(map(str, held)))
+    if not all(q in by_coordinate for q in held) or any(slope.depends_on_time for slope in slopes):
+        raise ModelError(
+            f"reaction: the constraint {constraint} isn't one of a joint, and holds {listed}, so that "
+            "it isn't known on which bodies it acts; close the loop by a joint, or take the reaction on a "
+            "body: reaction(equations, body)"
+        )
+    joints = brief(", ".join(by_coordinate[q].name for q in held))
+    notify(
+        f"reaction: the constraint {constraint} couples {listed}; its forces are taken to act along them in the joints "
+        f"{joints}, as motors there do, and reactions hold them; what it exerts across, such as the pull of a belt on "
+        "its bearings, is not known"
+    )
 
 
 def _held(system: System, constraint: Constraint) -> list[Expr]:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from symbody.dynamics.tree.anchored_action import anchor_of
 from symbody.dynamics.tree.frame_tree import FrameTree
 from symbody.geometry.component.triple import NULL, is_null
 from symbody.geometry.component.turning import Accelerated
@@ -43,7 +44,7 @@ def _with_forces(tree: FrameTree) -> set[int]:
     """Return the frames on which forces of other frames or of loads act."""
     return {
         *tree.parents[1:],
-        *(tree.index(action.anchor.frame) for action in tree.actions if action.is_force),
+        *(tree.index(anchor_of(action).frame) for action in tree.actions if action.is_force),
     }
 
 

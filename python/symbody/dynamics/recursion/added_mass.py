@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from symbody.dynamics.tree.anchored_action import anchor_of, components_at_anchor
 from symbody.errors import ModelError
 from symbody.multibody import Action, System
 from symbody.multibody.load import action_velocity
@@ -73,7 +74,7 @@ def _leaves(actions: Iterable[Action]) -> frozenset[Expr]:
     return _union(
         value
         for action in actions
-        for value in (*action.components(action.anchor.frame), *action.anchor.coordinates)
+        for value in (*components_at_anchor(action), *anchor_of(action).coordinates)
     )
 
 

@@ -24,7 +24,9 @@ from symbody.dynamics.inertia.base_inertia import base_inertias
 from symbody.dynamics.inertia.composite import Composite
 from symbody.dynamics.inertia.wrench import Wrench
 from symbody.dynamics.recursion.recursive_newton_euler import at_rest, needed_wrenches
-from symbody.dynamics.tree.frame_tree import FrameTree
+from symbody.dynamics.tree.compared_forms import compared_forms
+from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree, tree_of_forms
+from symbody.dynamics.tree.other_forms import have_other_forms
 from symbody.dynamics.tree.partial_motion import PartialTwist
 from symbody.errors import ModelError
 from symbody.geometry.component.triple import NULL, Triple, is_null
@@ -45,6 +47,15 @@ def is_applicable(system: System, tree: FrameTree) -> bool:
         and sorted(driven) == list(range(len(system.speeds)))
         and not has_added_mass(system)
     )
+
+
+def articulated_tree(system: System) -> FrameTree:
+    """Return the first tree to which the recursion is applicable, or the given one."""
+    given = frame_tree(system)
+    if is_applicable(system, given) or not have_other_forms(given.frames, given.parents):
+        return given
+    trees = (tree_of_forms(system, forms) for forms in compared_forms(system) if forms)
+    return next((tree for tree in trees if is_applicable(system, tree)), given)
 
 
 def accelerations(system: System, tree: FrameTree) -> tuple[Expr, ...]:

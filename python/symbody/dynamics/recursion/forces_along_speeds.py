@@ -25,9 +25,9 @@ def forces_along_speeds(tree: FrameTree, wrenches: Sequence[Wrench]) -> tuple[Ex
     F, tau = list(wrenches), [number(0)] * len(tree.system.speeds)
     sliding = sliding_children(tree)
     for i in range(len(tree.frames) - 1, -1, -1):
-        children = [child for child in sliding[i] if not F[child].is_null]
-        for k, share in force_shares(tree, children, [F[child].force for child in children]):
-            tau[k] += share
+        if children := [child for child in sliding[i] if not F[child].is_null]:
+            for k, share in force_shares(tree, children, [F[child].force for child in children]):
+                tau[k] += share
         if F[i].is_null:
             continue
         if tree.moved_by[i] and not slides(tree, i):

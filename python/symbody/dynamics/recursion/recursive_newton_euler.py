@@ -18,8 +18,8 @@ from symbody.dynamics.inertia.base_inertia import base_inertias
 from symbody.dynamics.inertia.inertia_wrench import inertia_wrenches
 from symbody.dynamics.inertia.wrench import Wrench, resultant
 from symbody.dynamics.recursion.forces_along_speeds import forces_along_speeds
+from symbody.dynamics.tree.anchored_action import anchor_of, components_at_anchor
 from symbody.dynamics.tree.frame_tree import FrameTree
-from symbody.geometry import Point
 from symbody.geometry.component.triple import NULL, Rate, Triple
 from symbody.geometry.frame.acceleration_field import AccelerationField
 from symbody.multibody import Action, System, Variables
@@ -58,8 +58,7 @@ def needed_wrenches(system: System, tree: FrameTree, rest: Mapping[Expr, int] | 
         wrenches[place] = wrenches[place].plus(wrench)
     central: dict[int, list[Wrench]] = {}
     for action in tree.actions:
-        anchor = action.anchor
-        place, load = tree.index(anchor.frame), _load(system, action, anchor, rest or {})
+        place, load = tree.index(anchor_of(action).frame), _load(system, action, rest or {})
         if load.is_central:
             central.setdefault(place, []).append(load)
         else:
@@ -81,8 +80,8 @@ def _minus_gravity(system: System) -> Triple:
     return sub3(NULL, (x, y, z))
 
 
-def _load(system: System, action: Action, anchor: Point, rest: Mapping[Expr, int]) -> Wrench:
-    by_speeds = system.by_speeds((*action.components(anchor.frame), *anchor.coordinates))
+def _load(system: System, action: Action, rest: Mapping[Expr, int]) -> Wrench:
+    by_speeds = system.by_speeds((*components_at_anchor(action), *anchor_of(action).coordinates))
     x, y, z, u, v, w = substitute(by_speeds, rest)
     force = (x, y, z)
     return Wrench(force, cross3((u, v, w), force)) if action.is_force else Wrench(NULL, force)

@@ -22,7 +22,6 @@ from symbody.dynamics.equations.baumgarte import Damping
 from symbody.dynamics.equations.equations import Equations
 from symbody.dynamics.equations.singular_mass import described_singularity
 from symbody.dynamics.recursion import articulated_body
-from symbody.dynamics.recursion.shortest_tree import articulated_tree
 from symbody.dynamics.tree.frame_tree import FrameTree
 from symbody.errors import ExpressionError, ModelError
 from symbody.geometry.given.argument import checked
@@ -230,7 +229,7 @@ def _shortest(eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
         return _shortest_with_constraints(eqs, baumgarte)
     if isinstance(eqs.system, System) and not are_small(eqs.speeds):
         with derivation(fresh=True, order=MOTION):
-            tree = articulated_tree(eqs.system)
+            tree = articulated_body.articulated_tree(eqs.system)
             recursive = articulated_body.is_applicable(eqs.system, tree)
         if recursive:
             return _shortest_for_tree(eqs, tree)
@@ -304,7 +303,7 @@ def _articulated_body(eqs: Equations, _: Damping) -> ForwardDynamics:
             "method='auto'"
         )
     with derivation(fresh=True, order=MOTION):
-        tree = articulated_tree(system)
+        tree = articulated_body.articulated_tree(system)
         if not articulated_body.is_applicable(system, tree):
             raise ModelError(
                 "forward_dynamics: the articulated-body recursion is for trees without constraints, each coordinate "

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
 
+from symbody.deferred import cached_property
 from symbody.errors import ModelError
 from symbody.geometry import Frame
 from symbody.geometry.component.triple import NULL
@@ -15,6 +15,7 @@ from symbody.multibody import Action, Body, System
 from symbody.symbolic import Expr, current_derivation, derivation, free_symbols
 from symbody.symbolic.given.arguments import brief
 
+from .anchored_action import anchor_of
 from .given_twist import by_speeds, given_twist
 from .partial_motion import PartialTwist, partial_twists, partial_twists_by_speeds, twist_of
 from .shifted_origin import with_shifted_origins
@@ -90,7 +91,7 @@ def frame_tree(system: System) -> FrameTree:
 def targets(system: System) -> list[Frame]:
     """Return the frames of the bodies of a system, then those on which forces act."""
     frames = [body.frame for body in system.bodies]
-    return frames + [action.anchor.frame for action in system.actions if action.is_force]
+    return frames + [anchor_of(action).frame for action in system.actions if action.is_force]
 
 
 def tree_of_forms(system: System, forms: Mapping[bytes, Frame]) -> FrameTree:

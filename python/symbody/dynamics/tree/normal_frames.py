@@ -10,9 +10,9 @@ one leg to those of the next. A particle is left in the axes of its last leg, or
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from functools import cached_property
 from typing import TypeAlias
 
+from symbody.deferred import cached_property
 from symbody.geometry import Frame
 from symbody.geometry.component.triple import NULL, Triple, is_null
 from symbody.geometry.motion.principal_rotation import Rotation, along
@@ -27,6 +27,7 @@ from .orientation_path import (
     Turn,
     Word,
     between,
+    carried_back,
     displaced,
 )
 
@@ -85,18 +86,21 @@ class NormalFrames:
 
     @cached_property
     def _legs(self) -> dict[bytes, Legs]:
-        tree = OrientationTree(self._given)
-        return in_order({key: legs(place, tree) for key, place in self._places.items()})
+        every = {key: legs(place, self._given_tree) for key, place in self._places.items()}
+        return in_order(every)
 
     @cached_property
-    def _given(self) -> list[Word]:
+    def _given_tree(self) -> OrientationTree:
         """The orientations of frames and of displacements, as they are given."""
         places = self._places.values()
-        return [word for place in places for word in (place.word, *(w for w, _ in place.displacements))]
+        return OrientationTree(
+            word for place in places for word in (place.word, *(w for w, _ in place.displacements))
+        )
 
     @cached_property
     def _tree(self) -> OrientationTree:
-        return OrientationTree((*self._given, *(word for found in self._legs.values() for word in found)))
+        found = (word for legs in self._legs.values() for word in legs)
+        return OrientationTree((*self._given_tree.words, *found))
 
     @cached_property
     def _words(self) -> dict[bytes, Word]:
@@ -136,8 +140,7 @@ class NormalFrames:
         """Whether these are so many particles, none of them turned with another one, that points are the shortest."""
         if not self.are_free or len(self._places) <= _FEW:
             return False
-        tree = OrientationTree(self._given)
-        ends, inner = _ends(tree.path(place.word) for place in self._places.values())
+        ends, inner = _ends(self._given_tree.path(place.word) for place in self._places.values())
         return len(ends) != 1 and not ends & inner
 
     @property
@@ -149,11 +152,16 @@ class NormalFrames:
 
     def as_points(self) -> dict[bytes, Frame]:
         """Return the frames as points of the base without rotations, from their displacements as they are given."""
-        tree = OrientationTree(self._given)
+        sums: dict[tuple[Triple, tuple[Word, Triple]], Triple] = {}
         result = {}
         for key, place in self._places.items():
-            given = [(tree.path(word), d) for word, d in place.displacements]
-            result[key] = _chained(place, (), displaced((), given))
+            total = NULL
+            for step in place.displacements:  # which frames of one chain share
+                if (total, step) not in sums:
+                    word, d = step
+                    sums[total, step] = add3(total, carried_back(d, self._given_tree.path(word)))
+                total = sums[total, step]
+            result[key] = _chained(place, (), [total])
         return result
 
     def in_axes_of_base(self) -> dict[bytes, Frame]:

@@ -14,6 +14,7 @@ from typing import NamedTuple, TypeAlias
 
 from symbody.geometry import Frame
 from symbody.geometry.component.triple import NULL, Triple, is_null
+from symbody.geometry.frame.frame import frames_without_state
 from symbody.geometry.motion.frame_motion import FrameMotion
 from symbody.geometry.motion.principal_rotation import Rotation
 from symbody.symbolic import Expr, add3, number
@@ -39,27 +40,33 @@ class Placed(NamedTuple):
     displacements: tuple[tuple[Word, Triple], ...]
 
 
-def placed(frame: Frame) -> Placed:
-    """Return how a frame is placed by rotations about principal axes and displacements.
+def placed(frames: Iterable[Frame]) -> list[Placed]:
+    """Return how frames are placed by rotations about principal axes and displacements.
 
-    They begin at its base: the last frame before it that is placed by another motion, such as a moving master frame, or
-    the root.
+    They begin at the base of a frame: the last frame before it that is placed by another motion, such as a moving
+    master frame, or the root.
     """
-    base, word, displacements = frame.ancestor, list[Turn](), list[tuple[Word, Triple]]()
-    for link in frame.chain:
-        motion = link.motion
-        if motion is None:
-            continue
-        turn = turn_of(motion)
-        if turn is not None:
-            _turn(word, turn)
-        elif motion.rotates or motion.twist is not None:
-            base = link
-            word.clear()
-            displacements.clear()
-        else:
-            displacements.append((tuple(word), motion.displacement))
-    return Placed(frame, base, tuple(word), tuple(displacements))
+    known: dict[bytes, Placed] = {}
+    result = []
+    for frame in frames:
+        for link in frames_without_state(frame, known):
+            known[link.key] = (
+                _beyond(known[link.parent.key], link) if link.parent else Placed(link, link, (), ())
+            )
+        result.append(known[frame.key]._replace(frame=frame))
+    return result
+
+
+def _beyond(before: Placed, frame: Frame) -> Placed:
+    """Return how a frame is placed, by its motion from its parent and how that one is placed."""
+    _, base, word, displacements = before
+    motion = frame.motion
+    turn = None if motion is None else turn_of(motion)
+    if turn is not None:
+        return Placed(frame, base, joined(word, (turn,)), displacements)
+    if motion is None or motion.rotates or motion.twist is not None:
+        return Placed(frame, frame, (), ())
+    return Placed(frame, base, word, (*displacements, (word, motion.displacement)))
 
 
 def turn_of(motion: FrameMotion) -> Turn | None:
@@ -135,14 +142,25 @@ def _followed(angles: Sequence[Expr]) -> dict[Expr, Expr]:
     zero = number(0)
     result: dict[Expr, Expr] = {}
     for angle in sorted(angles, key=variables):
-        candidates = [zero, *result]
-        result[angle] = min(candidates, key=lambda other: variables(angle - other))
+        best, fewest = zero, variables(angle)
+        for other in result:
+            if (
+                len(_coordinates(angle) ^ _coordinates(other)) < fewest
+            ):  # their difference depends on these at least
+                difference = variables(angle - other)
+                if difference < fewest:
+                    best, fewest = other, difference
+        result[angle] = best
     return result
 
 
 def variables(angle: Expr) -> int:
     """Return how many coordinates an angle depends on."""
-    return sum(leaf.depends_on_time for leaf in angle.free_symbols)
+    return len(_coordinates(angle))
+
+
+def _coordinates(angle: Expr) -> set[Expr]:
+    return {leaf for leaf in angle.free_symbols if leaf.depends_on_time}
 
 
 def carried_back(d: Triple, steps: Sequence[Step]) -> Triple:

@@ -47,6 +47,8 @@ def have_other_forms(frames: Sequence[Frame], parents: Sequence[int]) -> bool:
             for angle in angles_in(motion.displacement):
                 turning |= {leaf for leaf in angle.free_symbols if leaf.depends_on_time}
             is_shifted |= before is not None and not motion.displacement[before.axis].is_zero
+        if not turning.isdisjoint(moving):
+            return True
         turns.append(before)
         shifted.append(is_shifted)
-    return not turning.isdisjoint(moving)
+    return False

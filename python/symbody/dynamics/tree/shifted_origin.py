@@ -88,12 +88,14 @@ class _Shifting:
         d, k = run.displacement, rotation.turn_axis
         for turn in run.turns:
             d = turn.to_child(d)
+        if d[k].is_zero or not self._turned[run.start.key]:
+            return None
         behind = along(k, d[k])
         before = sub3(d, behind)
         meets = is_null(before) and self._rests[run.start.key]
         folds = self._numeric and _is_numeric(run.displacement) and self._is_absorbed(frame, k)
         adds = self._is_added(frame, k)
-        if d[k].is_zero or not self._turned[run.start.key] or not (meets or folds or adds):
+        if not (meets or folds or adds):
             return None
         for turn in reversed(run.turns):
             before = turn.to_parent(before)

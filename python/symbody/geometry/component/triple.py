@@ -31,7 +31,8 @@ def triple(x: Scalar, y: Scalar, z: Scalar) -> Triple:
 
 def is_null(components: Triple) -> bool:
     """Return whether all three components are zero."""
-    return all(component.is_zero for component in components)
+    x, y, z = components  # without a loop: the recursions ask for it at every step
+    return x.is_zero and y.is_zero and z.is_zero
 
 
 def rates(components: Triple, rate: Rate) -> Triple:

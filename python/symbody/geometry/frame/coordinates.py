@@ -93,7 +93,7 @@ def path(source: Frame, target: Frame) -> tuple[list[FrameMotion], list[FrameMot
     up: list[FrameMotion] = []
     down: list[FrameMotion] = []
     a, b = source, target
-    while a != b:
+    while a is not b and a.key != b.key:
         if a.depth >= b.depth and a.parent is not None and a.motion is not None:
             up.append(a.motion)
             a = a.parent

@@ -5,15 +5,17 @@ A wrong type or a wrong order is reported where the user made it, in the user's 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence, Set, Sized
+from collections.abc import Callable, Iterable, Mapping
 from functools import cache, wraps
 from inspect import Parameter, signature
 from types import NoneType, UnionType
-from typing import Annotated, Any, NamedTuple, ParamSpec, TypeVar, Union, get_args, get_origin, get_type_hints
+from typing import Annotated, Any, NamedTuple, ParamSpec, TypeVar, Union, get_args, get_origin
 
 from symbody.errors import ArgumentError, JointError, SymbodyError
-from symbody.symbolic import Expr, ExprLike, number
+from symbody.symbolic import ExprLike
 from symbody.symbolic.given.arguments import comparison_note, described, unknown_option
+
+from .annotation import Test, hints_of, is_collection, strangers, test_of
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -89,62 +91,74 @@ def _called(function: Callable[..., object]) -> str:
     return function.__qualname__.removesuffix(".__init__").removesuffix(".__call__")
 
 
+class _Argument(NamedTuple):
+    """One argument of a function."""
+
+    name: str
+    hint: Any
+    fits: Test
+
+    @classmethod
+    def of(cls, name: str, hint: Any) -> _Argument:
+        return cls(name, hint, test_of(hint))
+
+
 class _Door(NamedTuple):
     """The arguments of one function, and what their annotations expect."""
 
     where: str
     error: type[SymbodyError]
-    positional: tuple[tuple[str, Any], ...]
-    repeated: tuple[str, Any] | None
+    positional: tuple[_Argument, ...]
+    repeated: _Argument | None
     """The argument that takes all further ones."""
-    named: dict[str, Any]
+    named: dict[str, _Argument]
     takes_others: bool
     """Whether further arguments with names are passed on."""
 
     def place(self, args: tuple[object, ...], kwargs: dict[str, object]) -> str:
         """Return the function as messages call it; with the name of the part of a mechanism that it makes."""
-        names = [name for name, _ in self.positional if name != "self"]
+        names = [argument.name for argument in self.positional if argument.name != "self"]
         if self.error is not JointError or names[:1] != ["name"]:
             return self.where
-        name = dict(zip((name for name, _ in self.positional), args, strict=False)).get(
-            "name", kwargs.get("name")
-        )
+        given = dict(zip((argument.name for argument in self.positional), args, strict=False))
+        name = given.get("name", kwargs.get("name"))
         return f"{self.where} {name}" if isinstance(name, str) and name.isidentifier() else self.where
 
     @classmethod
     def of(cls, function: Callable[..., object], error: type[SymbodyError]) -> _Door:
-        hints = get_type_hints(function, include_extras=True)
+        hints = hints_of(function)
         parameters = signature(function).parameters.values()
         kinds = {p.kind for p in parameters}
-        named = {p.name: hints.get(p.name, object) for p in parameters}
+        named = {p.name: _Argument.of(p.name, hints.get(p.name, object)) for p in parameters}
         in_order = [p.name for p in parameters if p.kind is Parameter.POSITIONAL_OR_KEYWORD]
         repeated = [p.name for p in parameters if p.kind is Parameter.VAR_POSITIONAL]
         return cls(
             _called(function),
             error,
-            tuple((name, named[name]) for name in in_order),
-            (repeated[0], named[repeated[0]]) if repeated else None,
+            tuple(named[name] for name in in_order),
+            named[repeated[0]] if repeated else None,
             named,
             Parameter.VAR_KEYWORD in kinds,
         )
 
     def check(self, args: tuple[object, ...], kwargs: dict[str, object]) -> None:
-        for (name, hint), value in zip(self.positional, args, strict=False):
-            if not _fits(hint, value):
-                raise self._fault(self.place(args, kwargs), name, hint, value)
+        for argument, value in zip(self.positional, args, strict=False):
+            if type(value) is not argument.hint and not argument.fits(value):
+                raise self._fault(self.place(args, kwargs), argument, value)
         if self.repeated is not None:
             for value in args[len(self.positional) :]:
-                if not _fits(self.repeated[1], value):
-                    raise self._fault(self.where, *self.repeated, value)
+                if not self.repeated.fits(value):
+                    raise self._fault(self.where, self.repeated, value)
         for name, value in kwargs.items():
             if name in self.named:
-                if not _fits(self.named[name], value):
-                    raise self._fault(self.place(args, kwargs), name, self.named[name], value)
+                if not self.named[name].fits(value):
+                    raise self._fault(self.place(args, kwargs), self.named[name], value)
             elif not self.takes_others:
                 raise ArgumentError(f"{self.where}: {unknown_option(name, self.named)}")
 
-    def _fault(self, where: str, name: str, hint: Any, value: object) -> SymbodyError:
+    def _fault(self, where: str, argument: _Argument, value: object) -> SymbodyError:
         """Return the error of an argument that doesn't fit its annotation."""
+        name, hint, _ = argument
         found = _stranger(hint, value)
         found_text = (
             f"{name} = {described(value)}" if found is None else f"in {name}, {described(found.value)}"
@@ -155,10 +169,6 @@ class _Door(NamedTuple):
         if "expression" in _wanted(hint):
             way_out += comparison_note(stranger)
         return self.error(f"{where}: {found_text}; expected {_wanted(hint)}{way_out}")
-
-
-def _fits(hint: Any, value: object) -> bool:
-    return type(value) is hint or (type(value) is Expr and hint is ExprLike) or accepts(hint, value)
 
 
 def _way(found: str, hint: Any) -> str:
@@ -185,62 +195,12 @@ class _Stranger(NamedTuple):
     value: object
 
 
-def accepts(hint: Any, value: object) -> bool:
-    """Return whether a value fits an annotation."""
-    origin, parts = get_origin(hint), get_args(hint)
-    if origin is Annotated:
-        return accepts(parts[0], value)
-    if hint == ExprLike:
-        return _is_scalar(value)
-    if origin in (Union, UnionType):
-        scalars = {*get_args(ExprLike)} if {*get_args(ExprLike)} <= {*parts} else set()
-        others = (part for part in parts if part not in scalars)
-        return (bool(scalars) and _is_scalar(value)) or any(accepts(part, value) for part in others)
-    if isinstance(hint, TypeVar):
-        return hint.__bound__ is None or accepts(hint.__bound__, value)
-    if origin is not None and issubclass(origin, Iterable):
-        return _is_collection(value, origin) and _strangers(hint, value) == []
-    return not isinstance(hint, type) or isinstance(value, hint)
-
-
-def _is_scalar(value: Any) -> bool:
-    if isinstance(value, Expr):
-        return True
-    if isinstance(value, str):  # `number` reads texts, which may be mistakes elsewhere
-        return False
-    try:
-        number(value)
-    except (TypeError, ValueError):
-        return False
-    return True
-
-
-def _is_collection(value: object, origin: type) -> bool:
-    """Return whether a value can be iterated over; only once is enough if the annotation says so.
-
-    A dictionary is no list of its keys, and a set has no order.
-    """
-    if isinstance(value, str | bytes) or issubclass(origin, Mapping) != isinstance(value, Mapping):
-        return False
-    if issubclass(origin, Sequence) and isinstance(value, Set):
-        return False
-    return isinstance(value, Iterable) and (origin is Iterable or isinstance(value, Sized))
-
-
-def _strangers(hint: Any, value: object) -> list[object]:
-    """Return the entries of a collection that don't fit; iterators, which work only once, are left alone."""
-    if not (isinstance(value, Iterable) and isinstance(value, Sized)):
-        return []
-    entry = get_args(hint)[0]
-    return [item for item in value if not accepts(entry, item)]
-
-
 def _stranger(hint: Any, value: object) -> _Stranger | None:
     """Return the first entry of a collection that doesn't fit, where a collection would."""
     for part in _parts(hint):
         origin = get_origin(part)
-        if isinstance(origin, type) and issubclass(origin, Iterable) and _is_collection(value, origin):
-            return _Stranger(_strangers(part, value)[0])
+        if isinstance(origin, type) and issubclass(origin, Iterable) and is_collection(value, origin):
+            return _Stranger(strangers(part, value)[0])
     return None
 
 

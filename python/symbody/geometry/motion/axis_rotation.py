@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import cached_property
 from typing import final
 
+from symbody.deferred import cached_property
 from symbody.geometry.component.triple import Rate, Triple, is_null, rates
 from symbody.geometry.given.angle import substituted
 from symbody.geometry.motion.principal_rotation import Rotation

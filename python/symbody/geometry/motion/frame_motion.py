@@ -8,11 +8,11 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
-from functools import cached_property
 from hashlib import blake2b
 from types import MappingProxyType
 from typing import ClassVar, TypeAlias
 
+from symbody.deferred import cached_property
 from symbody.geometry.component.triple import NULL, Rate, Scalar, Triple, is_null, rates
 from symbody.geometry.component.turning import Accelerated, Nine, Turning
 from symbody.geometry.component.twist import Twist

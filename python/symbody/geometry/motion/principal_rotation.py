@@ -18,6 +18,9 @@ from symbody.symbolic import Expr, add3, cos, cross3, number, rotate3, rotate_ba
 
 AXES = "XYZ"
 
+_PLACES = number(0), number(1), number(2)
+"""The axes as expressions."""
+
 
 @final
 class Rotation(FrameMotion):
@@ -31,7 +34,7 @@ class Rotation(FrameMotion):
 
     @property
     def variables(self) -> tuple[Expr, ...]:
-        return number(self.axis), self.angle
+        return _PLACES[self.axis], self.angle
 
     def to_parent(self, v: Triple) -> Triple:
         return rotate3(self.axis, self.angle, v)
@@ -56,7 +59,7 @@ class Rotation(FrameMotion):
         return f'rotate("{AXES[self.axis]}", {self.angle})'
 
     def merged(self, following: FrameMotion) -> FrameMotion | None:
-        if isinstance(following, Rotation) and following.axis == self.axis:
+        if type(following) is Rotation and following.axis == self.axis:
             return Rotation(self.axis, self.angle + following.angle)
         return None
 

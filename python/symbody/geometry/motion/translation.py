@@ -52,10 +52,10 @@ class Translation(FrameMotion):
 
     def merged(self, following: FrameMotion) -> FrameMotion | None:
         """Merge only translations that cancel: any other sum would hide the frame in between, which may be shared."""
-        if not isinstance(following, Translation):
+        if type(following) is not Translation:
             return None
-        total = tuple(a + b for a, b in zip(self.displacement, following.displacement, strict=True))
-        return None if any(not component.is_zero for component in total) else Translation(NULL)
+        pairs = zip(self.displacement, following.displacement, strict=True)
+        return Translation(NULL) if all((a + b).is_zero for a, b in pairs) else None
 
     @property
     def is_identity(self) -> bool:

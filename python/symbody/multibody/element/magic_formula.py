@@ -19,7 +19,8 @@ from typing import Annotated, NamedTuple, TypeAlias, final
 from symbody.errors import LoadError, notify
 from symbody.geometry import Scalar
 from symbody.geometry.component.triple import expression
-from symbody.geometry.given.argument import accepts, checked
+from symbody.geometry.given.annotation import accepts
+from symbody.geometry.given.argument import checked
 from symbody.symbolic import (
     ENERGY,
     Abs,

@@ -9,7 +9,8 @@ from typing import Annotated, NamedTuple, TypeAlias
 from symbody.errors import ExpressionError, LoadError, ParameterError
 from symbody.geometry import Frame, Scalar, ground
 from symbody.geometry.component.triple import expression
-from symbody.geometry.given.argument import accepts, checked
+from symbody.geometry.given.annotation import accepts
+from symbody.geometry.given.argument import checked
 from symbody.multibody.body import Body
 from symbody.multibody.load import Action
 from symbody.symbolic import (

@@ -28,6 +28,12 @@ _VERSIONS = {5: "5.2", 6: "5.2", 21: "5.2", 51: "5.2", 52: "5.2", 60: "6.1", 61:
 _SKIPPED = ("SHAPE", "LOADCASE")
 """Sections that hold tables."""
 
+_OF_CARCASS = ("VERTICAL", "STRUCTURAL", "CONTACT_PATCH", "INERTIA", "DIMENSION")
+"""Sections with coefficients of their own, of the stiffness and the size of the contact."""
+
+_COEFFICIENT = re.compile(r"[PQRS][A-Z]{2,4}\d+")
+"""How the coefficients of the law are called, such as PCY1."""
+
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eEdD][+-]?\d+)?")
 
 
@@ -208,16 +214,25 @@ def _value(where: str, line: _Line) -> float:
     return float(re.sub("[dD]", "e", line.value))
 
 
+def _is_meant_for_law(line: _Line) -> bool:
+    """Whether an entry is a coefficient by its section, or by its name in one that isn't about the carcass."""
+    if "COEFFICIENTS" in line.section:
+        return True
+    return _COEFFICIENT.fullmatch(line.name) is not None and not line.section.startswith(_OF_CARCASS)
+
+
 def _report_unknown(where: str, entries: Mapping[str, _Line], law: frozenset[str]) -> None:
-    """Tell of names among the coefficients that the law does not know, such as misspelt ones."""
+    """Tell of names among the coefficients, or like theirs, that the law does not know, such as misspelt ones."""
     known = law | IGNORED | DIMENSIONS.keys()
     unknown = [
         line
         for name, line in entries.items()
-        if "COEFFICIENTS" in line.section and name not in known and _NUMBER.fullmatch(line.value)
+        if name not in known and _NUMBER.fullmatch(line.value) and _is_meant_for_law(line)
     ]
     if unknown:
         listed = ", ".join(f"{line.name} (line {line.number})" for line in unknown)
+        verbs = ("means", "is") if len(unknown) == 1 else ("mean", "are")
         notify(
-            f"{where}: {brief(listed)} mean nothing to the law and are left out of it; expected names such as PCY1"
+            f"{where}: {brief(listed)} {verbs[0]} nothing to the law and {verbs[1]} left out of it; expected names "
+            "such as PCY1"
         )

@@ -145,6 +145,9 @@ def tire_kinematics(
         )
         contact = Point(road, section.place[0], section.place[1], number(0))
         base = _Base.of(contact, road)
+        drift = add3(
+            _relative(_carried(contact, _without_spin(wheel.frame)), base.velocity, road), section.tread
+        )
         slip = add3(_relative(_carried(contact, wheel.frame), base.velocity, road), section.tread)
         turning = _relative(Seen(spin(wheel.frame), wheel.frame), base.spin, road)
         rate = dot3(turning, axes.left) / upright
@@ -157,11 +160,22 @@ def tire_kinematics(
             Vector(road, *n),
             camber,
             section.depth,
-            -dot3(slip, n),
+            -dot3(drift, n),
             dot3(slip, ahead) + rate * section.arm,
-            dot3(slip, axes.left),
+            dot3(drift, axes.left),
             -(rate + section.spin_rate) * rolling,
         )
+
+
+def _without_spin(frame: Frame) -> Frame:
+    """Return the axes that carry a wheel and don't spin, in which its velocity across the spin is shorter to write.
+
+    The spin moves the contact ahead alone, as it is in the plane of the axis and the normal.
+    """
+    last = frame.last_moving
+    if last is frame and last.parent is not None and last.motion is not None and last.motion.turn_axis == 1:
+        return last.parent
+    return frame
 
 
 class _Axes(NamedTuple):

@@ -9,7 +9,7 @@ from typing import Annotated, Any, TypeAlias, final
 from symbody.errors import JointError
 from symbody.geometry import Scalar
 from symbody.geometry.component.triple import expression
-from symbody.geometry.given.argument import accepts
+from symbody.geometry.given.annotation import accepts
 from symbody.symbolic import Expr, atan2, cos, pi, sin
 from symbody.symbolic.expression.container import Container, contains
 from symbody.symbolic.given.arguments import brief, counted, described

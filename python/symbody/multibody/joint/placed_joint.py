@@ -167,6 +167,18 @@ class PlacedJoint:
         return Point(self.child_side, 0, 0, 0, name=self.name)
 
     @property
+    def acting_point(self) -> Point:
+        """The point of the reaction: that where wheels or teeth touch, which exert no moment there, or `point`."""
+        first = next(iter(self.closures), None)
+        at_one_place = first is not None and all(
+            closure.at is first.at and all(entry.is_zero for entry in closure.moment.components)
+            for closure in self.closures
+        )
+        if first is None or not at_one_place or first.at == self.point:
+            return self.point
+        return Point(first.at.frame, *first.at.coordinates, name=self.name)
+
+    @property
     def ends(self) -> tuple[tuple[str, Frame], tuple[str, Frame]]:
         """The name of the parent and that of the child, empty for a frame, each with the frame of the joint on it."""
         parent, child = (

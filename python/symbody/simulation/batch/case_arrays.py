@@ -66,7 +66,7 @@ class Results:
             cases: the number of cases, k.
             instants: the number of instants, N.
             kept: the number of instants whose states are kept: N or 0.
-            state: the length of a state, n.
+            state: the length of a state and the work.
             outputs: the number of outputs.
             slopes: the shape of the derivatives of a state, (n, p).
         """
@@ -80,7 +80,7 @@ class Results:
             np.full((cases, outputs, instants), np.nan),
             np.full((cases, kept, state), np.nan),
             np.full((cases, kept if slopes[1] else 0, *slopes), np.nan),
-            CaseEvents(cases, slopes[0], slopes[1]),
+            CaseEvents(cases, state, slopes),
         )
 
     @property
@@ -93,6 +93,20 @@ class Results:
         for name in _COLUMNS:
             getattr(self, name)[cases] = getattr(part, name)
         self.occurrences.add(part.occurrences.table.renumbered(cases))
+
+    def cut(self, start: int, stop: int) -> Results:
+        """Return the results of successive cases, as those of a batch of their own."""
+        events = self.occurrences.table
+        own = slice(*np.searchsorted(events.case, (start, stop)).tolist())
+        _, width = events.state.shape
+        _, n, by = events.slopes.shape
+        occurrences = CaseEvents(stop - start, width, (n, by))
+        part = Occurrences(
+            events.case[own] - start, events.event[own], events.t[own], events.state[own], events.slopes[own]
+        )
+        occurrences.add(part)
+        rows = {name: getattr(self, name)[start:stop] for name in _COLUMNS}
+        return Results(**rows, occurrences=occurrences)
 
     def arrays(self) -> dict[str, NDArray[Any]]:
         """Return all results as arrays of numbers and texts, for a file."""
@@ -126,7 +140,10 @@ class Results:
         case, event, t, state, slopes = (
             arrays[f"event_{name}"] for name in ("case", "number", "t", "state", "slopes")
         )
-        occurrences = CaseEvents(cases, state.shape[1], slopes.shape[2])
+        width = max(state.shape[1], arrays["states"].shape[2])
+        if width > state.shape[1]:  # a file from before the work was kept
+            state = np.pad(state, ((0, 0), (0, width - state.shape[1])), constant_values=np.nan)
+        occurrences = CaseEvents(cases, width, (slopes.shape[1], slopes.shape[2]))
         occurrences.add(Occurrences(case, event, t, state, slopes))
         for case, kind, subject, size in _rows(arrays, "finding", "case", "kind", "subject", "size"):
             findings[case] += (Finding(str(kind), str(subject), float(size)),)

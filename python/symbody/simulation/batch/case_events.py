@@ -21,13 +21,13 @@ class CaseEvents:
 
     Args:
         cases: the number of cases, k.
-        size: the length of a state, n.
-        by: the number of derivatives of a state, p.
+        width: the length of a state and the work.
+        slopes: the shape of the derivatives of a state, (n, p).
     """
 
-    def __init__(self, cases: int, size: int, by: int = 0) -> None:
+    def __init__(self, cases: int, width: int, slopes: tuple[int, int]) -> None:
         self._cases = cases
-        self._parts = [no_occurrences(size, by)]
+        self._parts = [no_occurrences(width, slopes)]
 
     def add(self, more: Occurrences) -> None:
         """Take the events of some cases."""

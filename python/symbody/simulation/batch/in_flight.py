@@ -3,7 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, ProcessPoolExecutor, wait
+from concurrent.futures import (
+    FIRST_COMPLETED,
+    BrokenExecutor,
+    CancelledError,
+    Executor,
+    Future,
+    ProcessPoolExecutor,
+    wait,
+)
 from dataclasses import dataclass, field
 from typing import Generic, TypeVar
 
@@ -20,6 +28,9 @@ TRIES = 3
 
 LOOK = 0.1
 """The time between two checks for Ctrl-C, in s."""
+
+CANCELLED = CancelledError("somebody else cancelled a task")
+"""What a task has met that neither ran nor was withdrawn."""
 
 INTERRUPTED = KeyboardInterrupt("a worker was interrupted")
 """What a task that was not finished has met."""
@@ -92,8 +103,11 @@ class InFlight(Generic[Result]):
     def _landed(self) -> Iterator[tuple[int, Result]]:
         """Yield what has been finished; queue what was lost, unless that is for good."""
         ready, _ = wait(self._waiting, timeout=LOOK, return_when=FIRST_COMPLETED)
+        # An executor that is shut down may cancel tasks without a word to those who wait for them.
+        ready |= {future for future in self._waiting if future.cancelled()}
         for future in sorted(ready, key=lambda one: self._waiting[one]):
-            number, error = self._waiting.pop(future), future.exception()
+            number = self._waiting.pop(future)
+            error = CANCELLED if future.cancelled() else future.exception()
             if error is None:
                 yield number, future.result()
             elif isinstance(error, BrokenExecutor):

@@ -113,7 +113,10 @@ def _occurrences(case: int, motion: Integrated, size: int) -> Occurrences:
     given, found = motion.outcome.occurrences, motion.outcome.sensitivities
     events = np.array([event for event, _, _ in given], dtype=np.int64)
     t = np.array([t for _, t, _ in given], dtype=np.float64)
-    states = np.array([state[:size] for *_, state in given], dtype=np.float64).reshape(-1, size)
+    width = motion.task.model.width
+    unknown = [np.nan] * (width - size)  # the work, if the method has not integrated it
+    rows = [[*state, *unknown][:width] for *_, state in given]
+    states = np.array(rows, dtype=np.float64).reshape(-1, width)
     slopes = np.empty((len(given), size, 0)) if found is None else found.occurrences
     return Occurrences(np.full(len(given), case, dtype=np.int64), events, t, states, slopes)
 

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from symbody.errors import SymbodyError
 from symbody.simulation.batch.case_arrays import Results, Status
+from symbody.simulation.given.values import finite_number
 from symbody.simulation.integrate.initial_state import initial_slopes, initial_state, initial_states
 from symbody.simulation.integrate.integrated import run_motions
 from symbody.simulation.integrate.notices import deficiency_findings
@@ -95,6 +96,7 @@ def _begun(
         keep_going: called from time to time; False ends the search.
     """
     states = _initial_states(task, cases, threads)
+    states[~_have_finite_parameters(cases)] = np.nan
     tasks = dict.fromkeys(np.flatnonzero(np.isfinite(states).all(axis=1)).tolist(), task)
     slopes = {case: initial_slopes(task, {}, {}, states[case]) for case in tasks} if task.by else {}
     reduced: dict[tuple[int, ...], Task] = {}
@@ -104,6 +106,8 @@ def _begun(
         with noting() as found:
             try:
                 parameters = cases.parameters_of(case)
+                for name, value in parameters.items():
+                    finite_number(name, value, "simulate, parameters")
                 states[case] = initial_state(task, parameters, cases.initial_of(case))
                 if task.by:
                     slopes[case] = initial_slopes(task, parameters, cases.initial_of(case), states[case])
@@ -114,6 +118,13 @@ def _begun(
                 results.status[case], results.messages[case] = Status.FAILED, str(error)
         results.findings[case] = deficiency_findings(found, task.model)
     return tasks, states, slopes
+
+
+def _have_finite_parameters(cases: Cases) -> NDArray[np.bool_]:
+    finite = np.ones(cases.count, dtype=bool)
+    for column in cases.parameters.values():
+        finite &= np.isfinite(np.asarray(column, dtype=np.float64))
+    return finite
 
 
 def _initial_states(task: Task, cases: Cases, threads: int) -> Array:

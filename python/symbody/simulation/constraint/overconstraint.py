@@ -23,7 +23,15 @@ from .kinematics import Kinematics
 from .least_norm import least_norm
 from .redundant_constraints import STEPS, Redundancy, redundancy
 from .vanishing_combinations import vanishing_combinations
-from .walk import CANCELLED, scaled, time_goes_on, walk_configurations
+from .walk import (
+    CANCELLED,
+    SURE,
+    TRIES,
+    ConfigurationSpace,
+    scaled,
+    time_goes_on,
+    walk_configurations,
+)
 
 __all__ = ["overconstraint"]
 
@@ -82,6 +90,8 @@ def overconstraint(
     is_standing = len(gradients) <= _STANDING  # what holds at one position alone is no redundancy
     if not is_usual and (is_standing or found.count == redundant):
         _check_moves_elsewhere(system, slopes, kernel, where)
+        if not gradients:
+            _check_has_neighbours(kinematics, p, time, q, where)
     return found if found.count and (is_usual or not is_standing) else None
 
 
@@ -134,6 +144,26 @@ def _check_moves_elsewhere(system: Variables, A: Array, kernel: Array, where: st
             f"{where}: the constraints let {', '.join(map(str, locked))} be other than zero at the initial position, "
             f"but at no position nearby: constraints {joined_by_and(named_constraints(system.conditions, rows))} "
             "depend on each other there alone; leave out a constraint, or start at another position"
+        )
+
+
+def _check_has_neighbours(kinematics: Kinematics, p: Array, time: float, q: Array, where: str) -> None:
+    """Check that a position whose constraints allow speeds, but no motions along them, doesn't stand alone.
+
+    Args:
+        kinematics: the constraints.
+        p: the values of their parameters.
+        time: the time, in s.
+        q: the coordinates.
+        where: the function that the user called, for messages.
+    """
+    space = ConfigurationSpace(kinematics, p, time, follows_time=kinematics.is_rheonomic)
+    place = np.append(q, time) if kinematics.is_rheonomic else q
+    if next(space.neighbours(place, TRIES, SURE), None) is None:
+        raise ConstraintError(
+            f"{where}: the constraints allow speeds at the initial position, along which no motion leads: there they "
+            "restrain it by terms of second order alone, as a stretched chain of bars or (x - y)**2 = 0 does; start at "
+            "another position, correct a dimension, or give conditions whose gradients don't vanish"
         )
 
 

@@ -19,6 +19,8 @@ from .vanishing_combinations import vanishing_combinations
 
 __all__ = [
     "CANCELLED",
+    "SURE",
+    "TRIES",
     "ConfigurationSpace",
     "free_directions",
     "scaled",
@@ -42,6 +44,12 @@ MOST_FREEDOMS = 4
 """The most freedoms along which walks go from one position."""
 TRIES, DEPARTURES = 48, 12
 """The number of directions in which a walk may start, and the number of successful ones that is enough."""
+SHORT = (1e-4, 1e-6)
+"""Distances along a direction that show whether it is that of a motion; the second one if paths are much curved."""
+ASIDE = 0.03
+"""The part of such a distance by which a motion may leave its direction."""
+DRAWN = 3
+"""The number of directions that are tried."""
 
 
 def walk_configurations(
@@ -53,6 +61,10 @@ def walk_configurations(
     positions instead, where most constraints are independent: one of these for each set of dependent constraints. If
     constraints hold the time, it is one more coordinate, and b of ``A u + b`` the last column.
 
+    There is no walk from a position where fewer constraints are independent than at almost every other, and where
+    speeds that they allow don't lead along a motion, such as those across a straight truss of two bars: what is
+    dependent there is so at no position nearby.
+
     Args:
         kinematics: the constraints.
         p: the values of their parameters.
@@ -62,6 +74,8 @@ def walk_configurations(
     """
     space = ConfigurationSpace(kinematics, p, t, follows_time=kinematics.is_rheonomic)
     for first in _departures(space, np.append(begin, t) if kinematics.is_rheonomic else begin):
+        if not space.is_regular(first):
+            continue
         for direction in _freedoms(space.slopes(first)[0]):
             for sign in (1.0, -1.0):
                 yield from _walked(space, first, sign * direction, steps)
@@ -172,6 +186,41 @@ class ConfigurationSpace:
 
     def _is_on(self, problem: Positions, place: Array) -> bool:
         return problem.error(self._parts(place)[0]) < CANCELLED * 1e-2
+
+    def is_regular(self, place: Array) -> bool:
+        """Return whether the speeds that the constraints allow at a position are those of motions.
+
+        They are where as many constraints are independent as at almost every position. Elsewhere the constraints may
+        leave them a displacement of second order alone; directions are drawn, and tried.
+        """
+        J, K = self.slopes(place)
+        if not np.isfinite(J).all():
+            return True  # a walk ends there
+        free = free_directions(J)
+        if J.shape[1] - len(free) >= self.kinematics.rank:
+            return True
+        draw = np.random.Generator(np.random.PCG64(1)).uniform(-1, 1, (DRAWN, len(free)))
+        return all(self._leads_along(place, K @ direction) for direction in draw @ free)
+
+    def _leads_along(self, place: Array, rates: Array) -> bool:
+        """Return whether a motion leads along rates of the coordinates, by short steps that are put back."""
+        if not rates.any():
+            return True
+        return any(self._aside(place, size * rates / np.linalg.norm(rates)) < ASIDE for size in SHORT)
+
+    def _aside(self, place: Array, step: Array) -> float:
+        """Return by how much constraints change a step from a position, relative to its length."""
+        away = step * max(1.0, float(np.abs(place).max()))
+        found = place + away
+        q, t = self._parts(found)
+        scale = Positions.at(self.kinematics, self.p, t, q).scale
+
+        def of_free(free: Array) -> tuple[Array, Array]:
+            found[self._may_vary] = free
+            return self._linearization(found, scale)
+
+        found[self._may_vary] = gauss_newton(of_free, found[self._may_vary], BACK)
+        return float(np.linalg.norm(found - place - away) / np.linalg.norm(away))
 
     def neighbours(self, place: Array, count: int, near: float = CANCELLED) -> Iterator[Array]:
         """Yield positions at a distance, near directions that the constraints allow to first order.

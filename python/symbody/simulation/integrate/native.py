@@ -13,7 +13,6 @@ from symbody.codegen import PreparedCode
 from symbody.codegen.llvm.jit import lanes
 from symbody.simulation.given.event import Event
 from symbody.simulation.given.options import Options
-from symbody.simulation.given.parameter import parameters_in
 from symbody.simulation.model.model import Model
 from symbody.simulation.model.variation import Variation
 from symbody.symbolic.numeric.deficiency import Deficiency, deficiencies_of, noting
@@ -72,9 +71,7 @@ def problem_of(
         trail: the most states at the ends of steps that are kept.
         variation: the equations of the sensitivities, if these are integrated.
     """
-    watched = model.along_motion([event.expression for event in events])
-    others = [name for name in parameters_in(watched) if name not in (*model.parameters, *model.damping)]
-    code = model.code(watched, others) if events else None
+    code = model.code_along_motion([event.expression for event in events]) if events else None
     corrects = is_projected and bool(model.constraints)
     plain = Problem(
         width=model.width,
@@ -116,7 +113,8 @@ def _watched(plain: Problem, variation: Variation) -> tuple[PreparedCode, tuple[
     if plain.events is None:
         return variation.code(variation.switching), hidden
     code = variation.widened(plain.events[0])
-    return replace(code, expressions=(*code.expressions, *variation.switching)), (*plain.events[1], *hidden)
+    both = replace(code, expressions=(*code.expressions, *variation.switching), shortcut=None)
+    return both, (*plain.events[1], *hidden)
 
 
 def _integrate(

@@ -25,6 +25,7 @@ from .integrated import Integrated
 from .joint_limit import passed_limits, strange_limits, unknown_limits
 from .kinematics_at import kinematics_at
 from .methods import DEFAULT, methods_that
+from .opened_constraint import LEFT, opened_constraints
 from .outcome import FailureKind
 from .pole_at_start import pole_at_start
 
@@ -36,10 +37,6 @@ __all__ = [
     "notices_of_batch",
     "notices_of_motion",
 ]
-
-
-LEFT = 1e-3
-"""The relative violation above which a motion has left a constraint: unconstrained drift is smaller."""
 
 
 _NAMED = 8
@@ -177,7 +174,14 @@ def _uncertainty(motion: Integrated) -> Iterable[Finding]:
 def _violations(motion: Integrated) -> Iterable[Finding]:
     """Return the constraint with the largest violation, if a motion has left its constraints at its end."""
     model = motion.task.model
-    return _left(motion, "violation") if model.position_constraints or model.system.left_out else []
+    return _left(motion, "violation") if model.position_constraints else []
+
+
+def _openings(motion: Integrated) -> Iterable[Finding]:
+    """Return the constraints that were left out as redundant, and that the motion does not keep."""
+    return [
+        Finding("opened", f"constraint {each.name}", each.size, each.t) for each in opened_constraints(motion)
+    ]
 
 
 def _departures(motion: Integrated) -> Iterable[Finding]:
@@ -196,6 +200,8 @@ def _left(motion: Integrated, kind: str) -> Iterable[Finding]:
     with np.errstate(all="ignore"):
         phi, phi_q, sizes = kinematics.position(outcome.end[0], q, p)
         off = np.abs(phi) / term_sizes(q, phi_q, sizes)
+    left_out = model.system.left_out
+    off[[k for k, place in enumerate(system.holonomic) if system.multipliers[place] in left_out]] = 0.0
     worst = int(np.argmax(off))
     if not off[worst] > LEFT:
         return []
@@ -258,6 +264,14 @@ ROWS: dict[str, _Row] = {
         "the motion has left its constraints: at its end {subject} is off by {size:.1g} of the magnitude of its "
         "terms; use smaller tolerances or another way to enforce them (constraints=...), and leave out those that "
         "follow from others",
+    ),
+    "opened": _Row(
+        _openings,
+        "{subject}, which was left out because it follows from the others where the motion begins, does not hold from "
+        "t = {t:.6g} s on: it is off by up to {size:.1g} of the magnitude of its terms, so that the mechanism has come "
+        "apart and the motion is wrong from there; "
+        f"use method={' or '.join(methods_that(lambda method: method.keeps_branch))} with constraints='projection', "
+        "which stays on its branch, or end the motion by an event before",
     ),
     "departure": _Row(
         _departures,

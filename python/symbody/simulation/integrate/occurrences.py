@@ -25,7 +25,7 @@ class Occurrences:
         case: the number of the motion, shape (m,).
         event: the number of the event, shape (m,).
         t: the instant, in s, shape (m,).
-        state: the state there, shape (m, n).
+        state: the state there, shape (m, n), or (m, n + 1) with the work up to there.
         slopes: its derivatives by p parameters and initial values, shape (m, n, p).
     """
 
@@ -57,12 +57,12 @@ class Occurrences:
         return Occurrences(cases[self.case], self.event, self.t, self.state, self.slopes)
 
     def of_some(self, cases: Indices, places: Indices, size: int) -> Occurrences:
-        """Return the events of some motions, renumbered, with the first entries of their states.
+        """Return the events of some motions without derivatives, renumbered.
 
         Args:
             cases: the new number of each motion, increasing.
             places: which motions.
-            size: the number of entries.
+            size: the length of a state, n.
         """
         is_chosen = np.zeros(len(cases), dtype=bool)
         is_chosen[places] = True
@@ -71,15 +71,15 @@ class Occurrences:
             cases[self.case[own]],
             self.event[own],
             self.t[own],
-            self.state[own, :size],
-            self.slopes[own, :size],
+            self.state[own],
+            np.empty((int(own.sum()), size, 0)),
         )
 
 
-def no_occurrences(size: int, by: int = 0) -> Occurrences:
-    """Return no events of states with a number of entries, and of derivatives."""
+def no_occurrences(width: int, slopes: tuple[int, int]) -> Occurrences:
+    """Return no events of vectors with a number of entries, and of derivatives of a shape."""
     none = np.empty(0, dtype=np.int64)
-    return Occurrences(none, none, np.empty(0), np.empty((0, size)), np.empty((0, size, by)))
+    return Occurrences(none, none, np.empty(0), np.empty((0, width)), np.empty((0, *slopes)))
 
 
 def joined_occurrences(parts: Sequence[Occurrences]) -> Occurrences:

@@ -17,7 +17,7 @@ from symbody.simulation.constraint.singular_position import may_be_singular_of_m
 from symbody.symbolic import Expr
 
 from .integrated import Motions
-from .notices import LEFT
+from .opened_constraint import LEFT
 from .pole_at_start import may_have_pole
 
 __all__ = ["MAY_HAVE", "unremarkable_motions"]
@@ -48,6 +48,10 @@ def _redundancy(motions: Motions) -> Flags:
     return motions.task.redundancy is not None
 
 
+def _left_out(motions: Motions) -> Flags:
+    return bool(motions.task.model.system.left_out)
+
+
 def _singular_start(motions: Motions) -> Flags:
     model = motions.task.model
     if not model.constraints:
@@ -73,7 +77,7 @@ def _poles(motions: Motions) -> Flags:
 
 def _violations(motions: Motions) -> Flags:
     model = motions.task.model
-    if not (model.position_constraints or model.system.left_out):
+    if not model.position_constraints:
         return False
     system = model.system.whole
     kinematics = kinematics_in(system, dict(model.inputs))
@@ -113,6 +117,7 @@ MAY_HAVE: dict[str, Callable[[Motions], Flags]] = {
     "kinematics": _quasi_velocities,
     "pole": _poles,
     "violation": _violations,
+    "opened": _left_out,
     "departure": _departures,
     "imbalance": _never,
     "passage": _never,

@@ -108,7 +108,7 @@ class DrivingLoads:
         if curved:
             raise ModelError(
                 f"{self.where}, unknowns: the equations of motion aren't linear in {', '.join(curved)}; expected "
-                "loads that are, such as a force or its amplitude"
+                "loads that are, such as a force or its amplitude, and motors without a limit"
             )
 
     def solution(
@@ -153,8 +153,9 @@ class DrivingLoads:
         if is_off.any():
             k = int(np.argmax(is_off.any(axis=1)))
             row = int(np.argmax(np.where(is_off[k], np.abs(left[k]), 0)))
+            what = f"no {', '.join(map(str, self.names))}" if self.names else "no multipliers alone"
             raise SimulationError(
-                f"{self.where}: at t = {instants[k]:g} s no {', '.join(map(str, self.names))} balance "
+                f"{self.where}: at t = {instants[k]:g} s {what} balance "
                 f"{self._equation(row)}: {left[k, row]:.3g} is left; expected loads that act on every degree of "
                 "freedom of the motion"
             )

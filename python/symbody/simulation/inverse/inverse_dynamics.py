@@ -86,7 +86,7 @@ class InverseDynamics:
     states: Mapping[Expr, Array] = field(default_factory=dict)
 
     def __repr__(self) -> str:
-        names = ", ".join(map(str, self.forces))
+        names = ", ".join(map(str, self.forces)) or "multipliers"
         return f"InverseDynamics of {names}: {counted(len(self.t), 'instant')} from {self.t[0]:g} to {self.t[-1]:g} s"
 
     def _repr_html_(self) -> str:
@@ -191,8 +191,9 @@ def inverse_dynamics(
         parameters: the values of all symbols, except the unknowns.
         t: the first and the last instant (1001 evenly spaced instants), or all instants, in s.
         unknowns: the symbols or functions of time in the loads that are solved for. By default, a generalised force
-            along each prescribed coordinate, or each speed of a simulated motion, acts in addition to the loads. A
-            state that is solved for does not follow its rate.
+            along each prescribed coordinate, or each speed of a simulated motion, acts in addition to the loads. With
+            an empty list, the multipliers alone balance the loads, as along a motion of `embedded` equations. A state
+            that is solved for does not follow its rate.
         inputs: expressions of time and state for the input functions of time.
         guess: coordinates near the first position, if they are not prescribed.
         initial: the values of states at the first instant, zero by default; a simulated motion has its own.
@@ -229,7 +230,8 @@ def inverse_dynamics(
         [value for value in motion.values() if isinstance(value, Expr)] if isinstance(motion, Mapping) else []
     )
     warn_of_odd_values(eqs, numbers, [*given.values(), *formulas], _WHERE)
-    equations = driving_loads(eqs, kinematics.given, () if loads else driven.driving, loads, _WHERE)
+    along = driven.driving if unknowns is None else ()
+    equations = driving_loads(eqs, kinematics.given, along, loads, _WHERE)
     with reporting(_WHERE):
         forces, multipliers = equations.solution(driven.instants, driven.trajectory, driven.parameters)
     return InverseDynamics(
@@ -282,8 +284,7 @@ def _beside(
 def _listed(unknowns: Sequence[Expr] | None) -> tuple[Expr, ...]:
     if unknowns is None:
         return ()
-    is_list = isinstance(unknowns, list | tuple) and all(isinstance(name, Expr) for name in unknowns)
-    if not is_list or not unknowns:
+    if not (isinstance(unknowns, list | tuple) and all(isinstance(name, Expr) for name in unknowns)):
         raise ArgumentError(
             f"{_WHERE}, unknowns: {described(unknowns)}; expected a list of symbols or functions of time"
         )

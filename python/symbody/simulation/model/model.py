@@ -17,7 +17,7 @@ from symbody.multibody import System, Variables, gravitational_energy, kinetic_e
 from symbody.multibody.energy import known_potential, potentials
 from symbody.multibody.load import action_power
 from symbody.simulation.given.given_input import substitute_inputs
-from symbody.simulation.given.parameter import parameters_among
+from symbody.simulation.given.parameter import parameters_among, parameters_in
 from symbody.symbolic import Expr, ExprLike, cost, derivation, free_symbols, number, substitute, symbols, t
 from symbody.symbolic import jacobian as jacobian_of
 from symbody.symbolic.numeric.deficiency import noting, report
@@ -253,15 +253,35 @@ class Model:
         """Substitute the inputs in expressions, and the rates of coordinates as functions of the speeds."""
         return substitute_inputs(self.system, self.inputs, expressions)
 
-    def along_motion(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
+    def along_motion(
+        self, expressions: Sequence[Expr], solution: ForwardDynamics | None = None
+    ) -> tuple[Expr, ...]:
         """Substitute the accelerations and multipliers that the equations of motion give.
 
         Higher rates are derivatives of these along the motion; each substitution lowers their order by one.
+
+        Args:
+            expressions: the expressions.
+            solution: the accelerations and multipliers; those of the general solution by default.
         """
         values = self.with_inputs(expressions)
         for _ in range(self._rates_above_state(values)):
-            values = self.with_inputs(self._along(self.solution, values))
+            values = self.with_inputs(self._along(solution or self.solution, values))
         return values
+
+    def code_along_motion(self, expressions: Sequence[Expr]) -> PreparedCode:
+        """Return the machine code of expressions along motions, which may have parameters of their own.
+
+        Accelerations and multipliers have the shortcut of the rates, if it isn't longer: it can be run in lanes.
+        """
+        values, brief = self.along_motion(expressions), self.shortcut
+        known = (*self.parameters, *self.damping)
+        others = [name for name in parameters_in(values) if name not in known]
+        if brief is None or not self._rates_above_state(self.with_inputs(expressions)):
+            return self.code(values, others)
+        quick = self.along_motion(expressions, brief)
+        is_short = cost([*quick, *brief.conditions]).total <= min(cost(values).total, _LONGEST)
+        return self.code(values, others, Shortcut(quick, brief.conditions) if is_short else None)
 
     def _rates_above_state(self, expressions: Sequence[Expr]) -> int:
         """Return the order of the highest rates: 1 for accelerations and multipliers, 0 without any."""

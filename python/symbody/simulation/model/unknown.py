@@ -78,6 +78,13 @@ def _way_out(names: Sequence[Expr], system: Variables) -> str:
             f"{_shown(rates)} {verb} of too high an order: evaluate the accelerations and differentiate their "
             "values, for example with numpy.gradient"
         )
+    eliminated = [name for name in names if name in system.whole.multipliers]
+    if eliminated and system.eliminated:
+        return (
+            f"{_shown(eliminated)} of the constraints were eliminated: simulate the equations with multipliers, or let "
+            "inverse_dynamics(equations, motion, unknowns=[]) find them along this motion, with the equations that "
+            "were embedded, and evaluate there"
+        )
     closing = measured_note(system, names)
     if closing:
         return closing.removeprefix("; ")

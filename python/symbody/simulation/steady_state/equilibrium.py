@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from symbody.dynamics import Equations
 from symbody.errors import ModelError, SimulationError, notify
-from symbody.multibody import System
+from symbody.multibody import System, Variables
 from symbody.simulation.constraint.consistent_position import listed_values, positions
 from symbody.simulation.constraint.kinematics import kinematics_of
 from symbody.simulation.constraint.opposite_axes import check_senses
@@ -125,6 +125,16 @@ class Equilibrium(Mapping[Expr, float]):
             **self.states,
             time: balance.t,
         }
+
+    @property
+    def system(self) -> Variables:
+        """The system that is at rest."""
+        return self._solution.balance.equations.system
+
+    @property
+    def t(self) -> float:
+        """The time, in s."""
+        return self._solution.balance.t
 
     @property
     def _solution(self) -> ImplicitSlopes:
@@ -262,7 +272,8 @@ def equilibrium(
         parameters: the values of all symbols.
         guess: coordinates and states near the equilibrium. By default, they are zero, and floating frames are not
             rotated.
-        fixed: the values of coordinates that are held; the result has the forces that hold them.
+        fixed: the values of coordinates that are held; the result has the forces that hold them. And those of states
+            that rest leaves open, such as the slips of tyres.
         t: the time in loads and constraints, in s: an instant at which forces are in balance. By default it is 0, and
             a notice tells if the system does not stay at rest later.
         inputs: expressions of time and coordinates for the input functions of time.
@@ -314,9 +325,13 @@ def _place(
     conditions = conditions_of(eqs, kinematics.given)
     _check_kinematics(conditions)
     p = parameter_values(conditions.parameters, parameters, where=_WHERE, beside=eqs.system.state_names)
-    held = state_values(eqs.system, fixed, where=_WHERE, argument="fixed", has_speeds=False)
+    has_states = bool(eqs.states)
+    fixed_values = state_values(
+        eqs.system, fixed, where=_WHERE, argument="fixed", has_speeds=False, has_states=has_states
+    )
+    held = {name: value for name, value in fixed_values.items() if name not in eqs.states}
     near = state_values(
-        eqs.system, guess, where=_WHERE, argument="guess", has_speeds=False, has_states=bool(eqs.states)
+        eqs.system, guess, where=_WHERE, argument="guess", has_speeds=False, has_states=has_states
     )
     warn_of_odd_values(eqs, parameters or {}, list(given.values()), _WHERE)
     if held and eqs.system.momenta:
@@ -324,12 +339,12 @@ def _place(
             f"{_WHERE}, fixed: the speeds of the equations are momenta, along which no forces act; expected equations "
             "in speeds, such as newton_euler(system), to hold coordinates"
         )
-    problem = Balance(conditions, t, p, tuple(held), tuple(held))
+    problem = Balance(conditions, t, p, tuple(fixed_values), tuple(held))
     constants = dict(zip(conditions.parameters, p, strict=True))
     of_constraints = np.array([constants[name] for name in kinematics.parameters])
     at = {name: value for name, value in near.items() if name not in eqs.states}
     q = positions(kinematics, of_constraints, t, held, at, where=_WHERE)
-    q = np.append(q, [near.get(state, 0.0) for state in eqs.states])
+    q = np.append(q, [fixed_values.get(state, near.get(state, 0.0)) for state in eqs.states])
     solution = _solved(problem, q)
     _check_finite(problem, solution)
     check_senses(kinematics, of_constraints, t, solution[0][: len(eqs.coordinates)], _WHERE)
@@ -438,7 +453,8 @@ def _many(problem: Balance, q: Array, direction: Array) -> str:
     if names[freest] in problem.equations.states:
         return (
             f"{_WHERE}: the equilibrium is not isolated: the state {names[freest]} can have other values, as neither "
-            "the loads nor the rates of states determine it; leave it out of the states, or let its rate depend on it"
+            "the loads nor the rates of states determine it, as of a tyre at rest; fix it, such as "
+            f"fixed={{{names[freest]}: {q[freest]:.6g}}}, leave it out of the states, or let its rate depend on it"
         )
     together = f"{moved[0]} can" if len(moved) == 1 else f"{', '.join(map(str, moved))} can together"
     return (
@@ -459,5 +475,32 @@ def _unbalanced(problem: Balance, q: Array, forces: Array) -> str:
     return (
         f"{_WHERE}: none was found; nearest, at {place}: {name} is off by {F[worst]:.3g}; expected loads that "
         "can balance: give a guess nearer to the equilibrium, or hold coordinates that no load holds, "
-        f"such as fixed={{{eqs.coordinates[0]}: ...}}"
+        f"such as fixed={{{eqs.coordinates[0]}: ...}}{_across(problem, q)}"
     )
+
+
+def _across(problem: Balance, q: Array) -> str:
+    """Return that no finite forces balance a load, if constraints nearly depend on each other at a position."""
+    kinematics = kinematics_of(problem.equations, dict(problem.conditions.given))
+    m, n = len(kinematics.constraints), len(problem.equations.coordinates)
+    if not m or kinematics.has_states:
+        return ""
+    values = dict(zip(problem.conditions.parameters, problem.p, strict=True))
+    p = np.array([values[name] for name in kinematics.parameters])
+    with np.errstate(all="ignore"):
+        A = kinematics.velocity(problem.t, q[:n], p)[0][
+            :m
+        ]  # as it is: a gradient that nearly vanishes is told too
+    if not np.isfinite(A).all():
+        return ""
+    s = np.linalg.svd(A, compute_uv=False)
+    if kinematics.rank > len(s) or s[kinematics.rank - 1] > _NEARLY * s[0]:
+        return ""
+    return (
+        ". The constraints nearly depend on each other there, so that no finite forces of theirs balance a load in "
+        "that direction, as one across a straight chain of bars"
+    )
+
+
+_NEARLY = 1e-2
+"""The ratio of singular values up to which constraints nearly depend on each other."""

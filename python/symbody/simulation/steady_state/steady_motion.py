@@ -10,9 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.errors import SimulationError
+from symbody.multibody import Variables
 from symbody.simulation.given.wording import joined_by_and
 from symbody.simulation.motion.reading import Reading
-from symbody.symbolic import Expr, ExprLike, free_symbols, t
+from symbody.symbolic import Expr, ExprLike, free_symbols
+from symbody.symbolic import t as time
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.given.arguments import expression as as_expression
 from symbody.symbolic.given.arguments import with_known_names
@@ -52,6 +54,16 @@ class SteadyMotion(Mapping[Expr, float]):
     problem: SteadyProblem
     x: Array
     forces: Array
+
+    @property
+    def system(self) -> Variables:
+        """The system that moves."""
+        return self.problem.balance.equations.system
+
+    @property
+    def t(self) -> float:
+        """The time of its first instant, in s."""
+        return self.problem.balance.t
 
     @property
     def coordinates(self) -> dict[Expr, float]:
@@ -129,7 +141,7 @@ class SteadyMotion(Mapping[Expr, float]):
             *zip(conditions.parameters, balance.p, strict=True),
             *zip(conditions.variables, self.x, strict=True),
             *zip(multipliers, self.forces, strict=False),
-            (t, balance.t),
+            (time, balance.t),
         ]
         return {name: float(value) + 0.0 for name, value in pairs}
 

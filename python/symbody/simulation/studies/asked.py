@@ -18,6 +18,7 @@ from .plan import PLACE, Plan, checked_measures, checked_statistics
 from .statistics.extremes import extremes
 from .statistics.moments import moments
 from .statistics.statistic import Statistic
+from .study_arrays import over_time_names
 
 __all__ = ["Asked", "asked_of", "check_names"]
 
@@ -91,8 +92,8 @@ def _check_kept(
         )
 
 
-def check_names(plan: Plan, cases: Cases, units: object) -> None:
-    """Check that measures, outputs and parameters have names of their own, which a file can have."""
+def check_names(plan: Plan, cases: Cases, units: object, *, has_file: bool) -> None:
+    """Check that measures and outputs have names of their own, and parameters if there is a file."""
     if units is not None and not (
         isinstance(units, Mapping) and all(isinstance(each, str) for pair in units.items() for each in pair)
     ):
@@ -102,7 +103,15 @@ def check_names(plan: Plan, cases: Cases, units: object) -> None:
     if isinstance(units, Mapping):
         _check_units(plan, cases, units)
     given = [*map(str, cases.parameters), *(f"initial_{name}" for name in cases.initial)]
-    taken = [*given, "case", "t", "status", "t_reached", "message", "progress"]
+    taken = ["case", "t", "status", "t_reached", "message", "progress", *over_time_names(plan)]
+    for name in given if has_file else ():
+        if name in taken:
+            raise ArgumentError(
+                f"{PLACE}: the file needs the name {name!r} for an array of its own, but a parameter has it; rename "
+                "the parameter, or leave out path"
+            )
+        taken.append(name)
+    taken += given
     for name in (*plan.columns, *plan.outputs):
         if name in taken or "/" in name or not name:
             raise ArgumentError(

@@ -21,7 +21,7 @@ from .measures.measure import Course, Crossings
 from .plan import Plan
 from .statistics.statistic import Partial
 
-__all__ = ["Chunk", "run_chunk"]
+__all__ = ["Chunk", "run_chunk", "summed_up"]
 
 Array = NDArray[np.float64]
 
@@ -59,7 +59,18 @@ def run_chunk(plan: Plan, cases: Cases, first: int, threads: int, keep_going: Ke
         threads: how many run at a time.
         keep_going: called from time to time with the number of finished cases; False ends all of them.
     """
-    results = run_cases(plan.task, cases, threads, keep_going)
+    return summed_up(plan, cases, first, run_cases(plan.task, cases, threads, keep_going))
+
+
+def summed_up(plan: Plan, cases: Cases, first: int, results: Results) -> Chunk | None:
+    """Sum up some cases; return None if not all of them were run.
+
+    Args:
+        plan: what the cases share.
+        cases: the cases.
+        first: the number of the first of them in the study.
+        results: their results.
+    """
     if len(results.missing):
         return None
     with noting() as found:
@@ -146,7 +157,7 @@ class _Motions:
         states = self._results.states[:, -1, : self._size].copy()
         ended = self._results.status == Status.ENDED_BY_EVENT
         last = self._events.last(np.flatnonzero(ended))
-        t[ended], states[ended] = self._events.t[last], self._events.state[last]
+        t[ended], states[ended] = self._events.t[last], self._events.state[last, : self._size]
         return t, states
 
     def _crossings(self, expression: Expr, own: range) -> Crossings:
@@ -154,7 +165,7 @@ class _Motions:
         events = self._events
         chosen = np.flatnonzero((events.event >= own.start) & (events.event < own.stop))
         case, t = events.case[chosen], events.t[chosen]
-        (values,) = self._values([expression], events.state[chosen], t, case)
+        (values,) = self._values([expression], events.state[chosen, : self._size], t, case)
         return Crossings(case, events.event[chosen] - own.start, t, values)
 
     def _values(self, expressions: list[Expr], states: Array, t: Array, case: NDArray[np.intp]) -> Array:

@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Executor, Future
+from time import monotonic
 
 import numpy as np
 
 from symbody.simulation.batch.cases import Cases
 from symbody.simulation.batch.in_flight import INTERRUPTED, InFlight
 from symbody.simulation.batch.parcel import Parcel
+from symbody.simulation.batch.run_cases import run_cases
 from symbody.simulation.batch.stop_flag import StopFlag
-from symbody.simulation.batch.workers import counting_from
+from symbody.simulation.batch.workers import cases_in_memory, counting_from
 from symbody.simulation.terminal.interruption import Interruption
 
-from .chunk import Chunk, run_chunk
+from .chunk import Chunk, run_chunk, summed_up
 from .plan import PLACE, Plan
 
 __all__ = ["Finished", "run_by_executor", "run_in_threads"]
@@ -25,6 +28,10 @@ Finished = tuple[int, Chunk]
 KeepGoing = Callable[[float], bool]
 
 
+TOGETHER, SPAN = 4096, 0.5
+"""The most cases of chunks that threads run together, and about how long they may take, in s: Ctrl-C loses these."""
+
+
 def chunk_of(cases: Cases, number: int, size: int) -> Cases:
     """Return the cases of a chunk."""
     return cases.subset(np.arange(number * size, min(cases.count, (number + 1) * size)))
@@ -33,7 +40,7 @@ def chunk_of(cases: Cases, number: int, size: int) -> Cases:
 def run_in_threads(
     plan: Plan, cases: Cases, size: int, numbers: Iterable[int], threads: int, keep_going: KeepGoing
 ) -> Iterator[Finished]:
-    """Run chunks one after another, each in native threads.
+    """Run chunks in native threads. Those of short motions run together, so that less time is lost between them.
 
     Args:
         plan: what the cases share.
@@ -41,18 +48,33 @@ def run_in_threads(
         size: the number of cases of a chunk.
         numbers: the chunks to run.
         threads: the number of threads.
-        keep_going: called some times a second with the number of finished cases; False ends the chunk in progress.
+        keep_going: called some times a second with the number of finished cases; False ends the chunks in progress.
     """
-    done = 0
-    for number in numbers:
-        if not keep_going(done):
+    most = max(1, min(TOGETHER, cases_in_memory(plan.task)) // size)
+    waiting, count, done = deque(numbers), 1, 0
+    while waiting and keep_going(done):
+        together, begin = _successive(waiting, count), monotonic()
+        first, end = together.start * size, min(cases.count, together.stop * size)
+        own = cases.subset(np.arange(first, end))
+        results = run_cases(plan.task, own, threads, counting_from(keep_going, done))
+        for number in together:
+            start, stop = number * size - first, min(own.count, (number + 1) * size - first)
+            part = own.subset(np.arange(start, stop))
+            chunk = summed_up(plan, part, number * size, results.cut(start, stop))
+            if chunk is not None:
+                yield number, chunk
+        if len(results.missing):
             return
-        part = chunk_of(cases, number, size)
-        chunk = run_chunk(plan, part, number * size, threads, counting_from(keep_going, done))
-        if chunk is None:
-            return
-        done += part.count
-        yield number, chunk
+        done += own.count
+        count = int(np.clip(count * SPAN / max(monotonic() - begin, 1e-9), 1, min(most, 4 * count)))
+
+
+def _successive(waiting: deque[int], most: int) -> range:
+    """Take the first of some numbers and those that follow it without a gap, as drawn cases do."""
+    first = last = waiting.popleft()
+    while waiting and waiting[0] == last + 1 and last + 1 - first < most:
+        last = waiting.popleft()
+    return range(first, last + 1)
 
 
 def run_by_executor(

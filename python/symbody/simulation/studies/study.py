@@ -122,7 +122,7 @@ def study(
     options: dict[str, Any] = {"inputs": inputs, "method": method, "rtol": rtol, "atol": atol}
     options |= {"constraints": constraints, "guess": guess, "max_step": max_step}
     plan = plan_of(eqs, all_cases, t, asked, device, options)
-    check_names(plan, all_cases, units)
+    check_names(plan, all_cases, units, has_file=path is not None)
     size = chunk_size(plan, all_cases.count, chunk)
     file = None if path is None else opened_file(Path(path), plan, all_cases, size, units or {})
     found = Accumulation.begun(plan, all_cases.count, size, file)

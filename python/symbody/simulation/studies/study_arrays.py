@@ -14,7 +14,7 @@ from symbody.simulation.batch.cases import Cases
 
 from .plan import Plan
 
-__all__ = ["MESSAGE", "StudyArrays"]
+__all__ = ["MESSAGE", "StudyArrays", "over_time_names"]
 
 MESSAGE = 500
 """The most bytes of a message."""
@@ -26,6 +26,24 @@ UNITLESS_PARTS = (" case", "with", "probab")
 """Parts of the names of others."""
 
 Array = NDArray[np.float64]
+
+
+def over_time_names(plan: Plan) -> list[str]:
+    """Return the names of the arrays of statistics over time."""
+    outputs = list(plan.outputs)
+    if not outputs:
+        return []
+    one_case = np.zeros((1, len(outputs), 1))
+    columns = [
+        column
+        for statistic in plan.statistics
+        for column in statistic.columns(statistic.of(one_case, 0), outputs)
+    ]
+    return [_over_time_name(output, column) for output in outputs for column in columns]
+
+
+def _over_time_name(output: str, column: str) -> str:
+    return f"{output} {column}"
 
 
 @dataclass(frozen=True, eq=False)
@@ -120,7 +138,7 @@ class StudyArrays:
         """Add the statistics over time, one array for each output and column."""
         for output, columns in over_time.items():
             for column, values in columns.items():
-                name, dims = f"{output} {column}", ("t",)
+                name, dims = _over_time_name(output, column), ("t",)
                 attributes = {"long_name": f"{column} of {output}"}
                 if column not in UNITLESS and not any(part in column for part in UNITLESS_PARTS):
                     attributes = self._unit(output) | attributes

@@ -199,7 +199,9 @@ class Study:
             raise ArgumentError(
                 f"study.motion: {described(case)}; expected one of the {len(self)} cases, from 0"
             )
-        instants = self.t if len(self.t) > 2 else instants_of((float(self.t[0]), float(self.t[-1])))
+        instants, measured = self.t, {at for each in self.plan.measures.values() for at in each.instants}
+        if {*instants[1:-1].tolist()} <= measured:  # nobody has asked for the motion in between
+            instants = np.union1d(instants, instants_of((float(self.t[0]), float(self.t[-1]))))
         own = self.plan.task.events[: self.plan.own_events]
         task = replace(self.plan.task, instants=instants, events=own)
         one = self.cases.subset(np.array([case]))

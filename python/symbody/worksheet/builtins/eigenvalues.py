@@ -16,12 +16,13 @@ from symbody.worksheet.mathematics.closed_roots import is_complex, polynomial_in
 from symbody.worksheet.values.complex_number import of_number
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.numeric import as_float
-from symbody.worksheet.values.value import Array, Sequence, Value
+from symbody.worksheet.values.value import Array, Relation, Sequence, Value
 
 if TYPE_CHECKING:
     import numpy as np
+    from scipy import linalg
 else:
-    np = Deferred("numpy")
+    np, linalg = Deferred("numpy"), Deferred("scipy.linalg")
 
 __all__ = ["PACKAGES"]
 
@@ -29,24 +30,30 @@ __all__ = ["PACKAGES"]
 def characteristic_polynomial(session: Session, value: Value, name: Value) -> Value:
     """CharacteristicPolynomial(A, s), charpoly(A, s): det(s*1 - A)."""
     array = array_of(session, value, "CharacteristicPolynomial")
-    s = scalar(session, name)
-    entries = [scalar(session, session.current(each)) for each in array.entries]
-    if array.rows != array.columns:
-        raise WorksheetError("CharacteristicPolynomial: the matrix is not square")
-    ones = [each for each in identity(array.rows).entries if isinstance(each, Expr)]
-    shifted = [s * one - entry for one, entry in zip(ones, entries, strict=True)]
+    return _pencil(session, array, identity(array.rows), scalar(session, name))
+
+
+def _pencil(session: Session, array: Array, other: Array, s: Expr) -> Expr:
+    """Return det(s*C - A)."""
+    if array.rows != array.columns or (other.rows, other.columns) != (array.rows, array.columns):
+        raise WorksheetError(
+            "CharacteristicPolynomial: the matrix is not square, or two have different sizes"
+        )
+    a, c = ([scalar(session, session.current(each)) for each in one.entries] for one in (array, other))
+    shifted = [s * y - x for x, y in zip(a, c, strict=True)]
     return expand(Matrix.from_entries(array.rows, array.columns, shifted).det())
 
 
-def eigenvalues(session: Session, value: Value) -> list[Value]:
-    """Return the eigenvalues of a matrix, each as often as it occurs."""
+def eigenvalues(session: Session, value: Value, other: Value | None = None) -> list[Value]:
+    """Return the solutions s of A v = s C v, each as often as it occurs; C is 1 if it isn't given."""
     array = array_of(session, value, "Eigenvalues")
-    known = _numbers(session, array)
+    second = identity(array.rows) if other is None else array_of(session, other, "Eigenvalues")
+    polynomial = _pencil(session, array, second, symbol("_s"))
+    known = _numbers(session, array, second)
     if known is not None:
-        values = np.linalg.eigvals(known)
-        return _scalars(session, sorted(map(complex, values), key=lambda each: (each.real, each.imag)))
-    polynomial = characteristic_polynomial(session, value, symbol("_s"))
-    coefficients = polynomial_in(polynomial, symbol("_s")) if isinstance(polynomial, Expr) else None
+        values = linalg.eigvals(*known)
+        return _scalars(session, [complex(values[k]) for k in _ascending(values)])
+    coefficients = polynomial_in(polynomial, symbol("_s"))
     if coefficients is not None and all(each.is_number for each in coefficients):
         found = roots_of(coefficients)
         session.options.imaginary |= is_complex(found)
@@ -56,13 +63,20 @@ def eigenvalues(session: Session, value: Value) -> list[Value]:
     return roots
 
 
-def _numbers(session: Session, array: Array) -> Any:
-    """Return the matrix as doubles if it has numbers only, and a decimal among them; None for another one."""
-    entries = [scalar(session, session.current(each)) for each in array.entries]
+def _numbers(session: Session, *arrays: Array) -> list[Any] | None:
+    """Return matrices as doubles if they have numbers only, and a decimal among them; None for others."""
+    entries = [scalar(session, session.current(each)) for array in arrays for each in array.entries]
     values = [as_float(each) for each in entries]
     if None in values or not any(each.is_number and each.is_decimal for each in entries):
         return None
-    return np.array(values, dtype=float).reshape(array.rows, array.columns)
+    size = arrays[0].rows
+    return [*np.array(values, dtype=float).reshape(len(arrays), size, size)]
+
+
+def _ascending(values: Any) -> list[int]:
+    """Return the places of numbers by real part, then by imaginary part; rounding doesn't order conjugate ones."""
+    size = max((abs(each) for each in values if np.isfinite(each)), default=1.0) or 1.0
+    return sorted(range(len(values)), key=lambda k: (round(values[k].real / size, 10), values[k].imag))
 
 
 def _scalars(session: Session, values: list[complex]) -> list[Value]:
@@ -71,25 +85,38 @@ def _scalars(session: Session, values: list[complex]) -> list[Value]:
     return made
 
 
-def new_eigenvalues(session: Session, value: Value, *options: Value) -> Value:
-    """Eigenvalues(A): a vector."""
-    found = eigenvalues(session, value)
+def new_eigenvalues(session: Session, value: Value, *others: Value) -> Value:
+    """Eigenvalues(A [, C]): a vector; with C, the solutions of A v = s C v."""
+    found = eigenvalues(session, value, _second(session, "Eigenvalues", others))
     return Array(len(found), 1, found, "Vector")
 
 
-def old_eigenvalues(session: Session, value: Value, *options: Value) -> Value:
-    """eigenvals(A): a sequence."""
-    return sequence(eigenvalues(session, value))
+def _second(session: Session, name: str, others: tuple[Value, ...]) -> Value | None:
+    """Return the second matrix of an eigenvalue problem, if there is one; options that are not known are told."""
+    for each in others:
+        if isinstance(each, Relation):
+            session.notice(f"{name}: the option {session.text(each.left)} is not known, and is ignored")
+    found = [each for each in others if not isinstance(each, Relation)]
+    if len(found) > 1:
+        raise WorksheetError(f"{name}: {1 + len(found)} arguments; expected one matrix or two")
+    return found[0] if found else None
 
 
-def eigenvectors(session: Session, value: Value, *options: Value) -> Value:
-    """Eigenvectors(A): the vector of the eigenvalues, and the matrix with the eigenvectors as columns; in numbers."""
+def old_eigenvalues(session: Session, value: Value, *others: Value) -> Value:
+    """eigenvals(A [, C]): a sequence."""
+    return sequence(eigenvalues(session, value, _second(session, "eigenvals", others)))
+
+
+def eigenvectors(session: Session, value: Value, *others: Value) -> Value:
+    """Eigenvectors(A [, C]): the eigenvalues, and a matrix with the eigenvectors as columns; in numbers."""
     array = array_of(session, value, "Eigenvectors")
-    known = _numbers(session, array)
+    other = _second(session, "Eigenvectors", others)
+    second = identity(array.rows) if other is None else array_of(session, other, "Eigenvectors")
+    known = _numbers(session, array, second)
     if known is None:
         raise WorksheetError("Eigenvectors: of a matrix without decimals; expected numbers, such as evalf(A)")
-    values, vectors = np.linalg.eig(known)
-    order = sorted(range(len(values)), key=lambda k: (values[k].real, values[k].imag))
+    values, vectors = linalg.eig(*known)
+    order = _ascending(values)
     columns = vectors[:, order]
     return sequence(
         [

@@ -299,6 +299,8 @@ _DOUBLE = 16
 def in_decimals(session: Session, value: Value, digits: int) -> Value:
     """Return a value with decimals for numbers; exponents that are integers stay."""
     if isinstance(value, Expr):
+        value = _held_in_decimals(session, value, digits)
+    if isinstance(value, Expr):
         return _scalar_in_decimals(session, value, digits)
     if isinstance(value, Listed | MapleSet | Sequence):
         return type(value)(tuple(in_decimals(session, each, digits) for each in value.items))
@@ -314,6 +316,14 @@ def in_decimals(session: Session, value: Value, digits: int) -> Value:
         entries = [in_decimals(session, session.current(each), digits) for each in found.entries]
         return replace(found, entries=entries)
     return value
+
+
+def _held_in_decimals(session: Session, value: Expr, digits: int) -> Value:
+    """Return a scalar in which integrals and roots that were written as such are numbers."""
+    held = {each: session.opaque[each.name] for each in value.free_symbols if each.name in session.opaque}
+    made = {each: in_decimals(session, inner, digits) for each, inner in held.items()}
+    found = {each: inner for each, inner in made.items() if isinstance(inner, Expr)}
+    return session.rebuild(value, {**found}) if found else value
 
 
 def _scalar_in_decimals(session: Session, value: Expr, digits: int) -> Expr:

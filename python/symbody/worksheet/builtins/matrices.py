@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 
 from symbody.errors import WorksheetError
@@ -192,18 +192,25 @@ def dimensions(which: int | None) -> Command:
 
 def diagonal(session: Session, *values: Value) -> Value:
     """DiagonalMatrix([..]), diag(..)."""
-    items = [each for value in values for each in (parts_of(session.resolve(value)) or (value,))]
+    items = [each for value in values for each in _diagonal_items(session.resolve(value))]
     made = identity(len(items))
     for i, item in enumerate(items):
         made.entries[i * made.columns + i] = item
     return made
 
 
-def identity_matrix(session: Session, size: Value, *rest: Value) -> Value:
-    """IdentityMatrix(n)."""
-    count = as_integer(size) or 0
-    session.limits.check_items(count * count)
-    return identity(count)
+def _diagonal_items(value: Value) -> Iterable[Value]:
+    return value.entries if isinstance(value, Array) else parts_of(value) or (value,)
+
+
+def identity_matrix(session: Session, size: Value, columns: Value | None = None) -> Value:
+    """IdentityMatrix(n [, m]): ones on the diagonal of n rows and m columns."""
+    rows = as_integer(size) or 0
+    made = zero_matrix(session, size, columns)
+    assert isinstance(made, Array)
+    for i in range(min(rows, made.columns)):
+        made.entries[i * made.columns + i] = number(1)
+    return made
 
 
 def zero_matrix(session: Session, rows: Value, columns: Value | None = None) -> Value:

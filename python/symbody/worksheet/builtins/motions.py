@@ -255,9 +255,8 @@ def _made(
 
 def odeplot(session: Session, solution: Value, what: Value | None = None, *options: Value) -> Value:
     """plots[odeplot](solution, [t, x(t)], a..b): curves of expressions of the solution."""
-    found = session.resolve(solution)
-    motion = found.function if isinstance(found, Builtin) else None
-    if not isinstance(motion, NumericSolution):
+    motion = _motion(session, solution)
+    if motion is None:
         raise WorksheetError("odeplot: expected what dsolve(.., numeric) returns")
     span = next((each for each in (what, *options) if isinstance(each, Range)), None)
     first, last = (
@@ -274,6 +273,16 @@ def odeplot(session: Session, solution: Value, what: Value | None = None, *optio
         columns = motion.rows(session, [*times], axes)
         curves.append(Piece("curve", columns, tuple(session.text(each) for each in axes)))
     return Plot("curves", tuple(styled(session, curves, named)), tuple(named.items()))
+
+
+def _motion(session: Session, solution: Value) -> NumericSolution | None:
+    """Return the motion that dsolve has returned, as one procedure or as a list of procedures."""
+    found = session.resolve(solution)
+    if isinstance(found, Listed) and found.items and isinstance(found.items[0], Relation):
+        found = session.resolve(found.items[0].right)
+    made = found.function if isinstance(found, Builtin) else None
+    made = made.solution if isinstance(made, _One) else made
+    return made if isinstance(made, NumericSolution) else None
 
 
 def _axes(session: Session, motion: NumericSolution, what: Value | None) -> list[list[Expr]]:

@@ -195,7 +195,8 @@ def fsolve(session: Session, equations: Value, unknowns: Value | None = None, *o
     if others:
         names = ", ".join(sorted(session.text(each) for each in others))
         raise WorksheetError(
-            f"fsolve: {names} {'is' if len(others) == 1 else 'are'} in the equations but solved for"
+            f"fsolve: {names} {'is' if len(others) == 1 else 'are'} in the equations, and not solved for; give numbers "
+            "by subs, or solve for it too"
         )
     values = newton(
         residuals, wanted, [starts.get(each) for each in wanted], [ranges.get(each) for each in wanted]

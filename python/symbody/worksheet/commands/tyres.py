@@ -10,7 +10,18 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from symbody.deferred import Deferred
-from symbody.geometry import Frame, Point, Vector, cross, ground, origin, rotate, translate
+from symbody.geometry import (
+    Frame,
+    Point,
+    Vector,
+    cross,
+    dot,
+    frozen_velocity,
+    ground,
+    origin,
+    rotate,
+    translate,
+)
 from symbody.geometry.frame.frame import Rows4
 from symbody.geometry.motion.principal_rotation import Rotation
 from symbody.symbolic import ENERGY, Expr, atan2, derivation, number, pi, symbol
@@ -41,6 +52,11 @@ def make_TIRE(session: Session, wheel: Value, *arguments: Value) -> Value:
     scalars = [session.current(each) for each in arguments[:11]]
     scalars += [number(0)] * (11 - len(scalars))
     y, z, spin, y_def, z_def, *loads = scalars
+    if isinstance(z, Expr) and isinstance(z_def, Expr) and (z + z_def).is_zero:
+        session.notice(
+            "make_TIRE: the radius z + z_def is zero, so that the tyre touches the road at the centre of the wheel; "
+            "expected the distance from there to the contact, such as make_TIRE(wheel, 0, R, 0, 0, 0, X, Y, -N)"
+        )
     road = arguments[11] if len(arguments) > 11 else frame_face.ground_face(mechanics(session))
     table = made(
         "TIRE",
@@ -95,7 +111,13 @@ def _contact(reader: Reader, table: Value) -> _Contact:
 
 
 def _kinematics(wheel: Body, shape: TireShape, surface: Frame, carrier: Frame | None) -> TireKinematics:
-    return multibody.tire_kinematics(wheel, shape, road=surface, carrier=carrier, spin_axis="-Y")
+    """Return how a wheel moves on a plane at rest; the frame that shows where it is may go with the car."""
+    found = multibody.tire_kinematics(wheel, shape, road=surface, carrier=carrier, spin_axis="-Y")
+    if surface.ancestor.carrier is not None:
+        return found
+    base = frozen_velocity(found.contact, surface)
+    along, across = dot(base, found.longitudinal), dot(base, found.lateral)
+    return found._replace(VS=found.VS + along, VN=found.VN + across)
 
 
 def tyre_axes(wheel: Frame, road: Frame) -> tuple[Frame, bool]:

@@ -117,13 +117,25 @@ def _by_places(session: Session, node: Expr) -> Expr:
             f"{_PREFIX}{node.name} doesn't obey the chain rule: its derivative by t is not the sum of those by its "
             "arguments; expected diff(a,t)*.. + diff(b,t)*.. in a rule of several arguments"
         )
-    dummies = _dummies(node)
-    first = next(place for place, order in enumerate(node.orders) if order)
-    slope = slopes[first]
-    for place, order in enumerate(node.orders):
-        for _ in range(order - (place == first)):
-            slope = slope.diff(dummies[place])
-    return slope.subs(dict(zip(dummies, node.args, strict=True)))
+    return _of_slopes(node, slopes)
+
+
+def _of_slopes(node: Expr, slopes: list[Expr]) -> Expr:
+    """Return a derivative D[i, j, ..](f)(arguments) of slopes f_i.
+
+    Rules of quasi-coordinates are no derivatives of a function: ``D[1, 2](f)`` may be f_1 by the second argument or f_2
+    by the first. With each place in turn as the one that is derived first, the mean is what n derivatives by the time
+    make of ``f_1 a' + f_2 b'``.
+    """
+    dummies, orders = _dummies(node), node.orders
+    total = number(0)
+    for first, slope in enumerate(slopes):
+        part = slope
+        for place, order in enumerate(orders):
+            for _ in range(max(order - (place == first), 0) if orders[first] else 0):
+                part = part.diff(dummies[place])
+        total += part * orders[first] / sum(orders)
+    return total.subs(dict(zip(dummies, node.args, strict=True)))
 
 
 def _dummies(node: Expr) -> tuple[Expr, ...]:

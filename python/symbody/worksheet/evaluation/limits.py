@@ -25,6 +25,7 @@ class Limits:
         memory: the bytes by which the process may grow during a statement.
         depth: nested calls of procedures.
         items: items of a sequence or a matrix.
+        nested: the expressions that are being evaluated inside each other.
         deadline: when the time of the statement is over.
         resident: the memory of the process when the statement began; infinite outside of statements.
         asked: when the process was last asked for its memory.
@@ -34,6 +35,7 @@ class Limits:
     memory: float = 2e9
     depth: int = 150
     items: int = 1_000_000
+    nested: int = 0
     deadline: float = float("inf")
     resident: float = float("inf")
     asked: float = 0.0
@@ -43,6 +45,7 @@ class Limits:
         self.asked = time.monotonic()
         self.deadline = self.asked + self.seconds
         self.resident = resident_memory()
+        self.nested = 0
 
     def check(self) -> None:
         """Raise an error if the statement has run for too long, or has taken too much memory."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias
@@ -64,7 +64,7 @@ class Options:
 
 _KEPT = (
     *("folder", "source", "any_folder", "lines", "notices", "limits", "drawings"),
-    *("call", "evaluate", "run", "parsed", "rebuild", "select", "overload", "face"),
+    *("call", "evaluate", "execute", "run", "parsed", "rebuild", "select", "overload", "face"),
 )
 """What ``restart`` doesn't forget."""
 
@@ -100,6 +100,7 @@ class Session:
         seen: evaluated scalars (`current`).
         call: calls a function with arguments; set by the interpreter.
         evaluate: evaluates an expression; set by the interpreter.
+        execute: executes the statements of a procedure, and returns the last value; set by the interpreter.
         run: runs statements given as a text; set by the interpreter.
         parsed: evaluates an expression given as a text; set by the interpreter.
         rebuild: makes a scalar anew with other values for its symbols; set by the interpreter.
@@ -136,6 +137,7 @@ class Session:
     files: dict[Any, Any] = field(default_factory=dict)
     call: Callable[[Value, tuple[Value, ...]], Value] = field(default=lambda function, arguments: NULL)
     evaluate: Callable[[syntax.Expression], Value] = field(default=lambda node: NULL)
+    execute: Callable[[Iterable[syntax.Statement]], Value] = field(default=lambda statements: NULL)
     run: Callable[[str], None] = field(default=lambda text: None)
     parsed: Callable[[str], Value] = field(default=lambda text: NULL)
     rebuild: Callable[[Expr, dict[Expr, Value]], Value] = field(default=lambda scalar, values: scalar)
@@ -185,6 +187,10 @@ class Session:
         (`face`).
         """
         return current.current(self, value, arrays=True)
+
+    def evaluated(self, nodes: Iterable[syntax.Expression]) -> tuple[Value, ...]:
+        """Return the values of several expressions, sequences among them opened."""
+        return tuple(current.flattened(self.evaluate(node) for node in nodes))
 
     def value(self, name: str) -> Value:
         """Return what a name stands for: its last name if that is a table, a procedure or an old matrix."""

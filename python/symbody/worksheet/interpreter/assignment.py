@@ -6,7 +6,8 @@ from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, UndefinedFunction
 from symbody.worksheet.evaluation.select import assigned_entry, key_of
 from symbody.worksheet.evaluation.session import Scope, Session
-from symbody.worksheet.interpreter.evaluate import Evaluator
+from symbody.worksheet.interpreter.concatenation import concatenation
+from symbody.worksheet.interpreter.quote import unevaluated
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.values.numeric import as_float
 from symbody.worksheet.values.value import Array, Listed, Reference, Sequence, Table, Value
@@ -21,12 +22,12 @@ _PROTECTED = frozenset(
 class Assignments:
     """Executes assignments in a session."""
 
-    def __init__(self, session: Session, evaluator: Evaluator) -> None:
-        self.session, self.evaluator = session, evaluator
+    def __init__(self, session: Session) -> None:
+        self.session = session
 
     def execute(self, node: syntax.Assignment) -> Value:
         """Assign the values of the right side to the targets of the left side, and return them."""
-        value = self.evaluator.evaluate(node.value)
+        value = self.session.evaluate(node.value)
         if len(node.targets) == 1:
             self._assign(node.targets[0], value)
             return value
@@ -44,7 +45,7 @@ class Assignments:
         if isinstance(target, syntax.Delayed):
             target = target.body
         if isinstance(target, syntax.Name | syntax.Concatenation):
-            self.name(self.evaluator.concatenation(target), value, target)
+            self.name(concatenation(self.session, target), value, target)
         elif isinstance(target, syntax.Selection):
             self._assign_entry(target, value)
         elif isinstance(target, syntax.Call) and isinstance(
@@ -114,14 +115,14 @@ class Assignments:
 
     def _assign_entry(self, target: syntax.Selection, value: Value) -> None:
         session = self.session
-        indices = self.evaluator.arguments(target.indices)
+        indices = self.session.evaluated(target.indices)
         if isinstance(target.whole, syntax.Name | syntax.Concatenation):
-            name = self.evaluator.concatenation(target.whole)
+            name = concatenation(self.session, target.whole)
             held = session.value(name)
         elif isinstance(target.whole, syntax.Selection):
-            name, held = "", self.evaluator.evaluate(target.whole)
+            name, held = "", self.session.evaluate(target.whole)
         else:
-            name, held = "", self.evaluator.evaluate(target.whole)
+            name, held = "", self.session.evaluate(target.whole)
         holder = session.resolve(held)
         if isinstance(holder, Table | Array):
             assigned_entry(session, holder, indices, value)
@@ -158,11 +159,11 @@ class Assignments:
     def _assign_call(self, target: syntax.Call, value: Value) -> None:
         session = self.session
         if isinstance(target.function, syntax.Selection):
-            head = self.evaluator.unevaluated(target.function)
+            head = unevaluated(self.session, target.function)
             name = head.name if isinstance(head, Expr) else ""
         else:
-            name = self.evaluator.concatenation(target.function)
-        arguments = self.evaluator.arguments(target.arguments)
+            name = concatenation(self.session, target.function)
+        arguments = self.session.evaluated(target.arguments)
         scalars = [each for each in arguments if isinstance(each, Expr)]
         plain = UndefinedFunction(name)(*scalars) if scalars and len(scalars) == len(arguments) else None
         if plain is not None and value == plain:

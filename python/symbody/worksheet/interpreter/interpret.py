@@ -14,9 +14,11 @@ from symbody.worksheet.builtins.files import read_file, save_file
 from symbody.worksheet.commands import mbsymba, operators
 from symbody.worksheet.evaluation.condition import truth
 from symbody.worksheet.evaluation.session import Session
+from symbody.worksheet.interpreter import evaluate
 from symbody.worksheet.interpreter.assignment import Assignments
-from symbody.worksheet.interpreter.evaluate import Evaluator
+from symbody.worksheet.interpreter.concatenation import concatenation
 from symbody.worksheet.interpreter.procedure import Leave, Returned
+from symbody.worksheet.interpreter.quote import unevaluated
 from symbody.worksheet.mechanics import frame_face
 from symbody.worksheet.reading.files import source_cells
 from symbody.worksheet.reading.statements import statements
@@ -55,9 +57,9 @@ class Interpreter:
 
     def __init__(self, session: Session | None = None) -> None:
         self.session = session or Session()
-        self.evaluator = Evaluator(self.session)
-        self._assignments = Assignments(self.session, self.evaluator)
-        self.evaluator.execute = self._body
+        self._assignments = Assignments(self.session)
+        evaluate.install(self.session)
+        self.session.execute = self._body
         self.session.run = self.run
         self.session.parsed = self.parsed
         self.session.overload = operators.overloaded
@@ -98,7 +100,6 @@ class Interpreter:
         session.resolving.clear()
         session.depends.clear()
         self._level = self._quiet = 0
-        self.evaluator.depth = 0
         frames = sys.getrecursionlimit()
         sys.setrecursionlimit(max(frames, _FRAMES))
         try:
@@ -138,7 +139,7 @@ class Interpreter:
         for statement in _statements_of(text):
             if not isinstance(statement, syntax.Evaluation):
                 raise WorksheetError(f"{text[:60]!r} is not an expression")
-            value = self.evaluator.evaluate(statement.expression)
+            value = self.session.evaluate(statement.expression)
         return value
 
     # --- statements ---------------------------------------------------------------------------------------------------
@@ -169,10 +170,10 @@ class Interpreter:
 
     def _target_text(self, target: syntax.Expression) -> str:
         if isinstance(target, syntax.Name | syntax.Concatenation):
-            return builtins.name_text(self.evaluator.concatenation(target))
-        value = self.evaluator.unevaluated(target)
+            return builtins.name_text(concatenation(self.session, target))
+        value = unevaluated(self.session, target)
         if isinstance(target, syntax.Selection):
-            indices = ", ".join(self.session.text(each) for each in self.evaluator.arguments(target.indices))
+            indices = ", ".join(self.session.text(each) for each in self.session.evaluated(target.indices))
             return f"{self._target_text(target.whole)}[{indices}]"
         return self.session.text(value)
 
@@ -189,13 +190,13 @@ class Interpreter:
             self.session.restart()
             mbsymba.install(self.session)
             return NULL
-        return self.evaluator.evaluate(node)
+        return self.session.evaluate(node)
 
     # --- control ------------------------------------------------------------------------------------------------------
 
     def _if(self, node: syntax.If) -> Value:
         for condition, body in node.branches:
-            if truth(self.session, self.evaluator.evaluate(condition)):
+            if truth(self.session, self.session.evaluate(condition)):
                 return self._nested(body, shown=node.shown)
         return self._nested(node.otherwise, shown=node.shown)
 
@@ -212,9 +213,7 @@ class Interpreter:
             self.session.limits.check()
             if node.variable is not None:
                 self._assignments.name(node.variable, item, syntax.Name(node.variable, place=node.place))
-            if node.condition is not None and not truth(
-                self.session, self.evaluator.evaluate(node.condition)
-            ):
+            if node.condition is not None and not truth(self.session, self.session.evaluate(node.condition)):
                 break
             try:
                 value = self._nested(node.body, shown=node.shown)
@@ -225,7 +224,7 @@ class Interpreter:
 
     def _passes(self, node: syntax.For) -> Iterable[Value]:
         if node.items is not None:
-            yield from builtins.items_of(self.session, self.evaluator.evaluate(node.items))
+            yield from builtins.items_of(self.session, self.session.evaluate(node.items))
             return
         at, step = (self._bound(each) if each is not None else number(1) for each in (node.start, node.step))
         stop = None if node.stop is None else self._bound(node.stop)
@@ -236,7 +235,7 @@ class Interpreter:
             self._assignments.name(node.variable, at, syntax.Name(node.variable, place=node.place))
 
     def _bound(self, node: syntax.Expression) -> Expr:
-        value = self.evaluator.evaluate(node)
+        value = self.session.evaluate(node)
         if not isinstance(value, Expr) or as_float(value) is None:
             raise WorksheetError(
                 f"the bound {self.session.text(value)[:60]} of a loop is not a number", node.place
@@ -244,13 +243,13 @@ class Interpreter:
         return value
 
     def _return(self, node: syntax.Return) -> Value:
-        raise Returned(NULL if node.value is None else self.evaluator.evaluate(node.value))
+        raise Returned(NULL if node.value is None else self.session.evaluate(node.value))
 
     def _leave(self, *, whole: bool) -> Value:
         raise Leave(whole=whole)
 
     def _raise(self, node: syntax.Raise) -> Value:
-        values = self.evaluator.arguments(node.arguments)
+        values = self.session.evaluated(node.arguments)
         texts = [each.text if isinstance(each, String) else self.session.text(each) for each in values]
         message = texts[0] if texts else "unspecified error"
         for i, text in enumerate(texts[1:], 1):
@@ -286,14 +285,14 @@ class Interpreter:
     def _read(self, node: syntax.Read) -> Value:
         self._quiet += not node.shown
         try:
-            return read_file(self.session, self.evaluator.evaluate(node.file))
+            return read_file(self.session, self.session.evaluate(node.file))
         finally:
             self._quiet -= not node.shown
 
     def _save(self, node: syntax.Save) -> Value:
-        *names, file = (self.evaluator.unevaluated(each) for each in node.arguments)
+        *names, file = (unevaluated(self.session, each) for each in node.arguments)
         found = (
-            self.evaluator.evaluate(node.arguments[-1])
+            self.session.evaluate(node.arguments[-1])
             if isinstance(file, Expr | Quoted | Unevaluated)
             else file
         )
@@ -303,7 +302,7 @@ class Interpreter:
         for each in node.variables:
             if each.default is not None:
                 self._assignments.name(
-                    each.name, self.evaluator.evaluate(each.default), syntax.Name(each.name, place=node.place)
+                    each.name, self.session.evaluate(each.default), syntax.Name(each.name, place=node.place)
                 )
         return NULL
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -56,18 +56,14 @@ class ProcedureCall:
     name: str
 
 
-Execute: TypeAlias = Callable[[Iterable[syntax.Statement]], Value]
-"""Executes statements, and returns the last value."""
-
-
-def call_procedure(session: Session, execute: Execute, call: ProcedureCall) -> Value:
+def call_procedure(session: Session, call: ProcedureCall) -> Value:
     """Return the value of a procedure: that of ``return``, or of its last statement."""
     procedure, arguments = call.procedure, call.arguments
     remembers = "remember" in getattr(procedure.definition, "options", ()) and _are_constant(arguments)
     if remembers and arguments in procedure.results:
         result: Value = session.current(procedure.results[arguments])
         return result
-    value = _called(session, execute, call)
+    value = _called(session, call)
     if remembers:
         procedure.results[arguments] = value
     return value
@@ -82,7 +78,7 @@ def _are_constant(arguments: tuple[Value, ...]) -> bool:
     )
 
 
-def _called(session: Session, execute: Execute, call: ProcedureCall) -> Value:
+def _called(session: Session, call: ProcedureCall) -> Value:
     """Return the value of a procedure, worked out."""
     if len(session.scopes) >= session.limits.depth:
         raise WorksheetError(f"{call.name}: too many levels of recursion ({session.limits.depth})")
@@ -92,7 +88,7 @@ def _called(session: Session, execute: Execute, call: ProcedureCall) -> Value:
     packages = session.packages
     session.packages = packages | _used(call.procedure.definition)
     try:
-        return _executed(session, execute, call.procedure.definition)
+        return _executed(session, call.procedure.definition)
     except Returned as returned:
         return returned.value
     except WorksheetError as error:
@@ -111,11 +107,11 @@ def _used(definition: Definition) -> dict[str, Command]:
     return {name: command for use in uses for name, command in PACKAGES.get(use, {}).items()}
 
 
-def _executed(session: Session, execute: Execute, definition: Definition) -> Value:
+def _executed(session: Session, definition: Definition) -> Value:
     if isinstance(definition, syntax.Procedure):
-        return execute(definition.body)
+        return session.execute(definition.body)
     if isinstance(definition.body, syntax.If):
-        return execute((definition.body,))
+        return session.execute((definition.body,))
     return session.evaluate(definition.body)
 
 

@@ -270,7 +270,12 @@ class Reader:
         value = get(table, name)
         if value is None or kind_of(self.session.resolve(value)) != "BODY":
             return None
-        return self.body(value)
+        known = list(self._bodies.values())
+        body = self.body(value)
+        if body in known or isinstance(value, Reference):
+            return body
+        # A file that was read holds a copy of the body in each load on it, if the body was an entry of a table.
+        return next((each for each in known if _are_alike(each, body)), body)
 
     def bodies_and_loads(self, value: Value) -> tuple[list[Body], list[Load]]:
         """Return what a set or a list holds; forces on bodies that aren't in it are skipped, with a message."""
@@ -287,6 +292,11 @@ class Reader:
             else:
                 name = item.name if isinstance(item, Reference) else "?"
                 self.session.lines.append(f"<{name}> {kind} is not valid: it must be applied to a BODY")
+                if kind == "TIRE":
+                    self.session.notice(
+                        f"{self.where}: the tyre {name} is left out, because it is no load; expected its force and "
+                        f"torque, tire_forces({name}), in the set"
+                    )
         for force, where in left_place.left_places(bodies, loads):
             self.session.notice(
                 f"{self.where}: the force {force.name or '?'} acts on {force.on.name or 'a body'} at {where}, from "
@@ -297,6 +307,11 @@ class Reader:
 
     def _is(self, value: Value, kind: str) -> bool:
         return kind_of(self.session.resolve(value)) == kind
+
+
+def _are_alike(one: Body, other: Body) -> bool:
+    """Whether two bodies move in the same way, and have the same mass and inertia."""
+    return (one.frame, one.mass, one.inertia) == (other.frame, other.mass, other.inertia)
 
 
 def members(session: Session, value: Value) -> tuple[Value, ...]:

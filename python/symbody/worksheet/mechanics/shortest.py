@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from symbody.symbolic import Expr, readable, simplify
+from symbody.symbolic import Expr, simplify
+from symbody.symbolic.calculus.rewrite import short_form
 
 __all__ = ["shortest"]
 
@@ -42,6 +43,6 @@ def _shorter(expression: Expr) -> Expr:
     length = len(str(expression))
     if expression.is_variable or expression.is_number or length > _LONG:
         return expression
-    found = readable(expression)
+    found = short_form(expression)
     candidates = [expression, found, *([simplify(found)] if len(str(found)) < _SHORT else [])]
     return min(candidates, key=lambda each: len(str(each)))

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import base64
+import re
 from dataclasses import dataclass, field
 from xml.parsers import expat
 
 from symbody.errors import WorksheetError
-from symbody.worksheet.sheet.source import Cell, Line
+from symbody.worksheet.sheet.source import Cell, Line, SyntaxMistake
+from symbody.worksheet.sheet.syntax import Place
 
 __all__ = ["mw_cells"]
 
@@ -28,43 +31,77 @@ class _Reader:
     input: list[Line] = field(default_factory=list)
     printed: list[str] = field(default_factory=list)
     prose: list[str] = field(default_factory=list)
+    unread: list[SyntaxMistake] = field(default_factory=list)
+    formula: list[str] | None = None
     tags: list[tuple[str, str]] = field(default_factory=list)
     text: list[tuple[str, int, int]] = field(default_factory=list)
+    words: list[str] = field(default_factory=list)
 
     def begin(self, tag: str, attributes: dict[str, str]) -> None:
         """Take the beginning of an element."""
         if tag == "Group":
             self.close()
-        if tag == "Equation" and self._within("Input") and attributes.get("input-equation", "").strip():
-            self._add(attributes["input-equation"])
+        if tag == "Equation" and self._within("Input"):
+            text = attributes.get("input-equation", "")
+            is_input = attributes.get("style") == "2D Input" and attributes.get("executable") != "false"
+            if text.strip():
+                self._add(text)
+            elif is_input:
+                self.formula = []
         if tag in _DRAWN and self._within("Output"):
             self.printed.append(_DRAWN[tag])
-        self.tags.append((tag, attributes.get("style", "")))
+        self.tags.append((tag, _style(tag, attributes)))
 
     def end(self, tag: str) -> None:
         """Take the end of an element."""
         if tag == "Text-field":
             self._end_field()
+        if tag == "Equation" and self.formula is not None:
+            self._end_formula("".join(self.formula))
         self.tags.pop()
         if tag == "Group":
             self.close()
 
     def characters(self, text: str) -> None:
         """Take text."""
+        if self.formula is not None:
+            self.formula.append(text)
         if self._within("Equation") or self._within("Image") or self._within("Plot"):
             return  # what is drawn is stored in Maple's own encoding
-        if self._within("Text-field") and not self._is_text_in_code():
+        if self._within("Text-field"):
             self._add(text)
 
     def close(self) -> None:
         """Complete a cell, if it has code."""
-        if self.input:
-            cell = Cell(tuple(self.input), tuple(self.printed), tuple(self.prose), remarks_lost_marks=False)
+        if self.input or self.unread:
+            cell = Cell(
+                tuple(self.input),
+                tuple(self.printed),
+                tuple(self.prose),
+                remarks_lost_marks=False,
+                unread=tuple(self.unread),
+            )
             self.cells.append(cell)
-            self.input, self.printed, self.prose = [], [], []
+            self.input, self.printed, self.prose, self.unread = [], [], [], []
 
     def _add(self, text: str) -> None:
-        self.text.append((text, self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber + 1))
+        if self._within("Input") and self._style() in _CODE_STYLES:
+            place = self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber + 1
+            self.text.append((text, *place))
+        elif not (self._within("Input") and self._field_style() in _CODE_STYLES):
+            self.words.append(text)  # text in a field of code is a remark
+
+    def _end_formula(self, stored: str) -> None:
+        """Take a formula of the input of which the file has no text; that of an empty prompt has no letter."""
+        self.formula = None
+        if not _has_letters(stored):
+            return
+        line, column = self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber + 1
+        message = (
+            f"line {line}, column {column}: input in two dimensions, which the file stores in Maple's own encoding; "
+            "expected text: in Maple, convert it to 1-D Math Input (menu Format, Convert To), and save again"
+        )
+        self.unread.append(SyntaxMistake(Place(line, column, line, column), message))
 
     def _within(self, tag: str) -> bool:
         return any(name == tag for name, _ in self.tags)
@@ -72,24 +109,27 @@ class _Reader:
     def _field_style(self) -> str:
         return next((style for tag, style in reversed(self.tags) if tag == "Text-field"), "")
 
-    def _is_text_in_code(self) -> bool:
-        """Whether the text is a remark: a font of prose in a field of code."""
-        fonts = [style for tag, style in self.tags if tag == "Font"]
-        return self._is_code() and bool(fonts) and fonts[-1] in {"Text", "Normal"}
-
-    def _is_code(self) -> bool:
-        return self._within("Input") and self._field_style() in _CODE_STYLES
+    def _style(self) -> str:
+        """Return the style of the text at hand: of its font, or of its field."""
+        fonts = [style for tag, style in self.tags if tag == "Font" and style]
+        return fonts[-1] if fonts else self._field_style()
 
     def _end_field(self) -> None:
-        code, style = self._is_code(), self._field_style()
-        text = "".join(piece for piece, _, _ in self.text)
-        if code:
-            self.input += _lines(self.text)
-        elif self._within("Output") or style.startswith(_PRINTED_STYLES):
-            self.printed += [block for block in [text.strip()] if block]
-        elif text.strip():
-            self.prose.append(text.strip())
-        self.text = []
+        text, style = "".join(self.words).strip(), self._field_style()
+        self.input += _lines(self.text)
+        if text and (self._within("Output") or style.startswith(_PRINTED_STYLES)):
+            self.printed.append(text)
+        elif text:
+            self.prose.append(text)
+        self.text, self.words = [], []
+
+
+def _style(tag: str, attributes: dict[str, str]) -> str:
+    """Return the style of an element; what may be executed is code, and a field with a prompt unless it says more."""
+    executable, style = attributes.get("executable", ""), attributes.get("style", "")
+    if tag == "Font":
+        return "Text" if executable == "false" else style or ("Maple Input" if executable == "true" else "")
+    return style or ("Maple Input" if "prompt" in attributes else "")
 
 
 def mw_cells(text: str) -> tuple[Cell, ...]:
@@ -110,6 +150,21 @@ def mw_cells(text: str) -> tuple[Cell, ...]:
         raise WorksheetError(f"the worksheet is not complete XML: {error}; save it again as .mw") from None
     reader.close()
     return tuple(reader.cells)
+
+
+def _has_letters(stored: str) -> bool:
+    """Whether a formula in Maple's own encoding has an identifier, a number or an operator that isn't empty.
+
+    These are elements of MathML with a string ``Q``, behind which ``!`` says that it has no characters.
+    """
+    try:
+        text = base64.b64decode(stored, validate=False).decode("latin-1")
+    except ValueError:
+        return True
+    return "Typesetting" not in text or _LETTERS.search(text) is not None
+
+
+_LETTERS = re.compile(r"6.Q[^!]")
 
 
 def _refuse_entity(*_: object) -> None:

@@ -37,6 +37,7 @@ def statements(cell: Cell, used: Collection[str] = ()) -> Iterator[Statement | R
     The end of the cell ends a statement. Behind a mistake, reading goes on with the next statement. ``used`` are the
     names in the code of the whole sheet (`names_in_code`); words that are not among them can be remarks.
     """
+    yield from cell.unread
     lines = [tokens_of(line) for line in without_block_remarks(cell.input)]
     tokens = [token for line in lines for token in line]
     if tokens and tokens[-1].type not in TERMINATORS:

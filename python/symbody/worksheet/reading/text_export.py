@@ -6,7 +6,7 @@ as statements, each with its terminator; it is output if it can be read as a val
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass, field
 
 from lark import Token
@@ -29,6 +29,8 @@ from symbody.worksheet.sheet.printing_statement import PRINTING
 from symbody.worksheet.sheet.source import Cell, Line, Remark, SyntaxMistake
 
 __all__ = ["text_export_cells"]
+
+_TRUTHS = frozenset({"true", "false", "FAIL"})
 
 #: How many lines without a prompt can stand in an open bracket.
 _HELD = 20
@@ -63,6 +65,14 @@ class _Cells:
             self.printed[-1] += f"\n{line}"
         else:
             self.printed.append(line)
+
+    def expected(self) -> Collection[str]:
+        """Return the names of the input, if it has statements that show more than what was printed so far."""
+        found = [each for each in statements(Cell(tuple(self.input))) if isinstance(each, syntax.Statement)]
+        shown = [each for each in found if each.shown]
+        if len(self.printed) >= len(shown):
+            return ()
+        return {str(token) for line in self.input for token in tokens_of(line) if token.type == "NAME"}
 
     def goes_on(self) -> bool:
         """Whether the last statement needs more, and nothing was printed behind it."""
@@ -119,7 +129,7 @@ def _read_code(cells: _Cells, lines: Sequence[Line]) -> None:
             cells.print_below(line.text)
         elif not cells.printed and _goes_on(cells.input, _unprompted(lines[index:])):
             cells.input.append(line)
-        elif _is_output(line.text):
+        elif _is_output(line.text, cells.expected):
             cells.print(line.text.strip())
         elif ":=" in line.text or line.text.rstrip().endswith((";", ":")):
             cells.input.append(line)  # it can't be read, and the mistake is reported
@@ -131,7 +141,8 @@ def _is_printed_below(code: Sequence[Line], lines: Sequence[Line], index: int) -
     """Whether a line without a prompt, behind a statement that has ended, is a printed text or part of a formula."""
     if not code or not _ends_statement(code[-1]) or is_open(code):
         return False
-    if index and is_layout("\n".join(each.text for each in lines[index - 1 : index + 1])):
+    around = (lines[max(index - 1, 0) : index + 1], _unprompted(lines[index : index + 2]))
+    if any(is_layout("\n".join(each.text for each in pair)) for pair in around):
         return True
     if is_indented(lines[index].text) and any(has_bar(each.text) for each in _unprompted(lines[index:])):
         return True
@@ -204,7 +215,7 @@ def _read_text(cells: _Cells, lines: Sequence[Line]) -> None:
         if text in seen:  # the export repeats an output that had several lines
             continue
         seen.append(text)
-        if _is_output(text):
+        if _is_output(text, cells.expected):
             cells.print(text)
         else:
             cells.close()
@@ -255,8 +266,11 @@ def _is_spaced_call(tokens: Sequence[Token]) -> bool:
     return len(tokens) > 1 and tokens[1] == "(" and tokens[0].end_column != tokens[1].column
 
 
-def _is_output(text: str) -> bool:
-    """Whether a line reads as a printed value, whole or cut, as a message or as a picture."""
+def _is_output(text: str, expected: Callable[[], Collection[str]] = tuple) -> bool:
+    """Whether a line reads as a printed value, whole or cut, as a message or as a picture.
+
+    Words are a value if they are true or false, or all of them `expected`: names of statements that printed too little.
+    """
     text = text.strip()
     if text.endswith("...") or is_picture(text) or is_message(text) or is_declaration(text):
         return True
@@ -266,7 +280,8 @@ def _is_output(text: str) -> bool:
     found = next_statement([*tokens, terminator_after(tokens[-1])])
     if isinstance(found, Failure) or found.end <= len(tokens):
         return False
-    return not _is_bare(found.statement)
+    words = {str(token) for token in tokens if token.type == "NAME"}
+    return not _is_bare(found.statement) or (bool(words) and words <= {*expected(), *_TRUTHS})
 
 
 def _is_bare(statement: syntax.Statement) -> bool:

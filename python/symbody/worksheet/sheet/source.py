@@ -28,12 +28,14 @@ class Cell:
         prose: the text before it.
         remarks_lost_marks: text behind the last terminator of a line, without one of its own, is a remark: exports to
             text leave out the marks of remarks.
+        unread: input of which the file has no text.
     """
 
     input: tuple[Line, ...]
     printed: tuple[str, ...] = ()
     prose: tuple[str, ...] = ()
     remarks_lost_marks: bool = True
+    unread: tuple[SyntaxMistake, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

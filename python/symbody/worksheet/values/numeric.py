@@ -16,9 +16,8 @@ def decimal(value: float, digits: int = 10) -> Expr:
     digits = min(digits, 16)
     if not math.isfinite(value):
         raise WorksheetError("the value is not a finite number")
-    return number(
-        f"{value:.{digits}g}" if value != int(value) or abs(value) >= 10**digits else repr(float(value))
-    )
+    text = f"{value:.{digits}g}"
+    return number(text if "." in text else text.replace("e", ".0e") if "e" in text else f"{text}.0")
 
 
 def as_float(value: Expr) -> float | None:

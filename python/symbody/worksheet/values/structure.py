@@ -129,8 +129,7 @@ def _derivative(value: Expr, function: Tree, variable: Tree) -> Tree:
 def _application(node: Expr, parts: list[Tree]) -> Tree:
     plain = UndefinedFunction(node.name)(*node.args)
     varied = [(part, order) for part, order in zip(parts, node.orders, strict=True) if order]
-    names = [part.value for part in parts]
-    if all(part.kind == "name" and names.count(part.value) == 1 for part, _ in varied):
+    if all(part.kind == "name" and _is_in_one(part.value, node.args) for part, _ in varied):
         tree, value = _call(plain, node.name, parts), plain
         for part, order in varied:
             for _ in range(order):
@@ -143,6 +142,14 @@ def _application(node: Expr, parts: list[Tree]) -> Tree:
         order = node.orders[0]
         operator = f"D({node.name})" if order == 1 else f"(D@@{order})({node.name})"
     return _call(node, operator, parts)
+
+
+def _is_in_one(variable: Expr, arguments: tuple[Expr, ...]) -> bool:
+    """Whether one argument alone holds a variable, so that ``diff`` by it is the derivative by a place."""
+    return (
+        sum(variable in each.free_symbols or (variable == t and each.depends_on_time) for each in arguments)
+        == 1
+    )
 
 
 def _call(value: Expr, name: str, arguments: list[Tree]) -> Tree:

@@ -1,0 +1,70 @@
+"""One equation of motion on a page of its own, with the names that it needs."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from symbody.multibody import Variables
+from symbody.symbolic import Expr
+from symbody.symbolic.expression.latex_layout import ARTICLE, aligned, broken, displayed
+
+from .balance import Balance
+from .page import lines_of
+from .row import printed, written
+from .short_names import Definition, in_order_of_use, occurs, shortened
+
+
+@dataclass(frozen=True)
+class EquationPage:
+    """The equation of one speed in the form for the reader.
+
+    Attributes:
+        system: the system to which it belongs.
+        speed: the coordinate whose speed it is, or the quasi-velocity.
+        balance: the equation.
+        named: names in it, and what they stand for.
+    """
+
+    system: Variables
+    speed: Expr
+    balance: Balance
+    named: tuple[tuple[Expr, Expr], ...] = ()
+
+    def description(self) -> str:
+        """Return the equation line by line, after the quantities that have names: what `show` prints."""
+        return "\n".join([f"EQUATION OF MOTION of {self.speed}", *lines_of(self.texts)])
+
+    @cached_property
+    def texts(self) -> list[str]:
+        """The names with what they stand for, then the equation."""
+        definitions, (left, right) = self._row("text")
+        return [*(f"{name} := {value}" for name, value in definitions), f"{left} = {right}"]
+
+    def latex(self) -> str:
+        """Return the equation in LaTeX, after the quantities that have names; it is broken at terms."""
+        definitions, (left, right) = self._row("latex")
+        rows = [row for name, value in definitions for row in broken(f"{name} &= ", value, ARTICLE)]
+        return aligned([*rows, *broken("&", f"{left} = {right}", ARTICLE)])
+
+    def _repr_latex_(self) -> str:
+        return displayed(self.latex())
+
+    def _row(self, notation: str) -> tuple[list[Definition], list[str]]:
+        count, balance = len(self.balance.left), self.balance
+        named = [side for pair in self.named for side in pair]
+        shared, texts = printed([*balance.left, *balance.right, *named], notation, self.system)
+        sides = [written(texts[:count]), written(texts[count : len(texts) - len(named)])]
+        names = texts[len(texts) - len(named) :]
+        given = in_order_of_use([*shared, *zip(names[::2], names[1::2], strict=True)])
+        return shortened(sides, (), _used(given, sides), notation)
+
+
+def _used(definitions: list[Definition], sides: list[str]) -> list[Definition]:
+    """Return the definitions that an equation needs, in their order; each uses only those before it."""
+    needed, texts = list[Definition](), [*sides]
+    for name, value in reversed(definitions):
+        if occurs(name, texts):
+            needed.append((name, value))
+            texts.append(value)
+    return needed[::-1]

@@ -1,0 +1,132 @@
+"""Forms for the reader: the shortest text of a few forms, without brackets inside brackets of one factor."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from math import comb, prod
+from typing import Any, overload
+
+from symbody.symbolic._core import Expr
+from symbody.symbolic.expression.container import Kind, is_container, rewritten
+from symbody.symbolic.expression.leaves import ExprLike
+from symbody.symbolic.given.arguments import expression_or_container
+
+from .by_rates import by_rates
+from .cost import cost
+from .reading import awkward_terms, multiples_of_angles, nodes_of, reading
+from .rewrite import expand, expand_trig, short_form, simplify, textbook_form
+from .standard_names import standard_names
+
+__all__ = ["readable"]
+
+_TERMS = 1500
+"""The terms of an expression up to which it is multiplied out, as this takes some time."""
+_OF_COEFFICIENT = 1000
+"""The same of one coefficient among many."""
+_READ = 250
+"""Operations of an expression up to which all forms are tried."""
+_LONG = 20_000
+"""Characters from which on an expression is as long in any form."""
+_FLAT = 8
+"""Characters by which a form without nested brackets may be longer than the simplest one."""
+
+
+@overload
+def readable(expression: ExprLike) -> Expr: ...
+@overload
+def readable(expression: Kind) -> Kind: ...
+def readable(expression: Any) -> Any:
+    """Return the form that a textbook would print: for the page, not for code, since it may cost more operations.
+
+    Of a fixed list of forms, the one with the shortest text is taken; one of them has a coefficient for each
+    acceleration and each product of speeds, and one is multiplied out and simplified. Multiples of angles that the
+    expression does not have count as longer. The text is never longer than that of the expression, unless that has
+    a factor before brackets in which it occurs again, as ``c + x*(a + b*x)``. Parts that are too large stay as they
+    are. The value at the random point proves that the mathematics is unchanged.
+
+    >>> from symbody import cos, readable, sin, symbols
+    >>> m, l, c, a, b = symbols("m l c a b")
+    >>> readable(m * (l * l + 2 * c * l * cos(a)) + m * c**2)
+    m*(c**2 + l**2 + 2*c*l*cos(a))
+    >>> readable(sin(a) * cos(b) + cos(a) * sin(b))
+    sin(a + b)
+    """
+    if is_container(expression):
+        return rewritten(expression, lambda parts: tuple(map(_most_readable, parts)), "readable")
+    return _most_readable(expression_or_container(expression, "readable"))
+
+
+def _most_readable(expression: Expr) -> Expr:
+    """Return the form that reads shortest; of equals, the first one."""
+    form = short_form(expression)
+    if form.is_variable or form.is_number or len(str(form)) > _LONG:
+        return form
+    simplest = _simplest(expression)
+    found = _best((form, *_flat(simplest), *_forms(expression, form)), expression)
+    more = 0 if awkward_terms(found) else _FLAT
+    is_shorter = len(str(simplest)) + more < len(str(found)) and multiples_of_angles(
+        simplest
+    ) <= multiples_of_angles(expression)
+    return simplest if is_shorter else found
+
+
+def _forms(expression: Expr, form: Expr) -> Iterator[Expr]:
+    """Yield further forms: of the given expression in standard names, and of its form that was found first."""
+    if awkward_terms(form):
+        yield textbook_form(expression)
+        if _terms(expression) <= _TERMS:
+            yield expand(expression)
+    if form != expression:
+        yield from _flat(_simplest(form))
+    if cost(expression).total > _READ:
+        return
+    names = standard_names([], [expression])
+    standard = names.standard(expression)
+    yield from map(names.original, _flat(_simplest(standard)))
+    found = by_rates(standard, _coefficient)
+    if found is not None:
+        yield names.original(found)
+
+
+def _simplest(expression: Expr, most: int = _TERMS) -> Expr:
+    """Return the simplest form that is found from the terms; what has too many stays as it is."""
+    return simplify(expand(expression)) if _terms(expression) <= most else expression
+
+
+def _flat(simplest: Expr) -> Iterator[Expr]:
+    yield simplest
+    yield short_form(simplest)
+    if multiples_of_angles(simplest):
+        yield short_form(expand_trig(simplest))
+
+
+def _coefficient(expression: Expr) -> Expr:
+    return _best((textbook_form(expression), *_flat(_simplest(expression, _OF_COEFFICIENT))), expression)
+
+
+def _best(forms: Iterable[Expr], given: Expr) -> Expr:
+    """Return the form that reads best, of those that have the value of the given expression."""
+    angles = multiples_of_angles(given)
+    return min((form for form in forms if form == given), key=lambda form: reading(form, angles))
+
+
+def _terms(expression: Expr) -> int:
+    """Return the number of terms of an expression when it is multiplied out; of long ones, one more than is allowed."""
+    counts = dict[int, int]()
+    for node in nodes_of(expression):
+        inner = [counts[arg.id] for arg in node.args]
+        if node.kind == "sum":
+            count = sum(inner)
+        elif node.kind == "product":
+            count = prod(inner)
+        elif node.kind == "power" and node.args[1].is_number:
+            top, bottom = node.args[1].ratio
+            count = comb(min(inner[0], _TERMS) + top - 1, top) if bottom == 1 and 1 < top < _POWER else 1
+        else:
+            count = max(inner, default=1)
+        counts[node.id] = min(count, _TERMS + 1)
+    return counts[expression.id]
+
+
+_POWER = 20
+"""Powers of sums from which on they are not multiplied out here."""

@@ -1,0 +1,84 @@
+"""How a form reads: the length of its text, and what a reader stumbles over."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from symbody.symbolic._core import Expr
+from symbody.symbolic.expression.traverse import post_order
+
+AWKWARD, _MULTIPLE = 5, 8
+"""Characters by which an awkward term, and new multiples of angles, make a form longer to a reader."""
+
+
+def reading(form: Expr, angles: set[Expr]) -> int:
+    """Return the length of a form to a reader.
+
+    Args:
+        form: the form.
+        angles: the multiples of angles that don't count, since the given expression has them.
+    """
+    awkward = AWKWARD * awkward_terms(form) + _MULTIPLE * len(multiples_of_angles(form) - angles)
+    return len(str(form)) + awkward
+
+
+def nodes_of(expression: Expr) -> list[Expr]:
+    """Return the nodes of an expression, parts first, each once."""
+    return post_order([expression], lambda node: node.args, lambda node: node.id)
+
+
+def multiples_of_angles(expression: Expr) -> set[Expr]:
+    """Return the angles such as 2*x of sines, cosines and tangents."""
+    waves = (node for node in nodes_of(expression) if node.kind == "function" and node.name in _WAVES)
+    return {wave.args[0] for wave in waves if any(abs(factor) != 1 for factor in _numbers(wave.args[0]))}
+
+
+_WAVES = frozenset({"sin", "cos", "tan"})
+
+
+def _numbers(angle: Expr) -> list[Expr]:
+    return [
+        part for node in nodes_of(angle) if node.kind == "product" for part in node.args if part.is_number
+    ]
+
+
+def awkward_terms(expression: Expr) -> int:
+    """Return how many terms of sums have a factor that occurs again in its brackets, or quotients in a quotient."""
+    terms = {
+        term.id: term for node in nodes_of(expression) if node.kind == "sum" for term in _parts(node, "sum")
+    }
+    nested = sum(map(_is_nested, terms.values()))
+    return nested + sum(map(_is_compound, nodes_of(expression)))
+
+
+def _is_nested(term: Expr) -> bool:
+    bases = {_base(factor) for factor in _parts(term, "product") if not factor.is_number}
+    return any(bases & {_base(factor) for factor in factors} for factors in _products_in(term))
+
+
+def _is_compound(node: Expr) -> bool:
+    is_quotient = any(map(_is_divisor, _parts(node, "product")))
+    return is_quotient and any(any(map(_is_divisor, factors)) for factors in _products_in(node))
+
+
+def _products_in(product: Expr) -> Iterator[list[Expr]]:
+    """Yield the factors of each term of the sums that are factors of a product."""
+    for factor in _parts(product, "product"):
+        if factor.kind == "sum":
+            yield from (_parts(term, "product") for term in _parts(factor, "sum"))
+
+
+def _is_divisor(factor: Expr) -> bool:
+    return factor.kind == "power" and str(factor.args[1]).startswith("-")
+
+
+def _base(factor: Expr) -> Expr:
+    is_root = factor.kind == "power" and factor.args[1].is_number and not factor.args[1].is_decimal
+    return factor.args[0] if is_root else factor
+
+
+def _parts(node: Expr, kind: str) -> list[Expr]:
+    """Return the terms of a sum, or the factors of a product, that is nested in the graph."""
+    if node.kind != kind:
+        return [node]
+    return [part for arg in node.args for part in _parts(arg, kind)]

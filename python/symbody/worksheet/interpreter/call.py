@@ -1,0 +1,206 @@
+"""Calls: of commands, procedures and operators, and of functions that nobody has defined."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Callable
+from typing import Any
+
+from symbody.errors import WorksheetError
+from symbody.symbolic import Expr, UndefinedFunction
+from symbody.worksheet import builtins
+from symbody.worksheet.evaluation import arithmetic
+from symbody.worksheet.evaluation.current import flattened
+from symbody.worksheet.evaluation.entrywise import entrywise
+from symbody.worksheet.evaluation.session import Session
+from symbody.worksheet.interpreter.leaf import named
+from symbody.worksheet.interpreter.procedure import ProcedureCall, call_procedure
+from symbody.worksheet.sheet import syntax
+from symbody.worksheet.values.complex_number import normal
+from symbody.worksheet.values.naming import symbol
+from symbody.worksheet.values.value import (
+    Array,
+    Builtin,
+    Listed,
+    MapleSet,
+    ProcedureValue,
+    Quoted,
+    Reference,
+    Relation,
+    Sequence,
+    Table,
+    Unevaluated,
+    Value,
+)
+
+__all__ = ["METHODS", "application", "call"]
+
+
+def _call(session: Session, node: syntax.Call) -> Value:
+    function = node.function
+    if isinstance(function, syntax.Elementwise):
+        return builtins.elementwise(
+            session, session.evaluate(function.function), session.evaluated(node.arguments)
+        )
+    name = function.name if isinstance(function, syntax.Name) else None
+    if name is None or _is_local(session, name):
+        head = session.evaluate(function)
+    elif name in session.names or name in session.options.aliases:
+        head = named(session, name)
+    else:
+        head = symbol(name)
+    form = _form(session, head)
+    if form is not None:
+        return _guarded(session, form, _head_name(head), node.arguments)
+    return session.call(head, session.evaluated(node.arguments))
+
+
+def _form(session: Session, head: Value) -> Callable[..., Value] | None:
+    """Return the command that takes its arguments unevaluated, if a head is one."""
+    name = _head_name(head)
+    return builtins.FORMS.get(name) if name not in session.names else None
+
+
+def _head_name(head: Value) -> str:
+    if isinstance(head, Builtin) or (isinstance(head, Expr) and head.kind == "symbol"):
+        return str(head.name)
+    return ""
+
+
+def _guarded(
+    session: Session, function: Callable[..., Value], name: str, arguments: tuple[Any, ...]
+) -> Value:
+    """Call a command; wrong arguments are told by its name."""
+    try:
+        return function(session, *arguments)
+    except TypeError as error:
+        if "argument" in str(error) and "positional" in str(error):
+            raise WorksheetError(f"{name}: {builtins.usage(function, len(arguments))}") from error
+        raise WorksheetError(f"{name}: arguments that it can't use; {error}") from error
+    except (AssertionError, AttributeError, LookupError) as error:
+        raise WorksheetError(f"{name}: arguments that it can't use") from error
+
+
+def _is_local(session: Session, name: str) -> bool:
+    scope = session.scope
+    while scope is not None:
+        if name in scope.local or name in scope.names:
+            return True
+        scope = scope.parent
+    return False
+
+
+def call(session: Session, function: Value, arguments: tuple[Value, ...]) -> Value:
+    """Return the value of a function at arguments."""
+    if isinstance(function, Reference) or (isinstance(function, Expr) and function.kind == "symbol"):
+        entries = session.remembered.get(function.name)
+        entry = entries.get(arguments) if entries else None
+        if entry is not None and function.name not in session.resolving:
+            return session.current(entry)
+        found = session.resolve(function)
+        if found is function or found == function or isinstance(found, Table):
+            return _named_call(session, function.name, arguments)
+        if isinstance(found, ProcedureValue):
+            return _procedure_call(session, found, arguments, function.name)
+        function = found
+    if isinstance(function, ProcedureValue):
+        return _procedure_call(session, function, arguments, "unnamed")
+    if isinstance(function, Builtin):
+        return _command(session, function.name, function.function, arguments)
+    return _other_call(session, function, arguments)
+
+
+def _procedure_call(
+    session: Session, found: ProcedureValue, arguments: tuple[Value, ...], name: str
+) -> Value:
+    return call_procedure(session, ProcedureCall(found, arguments, name))
+
+
+def _other_call(session: Session, function: Value, arguments: tuple[Value, ...]) -> Value:
+    if isinstance(function, Listed):
+        return Listed(tuple(session.call(item, arguments) for item in function.items))
+    if isinstance(function, Array):  # A(1, 2) is the entry A[1, 2]
+        return session.select(function, arguments)
+    if isinstance(function, Quoted):
+        return session.call(session.evaluate(function.body), arguments)
+    if isinstance(function, Expr):
+        if function.is_number:
+            return function
+        if function.kind == "symbol":
+            return _named_call(session, function.name, arguments)
+        return builtins.applied_sum(session, function, arguments)
+    if isinstance(function, Unevaluated):
+        made = builtins.operator_call(session, function, arguments)
+        if made is not None:
+            return made
+    return Unevaluated(function, arguments)
+
+
+def _named_call(session: Session, name: str, arguments: tuple[Value, ...]) -> Value:
+    if name.startswith("evalf["):
+        base, (digits,) = session.indexed[name]
+        return session.call(symbol(base), (*arguments, digits))
+    if name.startswith("log[") and len(arguments) == 1:
+        above, below = (session.call(symbol("ln"), (each,)) for each in (arguments[0], _base(session, name)))
+        return arithmetic.binary(session, "/", above, below)
+    if name.startswith("D[") and len(arguments) == 1:
+        return Unevaluated(symbol(name), arguments)
+    found = builtins.command(session, name)
+    if found is not None:
+        return _command(session, name, found, arguments)
+    _notice_unknown(session, name, arguments)
+    return application(session, name, arguments)
+
+
+def _base(session: Session, name: str) -> Value:
+    """Return the base of a logarithm, ``log[b]``."""
+    return session.indexed[name][1][0]
+
+
+def _command(
+    session: Session, name: str, function: Callable[..., Value], arguments: tuple[Value, ...]
+) -> Value:
+    if any(isinstance(each, Quoted) for each in arguments) and name not in ("print", "show"):
+        arguments = tuple(
+            flattened(session.evaluate(each.body) if isinstance(each, Quoted) else each for each in arguments)
+        )
+    session.limits.check()
+    made = _guarded(session, function, name, arguments)
+    if isinstance(made, Expr | Listed | Sequence | Relation | MapleSet) and session.options.imaginary:
+        return entrywise(session, made, normal)
+    return made
+
+
+def application(session: Session, name: str, arguments: tuple[Value, ...]) -> Value:
+    """Return a function that nobody has defined at arguments."""
+    if arguments and all(isinstance(each, Expr | Reference) for each in arguments):
+        scalars = [arithmetic.scalar(session, each) for each in arguments]
+        made = UndefinedFunction(name)(*scalars)
+        if made.kind == "application":
+            session.applied.add(name)
+        return made
+    return Unevaluated(symbol(name), arguments)
+
+
+def _notice_unknown(session: Session, name: str, arguments: tuple[Value, ...]) -> None:
+    if len(arguments) == 1 and isinstance(arguments[0], Expr) and arguments[0].kind == "symbol":
+        return  # f(t) and f(x) are functions
+    if f"diff/{name}" in session.names:
+        return  # a function of the sheet, by its rule of derivatives
+    if name in builtins.MISSING:
+        session.notice(f"{name} of Maple is not there; it comes back unevaluated")
+        return
+    close = difflib.get_close_matches(name, builtins.known_names(session), 1, 0.75)
+    if close:
+        session.notice(f"{name} is not a command; did you mean {close[0]}?")
+
+
+def _procedure(session: Session, node: syntax.Procedure | syntax.Arrow) -> Value:
+    return ProcedureValue(node, session.scope)
+
+
+METHODS: dict[type, Callable[[Session, Any], Value]] = {
+    syntax.Call: _call,
+    syntax.Arrow: _procedure,
+    syntax.Procedure: _procedure,
+}

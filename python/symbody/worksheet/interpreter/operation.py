@@ -1,0 +1,137 @@
+"""Operators: of arithmetic, relations, sets and logic, also on each entry."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from symbody.worksheet import builtins
+from symbody.worksheet.builtins.sets import joined_by
+from symbody.worksheet.evaluation import arithmetic
+from symbody.worksheet.evaluation.condition import compared, truth
+from symbody.worksheet.evaluation.session import Session
+from symbody.worksheet.sheet import syntax
+from symbody.worksheet.values.naming import symbol
+from symbody.worksheet.values.value import (
+    Array,
+    Boolean,
+    Listed,
+    Range,
+    Relation,
+    Sequence,
+    Unevaluated,
+    Value,
+)
+
+__all__ = ["METHODS"]
+
+_RELATIONS = {"=", "<>", "<", "<=", "::"}
+_TURNED = {">": "<", ">=": "<="}
+_ARITHMETIC = {"+", "-", "*", "/", "^", ".", "&*"}
+_SETS = {"union", "minus", "intersect", "subset"}
+
+
+def _prefix(session: Session, node: syntax.Prefix) -> Value:
+    value = session.evaluate(node.operand)
+    if node.operator == "-":
+        return arithmetic.negated(session, value)
+    if node.operator == "not":
+        found = truth(session, value)
+        return Boolean(None if found is None else not found)
+    if node.operator == "$":
+        return builtins.repeated(session, value)
+    return value
+
+
+def _postfix(session: Session, node: syntax.Postfix) -> Value:
+    value = session.evaluate(node.operand)
+    if node.operator == "!":
+        return session.call(symbol("factorial"), (value,))
+    array = session.resolve(value)
+    if isinstance(array, Array):
+        return arithmetic.transposed(array)
+    return value
+
+
+def _infix(session: Session, node: syntax.Infix) -> Value:
+    operator = node.operator
+    if node.elementwise:
+        return _entrywise(session, operator, session.evaluate(node.left), session.evaluate(node.right))
+    if operator in ("and", "or", "xor", "implies"):
+        return _logical(session, node)
+    if operator == "$":
+        return builtins.dollar(session, node.left, node.right)
+    left = session.evaluate(node.left)
+    if operator == "assuming":  # names stand for real numbers, and nothing more is assumed
+        return left
+    return _operated(session, operator, left, session.evaluate(node.right))
+
+
+def _operated(session: Session, operator: str, left: Value, right: Value) -> Value:
+    """Return the value of an operator between two values."""
+    if operator in _ARITHMETIC:
+        return arithmetic.binary(session, operator, left, right)
+    if operator in _TURNED:
+        return Relation(_TURNED[operator], right, left)
+    if operator in _RELATIONS:
+        return Relation(operator, left, right)
+    if operator == "..":
+        return Range(left, right)
+    if operator in _SETS:
+        return joined_by(session, operator, left, right)
+    if operator == "in":
+        return compared(session, Relation("in", left, right))
+    if operator == "mod":
+        return session.call(symbol("modp"), (left, right))
+    return Unevaluated(symbol(operator), (left, right))  # @ and @@
+
+
+def _logical(session: Session, node: syntax.Infix) -> Value:
+    left = truth(session, session.evaluate(node.left))
+    if node.operator == "and" and left is False:
+        return Boolean(truth=False)
+    if node.operator == "or" and left is True:
+        return Boolean(truth=True)
+    right = truth(session, session.evaluate(node.right))
+    if left is None or right is None:
+        return Boolean(None)
+    results = {
+        "and": left and right,
+        "or": left or right,
+        "xor": left != right,
+        "implies": not left or right,
+    }
+    return Boolean(results[node.operator])
+
+
+def _entrywise(session: Session, operator: str, left: Value, right: Value) -> Value:
+    a, b = session.resolve(left), session.resolve(right)
+    for side in (a, b):
+        if isinstance(side, Listed | Array):
+            count = len(side.items if isinstance(side, Listed) else side.entries)
+            pairs = zip(_repeated(a, count), _repeated(b, count), strict=True)
+            entries = [_operated(session, operator, x, y) for x, y in pairs]
+            if isinstance(side, Listed):
+                return Listed(tuple(entries))
+            return Array(side.rows, side.columns, entries, side.kind)
+    return _operated(session, operator, left, right)
+
+
+def _repeated(value: Value, count: int) -> list[Value]:
+    if isinstance(value, Listed | Sequence):
+        return list(value.items)
+    if isinstance(value, Array):
+        return list(value.entries)
+    return [value] * count
+
+
+def _elementwise(session: Session, node: syntax.Elementwise) -> Value:
+    return Unevaluated(symbol("~"), (session.evaluate(node.function),))
+
+
+METHODS: dict[type, Callable[[Session, Any], Value]] = {
+    syntax.Prefix: _prefix,
+    syntax.Postfix: _postfix,
+    syntax.Infix: _infix,
+    syntax.Elementwise: _elementwise,
+}

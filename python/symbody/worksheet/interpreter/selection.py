@@ -1,0 +1,52 @@
+"""Entries of what a name or an expression holds: ``a[i]``, ``package:-command``."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from symbody.worksheet import builtins
+from symbody.worksheet.evaluation.select import selected
+from symbody.worksheet.evaluation.session import Session
+from symbody.worksheet.interpreter.leaf import named
+from symbody.worksheet.sheet import syntax
+from symbody.worksheet.values.naming import symbol
+from symbody.worksheet.values.value import Listed, Value
+
+__all__ = ["METHODS"]
+
+
+def _selection(session: Session, node: syntax.Selection) -> Value:
+    if isinstance(node.whole, syntax.Name):
+        package = builtins.package_command(session, node.whole.name, node.indices)
+        if package is not None:
+            return package
+        whole = _whole(session, node.whole.name)
+    else:
+        whole = session.evaluate(node.whole)
+    return selected(session, whole, session.evaluated(node.indices))
+
+
+def _whole(session: Session, name: str) -> Value:
+    """A list of which one item is wanted isn't evaluated as a whole."""
+    held = session.names.get(name) if not session.scopes and name not in session.options.aliases else None
+    return held if isinstance(held, Listed) else named(session, name)
+
+
+def _member(session: Session, node: syntax.Member) -> Value:
+    names: list[str] = []
+    package: syntax.Expression = node
+    while isinstance(package, syntax.Member):
+        names.insert(0, package.name)
+        package = package.package
+    if isinstance(package, syntax.Name):
+        found = builtins.member(session, package.name, names)
+        if found is not None:
+            return found
+    return selected(session, session.evaluate(node.package), (symbol(node.name),))
+
+
+METHODS: dict[type, Callable[[Session, Any], Value]] = {
+    syntax.Selection: _selection,
+    syntax.Member: _member,
+}
