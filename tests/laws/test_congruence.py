@@ -17,7 +17,7 @@ from tests.symbolic.expected_equalities import EQUALITIES, Equality
 
 MOST_BROKEN = 3e-4
 """The share of checks that may fail: docs/values.md, "Where the law fails", has the causes. It was 67e-3 before signs
-and roots had values in lanes, and is to become 0. A pair that breaks the law for sinh, cosh and tanh makes 2e-4 of 100."""
+and roots had values in lanes, and is to become 0. One pair of 100 that breaks it for sinh, cosh and tanh makes 2e-4."""
 
 
 def obeys(report: congruence.Report) -> bool:
