@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import cached_property
 from typing import Any, NamedTuple, TypeGuard, final
 
@@ -43,6 +43,7 @@ class Element(Load):
         undefined: where the law has no value, if it is so anywhere.
         jumping: an angle in its law that is known from -pi to pi alone, and jumps there.
         sizes: sizes and resistances of its law, by the names of the arguments, which make no sense below zero.
+        positive: the names of those among them that make no sense if they are zero, either: the law divides by them.
         law: of a force along a line, the terms of ``F = k (l - l0) + c l'`` by the names of the arguments "stiffness",
             "free_length" and "damping", or "force", F itself; of a torque about an axis, likewise.
         ends: of a force along a line, the points between which it acts.
@@ -67,6 +68,7 @@ class Element(Load):
         undefined: Undefined | None = None,
         jumping: Expr | None = None,
         sizes: Mapping[str, Expr] | None = None,
+        positive: Iterable[str] = (),
         law: Mapping[str, Expr] | None = None,
         ends: Sequence[Point] = (),
     ) -> None:
@@ -75,6 +77,7 @@ class Element(Load):
         self.states = dict(states or {})
         self.quantities = dict(quantities or {})
         self.sizes = dict(sizes or {})
+        self.positive = frozenset(positive)
         self.law = dict(law or {})
         self.ends = tuple(ends)
         self._actions = tuple(actions)
@@ -172,7 +175,8 @@ def _rebuilt(element: Element, parts: Sequence[Any]) -> Element:
     undefined = None if element.undefined is None else element.undefined._replace(where_zero=next(remaining))
     named: dict[str, Any] = {"states": states, "quantities": quantities, "sizes": sizes, "law": law}
     ends = [next(remaining) for _ in element.ends]
-    return Element(element.kind, actions, name=element.name, undefined=undefined, ends=ends, **named, **given)
+    named |= {"positive": element.positive, "ends": ends}
+    return Element(element.kind, actions, name=element.name, undefined=undefined, **named, **given)
 
 
 contains(Element, Container(_parts, _rebuilt, advice="its potential and its quantities have one"))
