@@ -20,6 +20,7 @@ from .throughput import (
     loop_of_simulate,
     native,
     one_at_a_time,
+    one_by_one,
     solve_ivp,
 )
 
@@ -38,7 +39,9 @@ PENDULUMS = (
 LINKAGES = (
     "motions of the slider-crank with spring and damper of SUNDIALS' examples over {duration:g} s, from crank angles "
     "between 0.6 and 2.5 rad. simulate_many gets these angles and solves for the other coordinates; its motions keep "
-    "the constraints. solve_ivp gets the whole states, and its motions drift off the constraints."
+    "the constraints. So does simulate_many one motion at a time: it finds all initial states together as well. One "
+    "by one it solves for each of them alone, as it did before there were lanes. The native integrator and solve_ivp "
+    "get the whole states; solve_ivp's motions drift off the constraints."
 )
 ARMS = (
     "motions of the Franka Panda arm over {duration:g} s, released from rest at random angles up to 0.5 rad: seven "
@@ -64,7 +67,7 @@ def pendulums(problem: Problem, side: int) -> Batch:
     """
     manners = [
         *by_simulate_many(problem),
-        native(problem),
+        *native(problem),
         *one_at_a_time(problem),
         loop_of_simulate(problem),
     ]
@@ -92,8 +95,8 @@ def linkages(count: int, duration: float = 5.0) -> Batch:
         "slider-crank", newton_euler(model.system), model.parameters, first_state(model), duration
     )
     states = _closed(problem, np.linspace(*CRANKS, count))
-    manners = [*by_simulate_many(problem, given=1), *one_at_a_time(problem, given=1)]
-    manners += [loop_of_simulate(problem), solve_ivp(problem, "DOP853")]
+    manners = [*by_simulate_many(problem, given=1), *native(problem), *one_at_a_time(problem, given=1)]
+    manners += [one_by_one(problem, given=1), loop_of_simulate(problem), solve_ivp(problem, "DOP853")]
     return Batch(problem, states, tuple(manners), ERROR, LINKAGES)
 
 

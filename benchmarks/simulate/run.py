@@ -3,7 +3,8 @@
     python -m benchmarks.simulate.run [--quick] [--only many] [--rounds N]
 
 A full run takes some minutes and writes docs/benchmarks/simulate.md and .svg; with --quick the tables are printed. With
---only many, the tables of many motions are measured, and replace those on the page.
+--only many, the tables of many motions are measured, and replace those on the page; with --only linkages, the table of
+linkages is measured and printed.
 """
 
 from __future__ import annotations
@@ -34,10 +35,13 @@ def main() -> None:
         "--quick", action="store_true", help="a short motion, few tolerances, one round: seconds"
     )
     parser.add_argument("--rounds", type=int, default=9, help="trials of each contender (default 9)")
-    parser.add_argument("--only", choices=["many"], help="measure this part of the page alone")
+    parser.add_argument("--only", choices=["many", "linkages"], help="measure this part of the page alone")
     arguments = parser.parse_args()
     if arguments.quick:
         print(quick())
+        return
+    if arguments.only == "linkages":
+        print(many([linkages(10_000)], 50, max(3, arguments.rounds // 3)))
         return
     if arguments.only:
         page = (FOLDER / "simulate.md").read_text(encoding="utf-8")

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import partial
 from statistics import median
 from time import perf_counter, process_time
+from types import ModuleType
 
 import numpy as np
 
 from symbody import simulate, simulate_many
+from symbody.simulation.batch import run_cases
 from symbody.simulation.given.options import Options
 from symbody.simulation.integrate import native as native_integrator
 from symbody.simulation.integrate.native import problem_of, run_many
@@ -27,6 +28,8 @@ FINER = 1.1
 """The number of equal steps is increased by this factor."""
 
 WITHOUT_LANES = "one motion at a time: simulate_many"
+
+ONE_BY_ONE = "initial states and motions one by one: simulate_many"
 
 Many = Callable[[Array, float], Array]
 """Takes a row for each initial state and a setting; returns a row for each end."""
@@ -186,30 +189,57 @@ def one_at_a_time(problem: Problem, *, given: int | None = None) -> list[Manner]
     return [
         Manner(f"{WITHOUT_LANES}, dop853, {threads} thread{'s' * (threads > 1)}", many, TOLERANCES)
         for threads in (1, 2)
-        for many in [_without_lanes(partial(_simulate_many, problem, "dop853", threads, given))]
+        for many in [_changed(partial(_simulate_many, problem, "dop853", threads, given), WITHOUT)]
     ]
 
 
-def _without_lanes(many: Many) -> Many:
-    @contextmanager
-    def alone() -> Iterator[None]:
-        before = native_integrator.WORTH_LANES
-        native_integrator.WORTH_LANES = sys.maxsize
-        try:
-            yield
-        finally:
-            native_integrator.WORTH_LANES = before
+def one_by_one(problem: Problem, *, given: int) -> Manner:
+    """Return `simulate_many` that also solves for one initial state after another, as it did at first.
+
+    Args:
+        problem: the system.
+        given: how many coordinates are given, as in `by_simulate_many`.
+    """
+    many = _changed(partial(_simulate_many, problem, "dop853", 1, given), {**WITHOUT, **UNKNOWN})
+    return Manner(f"{ONE_BY_ONE}, dop853, 1 thread", many, TOLERANCES, is_loop=True)
+
+
+WITHOUT: dict[tuple[ModuleType, str], object] = {(native_integrator, "WORTH_LANES"): sys.maxsize}
+"""What runs motions without lanes."""
+
+UNKNOWN: dict[tuple[ModuleType, str], object] = {
+    (run_cases, "_initial_states"): lambda task, cases, _: np.full((cases.count, task.model.width), np.nan)
+}
+"""What leaves each initial state to the solver for one motion."""
+
+
+def _changed(many: Many, values: Mapping[tuple[ModuleType, str], object]) -> Many:
+    """Return a way to run motions with other values of some names of modules."""
 
     def run(states: Array, tolerance: float) -> Array:
-        with alone():
+        before = {(module, name): getattr(module, name) for module, name in values}
+        try:
+            for (module, name), value in values.items():
+                setattr(module, name, value)
             return many(states, tolerance)
+        finally:
+            for (module, name), value in before.items():
+                setattr(module, name, value)
 
     return run
 
 
-def native(problem: Problem) -> Manner:
-    """Return the integration alone, with one set of parameters."""
-    return Manner("of which the native integrator, dop853, 1 thread", _native(problem), TOLERANCES)
+def native(problem: Problem) -> list[Manner]:
+    """Return the integration alone, of whole states with one set of parameters: in lanes, and one motion at a time."""
+    many = _native(problem)
+    return [
+        Manner("of which the native integrator, dop853, 1 thread", many, TOLERANCES),
+        Manner(
+            "one motion at a time: the native integrator, dop853, 1 thread",
+            _changed(many, WITHOUT),
+            TOLERANCES,
+        ),
+    ]
 
 
 def _simulate_many(
@@ -238,7 +268,10 @@ def _native(problem: Problem) -> Many:
     def many(states: Array, tolerance: float) -> Array:
         options = Options("dop853", tolerance, tolerance)
         parameters = np.broadcast_to(problem.values, (len(states), len(problem.values)))
-        outcomes = run_many(compiled, states, parameters, _instants(problem), options, 1)
+        starts = np.pad(
+            states, ((0, 0), (0, compiled.width - states.shape[1]))
+        )  # no work is done at the start
+        outcomes = run_many(compiled, starts, parameters, _instants(problem), options, 1)
         return np.stack([outcome.states[-1] for outcome in outcomes if outcome is not None])
 
     return many

@@ -18,6 +18,7 @@ from symbody import (
     Event,
     Force,
     ModelNotice,
+    Piecewise,
     Point,
     System,
     Vector,
@@ -236,6 +237,14 @@ def test_events_are_found_where_they_are():
         np.testing.assert_allclose(found, expected, atol=1e-8)
     assert all(abs(o.state[x]) < 1e-12 for o in motion.events)
     assert [o.t for o in motion.events] == sorted(o.t for o in motion.events)
+
+
+def test_the_instant_of_a_jump_is_exact():
+    """The values at its sides say nothing of where it is."""
+    eqs, places = oscillator(0 * x), [0.1234, 0.5, 0.7654321]
+    jumps = [Event(Piecewise((-1e-3, place - x), (1e3, True))) for place in places]
+    motion = simulate(eqs, {m: 1}, {x: 0, time_derivative(x): 1}, t=(0, 1), events=jumps)
+    np.testing.assert_allclose([o.t for o in motion.events], places, rtol=0, atol=1e-15)
 
 
 @pytest.mark.parametrize("method", ["dop853", "bdf", "ida"])

@@ -24,6 +24,7 @@ from symbody import (
     motor,
     newton_euler,
     planar,
+    point_on_curve,
     prismatic,
     project,
     reaction,
@@ -302,3 +303,22 @@ def test_forces_of_teeth_and_of_the_ground_act_where_they_touch(tmp_path):
     friction = 2.0 / (1 + 2.0 * 0.3**2 / 0.05)
     drawn = free_body_diagram(simulate(rolls, t=(0, 0.1)), ball, tmp_path / "ball.svg")
     assert sorted(texts(drawn)) == [f"K {np.hypot(20, friction):.3g} N", "ball", "weight 20.1 N"]
+
+
+@pytest.mark.filterwarnings("ignore::symbody.errors.ModelNotice")
+def test_what_a_simulation_left_out_as_redundant_exerts_nothing(tmp_path):
+    """Two of three posts carry a beam on slides: those that are kept."""
+    beam = Link("beam", 4.0, Iz=1.0, center=(1, 0, 0))
+    joints = [planar("free", ground, beam)]
+    joints += [
+        point_on_curve(f"S{k}", ground, beam, curve=lambda s: (s, 0, 0), to=(k, 0, 0), axes="Z")
+        for k in (0, 1)
+    ]
+    twice = point_on_curve("S2", ground, beam, curve=lambda s: (s, 0, 0), to=(2, 0, 0), axes="Z")
+    equations = newton_euler(assemble([*joints, twice]).system(gravity=Vector(ground, 0, -10, 0)))
+    motion = simulate(equations, t=(0, 0.1), guess={})
+    names = texts(free_body_diagram(motion, beam, tmp_path / "beam.svg"))
+    assert "weight 40 N" in names
+    lifts = [float(name.split()[1]) for name in names if name.startswith("S")]
+    assert sum(lifts) == pytest.approx(40.0)
+    assert len(lifts) <= 2

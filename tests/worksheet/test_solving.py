@@ -65,6 +65,14 @@ CASES = {
         "simplify(a*u+b*v,{u=w1,v=2*w1},[u,v]);",
         ["w1*(a+2*b)"],
     ),
+    "relations of rates and accelerations": (
+        (
+            "X, Y, A := diff(x(t),t), diff(y(t),t), diff(a(t),t): C, S := cos(a(t)), sin(a(t)): "
+            "rel := {p(t)=X*C+Y*S, r(t)=Y*C-X*S, w(t)=A}: "
+            "simplify(diff(X,t)*C+diff(Y,t)*S, rel union diff(rel,t), [X, Y, A, diff(X,t), diff(Y,t), diff(A,t)]);"
+        ),
+        ["diff(p(t),t)-r(t)*w(t)"],
+    ),
     "a relation of a polynomial": (
         "simplify(3*p^2+3*q^2,{p^2+q^2=1});",
         ["3"],

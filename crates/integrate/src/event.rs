@@ -120,39 +120,85 @@ impl<'a> Watch<'a> {
         Ok(())
     }
 
-    /// Find a zero between the last checked instant and `t` by the Illinois method, secants that keep the bracket.
-    /// Leave the state at the zero in `self.place`.
+    /// Find a zero between the last checked instant and `t` by Chandrupatla's method: the end of the last bracket, at
+    /// which the function has its sign after the zero. Leave the state there in `self.place`.
     fn locate(
         &mut self,
         function: &BoundCode,
         (stepper, projection): (&mut dyn Stepper, &mut Projection<'_>),
         event: usize,
-        (mut b, before, mut at_b): (f64, f64, f64),
+        (t, before, after): (f64, f64, f64),
     ) -> Result<f64, Failure> {
-        let (mut a, mut at_a) = (self.t, before);
+        let mut bracket = Bracket::new((self.t, before), (t, after));
         let mut values = vec![0.0; function.outputs()];
-        let mut zero = b;
-        for _ in 0..100 {
-            let width = b - a;
-            if at_b == 0.0 || width <= 4.0 * f64::EPSILON * b.abs().max(a.abs()) {
-                zero = b;
-                break;
-            }
-            zero = (b - at_b * width / (at_b - at_a)).clamp(a + 0.001 * width, b - 0.001 * width);
-            self.place[0] = zero;
-            projection.read(stepper, zero, &mut self.place[1..])?;
+        for _ in 0..EVALUATIONS {
+            let Some(instant) = bracket.next() else { break };
+            self.place[0] = instant;
+            projection.read(stepper, instant, &mut self.place[1..])?;
             function.call_rows(&self.place, &mut values);
-            let value = values[event];
-            if (value > 0.0) == (at_b > 0.0) && value != 0.0 {
-                (b, at_b, at_a) = (zero, value, at_a / 2.0);
-            } else if value == 0.0 {
-                (b, at_b) = (zero, 0.0);
-            } else {
-                (a, at_a, at_b) = (zero, value, at_b / 2.0);
-            }
+            bracket.put(instant, values[event]);
         }
+        let zero = bracket.end();
         projection.read(stepper, zero, &mut self.place[1..])?;
         Ok(zero)
+    }
+}
+
+/// The most evaluations until a zero is accepted: bisection needs half as many.
+const EVALUATIONS: usize = 100;
+
+/// A bracket of a zero, of instants with values of a function.
+///
+/// T. R. Chandrupatla, A new hybrid quadratic/bisection algorithm for finding the zero of a nonlinear function without
+/// using derivatives, Advances in Engineering Software 28 (1997).
+struct Bracket {
+    newest: (f64, f64),
+    /// The point on the other side of the zero.
+    beyond: (f64, f64),
+    /// The point that is left out last.
+    last: (f64, f64),
+    /// The next point, as a fraction of the way from the newest to the one beyond.
+    part: f64,
+}
+
+impl Bracket {
+    fn new(before: (f64, f64), after: (f64, f64)) -> Self {
+        Self { newest: after, beyond: before, last: before, part: 0.5 }
+    }
+
+    /// The end of the bracket.
+    fn end(&self) -> f64 {
+        if self.newest.1 == 0.0 { self.newest.0 } else { self.newest.0.max(self.beyond.0) }
+    }
+
+    /// The next instant to look at; `None` if the zero is known.
+    fn next(&self) -> Option<f64> {
+        let (here, there) = (self.newest.0, self.beyond.0);
+        let least = 2.0 * f64::EPSILON * here.abs().max(there.abs()) / (there - here).abs();
+        let is_found = self.newest.1 == 0.0 || least.is_nan() || least > 0.5;
+        (!is_found).then(|| here + self.part.max(least).min(1.0 - least) * (there - here))
+    }
+
+    /// Take the value at the next instant.
+    fn put(&mut self, t: f64, value: f64) {
+        if (value > 0.0) == (self.newest.1 > 0.0) {
+            self.last = self.newest;
+        } else {
+            (self.last, self.beyond) = (self.beyond, self.newest);
+        }
+        self.newest = (t, value);
+        self.part = self.fraction();
+    }
+
+    /// Inverse quadratic interpolation through the three points where it is safe, and bisection elsewhere.
+    fn fraction(&self) -> f64 {
+        let ((x1, f1), (x2, f2), (x3, f3)) = (self.newest, self.beyond, self.last);
+        let (xi, phi) = ((x1 - x2) / (x3 - x2), (f1 - f2) / (f3 - f2));
+        if phi * phi < xi && (1.0 - phi) * (1.0 - phi) < 1.0 - xi {
+            f1 / (f2 - f1) * (f3 / (f2 - f3)) + (x3 - x1) / (x2 - x1) * (f1 / (f3 - f1)) * (f2 / (f3 - f2))
+        } else {
+            0.5
+        }
     }
 }
 

@@ -220,7 +220,7 @@ def _loads(motion: DrawableMotion, system: System, members: Sequence[Body]) -> I
         actions = [action for action in load.actions if action.body in members]
         found = [
             _Acting(
-                load.name or "load",
+                load.name or getattr(load, "kind", "load"),
                 "load",
                 action.point or action.body.center_of_mass,
                 action.vector,

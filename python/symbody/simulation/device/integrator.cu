@@ -408,28 +408,31 @@ static __device__ int crosses(double before, double after, int direction)
     return (rises && direction >= 0) || (falls && direction <= 0);
 }
 
-/* Find the zero of an event between the last checked instant and b by the Illinois method; leave the state there in x. */
-static __device__ __noinline__ double locate(
-    const Batch *batch, Lane *lane, Dense *dense, int event, double b, double at_b, double *x)
+/* The next point of a bracket, as a fraction of the way from the newest to the one beyond the zero. */
+static __device__ double fraction(double x1, double f1, double x2, double f2, double x3, double f3)
 {
-    double a = lane->seen, at_a = lane->values[event], zero = b, values[EVENTS];
+    const double xi = (x1 - x2)/(x3 - x2), phi = (f1 - f2)/(f3 - f2);
+    if (!(phi*phi < xi && (1.0 - phi)*(1.0 - phi) < 1.0 - xi)) return 0.5;
+    return f1/(f2 - f1)*(f3/(f2 - f3)) + (x3 - x1)/(x2 - x1)*(f1/(f3 - f1))*(f2/(f3 - f2));
+}
+
+/* Find the zero of an event between the last checked instant and x1 by Chandrupatla's method; leave the state there in x. */
+static __device__ __noinline__ double locate(
+    const Batch *batch, Lane *lane, Dense *dense, int event, double x1, double f1, double *x)
+{
+    double x2 = lane->seen, f2 = lane->values[event], x3 = x2, f3 = f2, part = 0.5, values[EVENTS];
     for (int turn = 0; turn < 100; ++turn) {
-        const double width = b - a;
-        if (at_b == 0.0 || width <= 4.0*DBL_EPSILON*fmax(fabs(b), fabs(a))) {
-            zero = b;
-            break;
-        }
-        zero = fmin(fmax(b - at_b*width/(at_b - at_a), a + 0.001*width), b - 0.001*width);
-        read(batch, lane, dense, zero, x);
-        events_at(zero, x, lane->c, values, &lane->deficient);
-        if ((values[event] > 0.0) == (at_b > 0.0) && values[event] != 0.0) {
-            b = zero, at_b = values[event], at_a = at_a/2.0;
-        } else if (values[event] == 0.0) {
-            b = zero, at_b = 0.0;
-        } else {
-            a = zero, at_a = values[event], at_b = at_b/2.0;
-        }
+        const double least = 2.0*DBL_EPSILON*fmax(fabs(x1), fabs(x2))/fabs(x2 - x1);
+        if (f1 == 0.0 || !(least <= 0.5)) break;
+        const double t = x1 + fmin(fmax(part, least), 1.0 - least)*(x2 - x1);
+        read(batch, lane, dense, t, x);
+        events_at(t, x, lane->c, values, &lane->deficient);
+        if ((values[event] > 0.0) == (f1 > 0.0)) x3 = x1, f3 = f1;
+        else x3 = x2, f3 = f2, x2 = x1, f2 = f1;
+        x1 = t, f1 = values[event];
+        part = fraction(x1, f1, x2, f2, x3, f3);
     }
+    const double zero = f1 == 0.0 ? x1 : fmax(x1, x2);
     read(batch, lane, dense, zero, x);
     return zero;
 }
