@@ -9,6 +9,8 @@ from symbody.models import ClassicSystem
 from symbody.view.drawing_options import DrawingOptions
 from symbody.view.shape import Box, Cylinder, Ellipsoid
 
+from .two_wheeler_drawings import TWO_WHEELERS
+
 __all__ = ["drawing_of"]
 
 FLAT = 0.02
@@ -53,13 +55,22 @@ def _quarter_car(model: ClassicSystem) -> DrawingOptions:
 
 
 def _half_car(model: ClassicSystem) -> DrawingOptions:
-    bodies, a, b = _bodies(model), model["a"], model["b"]
+    """The springs stand on hubs at rest: the car of the model has no wheels of its own."""
+    bodies, a, b, hub, radius = _bodies(model), model["a"], model["b"], -0.55, 0.3
     car = translate(0, 0, model["z"]) * rotate("Y", model["theta"])
+    middle, floor = (a - b) / 2, -0.1
+    wheels = [
+        Cylinder(radius, (x, y - 0.08, hub), (x, y + 0.08, hub), ground) for x in (a, -b) for y in (-0.6, 0.6)
+    ]
     shapes = {
-        bodies["heave"]: Box(a + b, 1.2, 0.3, ((a - b) / 2, 0, 0), car),
-        bodies["pitch"]: Box(0.1, 1.3, 0.1, frame=car),
+        bodies["heave"]: [
+            Box(a + b + 1, 1.3, 0.35, (middle, 0, floor), car),
+            Box(0.6 * (a + b), 1.1, 0.4, (middle - 0.2, 0, floor + 0.37), car),
+            *wheels,
+        ],
+        bodies["pitch"]: Ellipsoid(0.05, 0.05, 0.05, frame=car),
     }
-    springs = [(Point(car, x, 0, 0), Point(ground, x, 0, -0.6)) for x in (a, -b)]
+    springs = [(Point(car, x, y, floor), Point(ground, x, y, hub)) for x in (a, -b) for y in (-0.6, 0.6)]
     return DrawingOptions(shapes=shapes, lines=springs)
 
 
@@ -139,4 +150,5 @@ _DRAWINGS: dict[str, Callable[[ClassicSystem], DrawingOptions]] = {
     "skate": _skate,
     "slider_crank": _slider_crank,
     "snakeboard": _snakeboard,
+    **TWO_WHEELERS,
 }

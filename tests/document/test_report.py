@@ -52,6 +52,7 @@ from symbody.document.formats.tex_letter import in_text
 from symbody.document.report import FORMATS, SECTIONS
 from symbody.document.sections.checks import HOLDS, LAWS
 from symbody.document.sections.equations import ROWS
+from symbody.document.sections.nomenclature import Entry, row_meaning
 from symbody.document.subject import Subject
 from symbody.dynamics.display.summary import READABLE
 from symbody.errors import ModelNotice, PictureError, ReportError, SymbodyError
@@ -510,6 +511,17 @@ def test_equations_of_many_rows_are_described_by_sizes_and_short_entries() -> No
     assert [cell[0] for cell in matrix.rows[6]][7] == str(cost(arm.mass_matrix[6, 6]).total)
     assert f"M_{{66}} &= {latex(readable(arm.mass_matrix[5, 5]))}" in entries.latex
     assert all(block.latex.count(r"\\ ") < ROWS for block in document.blocks if isinstance(block, Formula))
+
+
+def test_multipliers_of_one_unit_share_a_row_in_the_plural() -> None:
+    """lambda2 and lambda3 are those of constraints 2 and 3, by their numbers."""
+    found = [
+        Entry(symbol, f"multiplier of constraint {k}", "N")
+        for k, symbol in enumerate(symbols("lambda1 lambda2"), 1)
+    ]
+    assert {entry.kind for entry in found} == {"multiplier of constraint #"}
+    assert row_meaning(found) == "multipliers of constraints 1 and 2"
+    assert row_meaning(found[:1]) == "multiplier of constraint 1"
 
 
 # --- names of the user ---

@@ -15,9 +15,9 @@ from tests.laws.trees import tree_in
 from tests.repeated import repeated
 from tests.symbolic.expected_equalities import EQUALITIES, Equality
 
-MOST_BROKEN = 8e-4
+MOST_BROKEN = 3e-4
 """The share of checks that may fail: docs/values.md, "Where the law fails", has the causes. It was 67e-3 before signs
-and roots had values in lanes, and is to become 0."""
+and roots had values in lanes, and is to become 0. One pair of 100 that breaks it for sinh, cosh and tanh makes 2e-4."""
 
 
 def obeys(report: congruence.Report) -> bool:
@@ -48,6 +48,12 @@ def test_a_modulus_whose_rest_is_known_in_the_form_of_a_quotient_ends() -> None:
         pytest.param(25, 1_000_001_395, id="degree 13 of what may be negative"),
         pytest.param(24, 1_000_004_247, id="a number that a product hides in a derivation"),
         pytest.param(21, 1386, id="roots in sines of an angle and of its half"),
+        pytest.param(27, 3136, id="a multiple of pi beside what has a pole at the point of integers"),
+        pytest.param(27, 4597, id="a number of 84 bits that a piecewise function hides"),
+        pytest.param(31, 4910, id="the branch of a complex root inside and outside of an argument"),
+        pytest.param(100, 4566, id="the content of what has a pole at the point of q-adic integers"),
+        pytest.param(102, 4056, id="the reciprocal of a power of x with the exponent -1/299"),
+        pytest.param(106, 613, id="the tangent of an angle that a pole of the tangent hides in"),
     ],
 )
 def test_pairs_that_broke_the_law_keep_it(seed: int, index: int) -> None:
@@ -60,7 +66,7 @@ def test_pairs_that_broke_the_law_keep_it(seed: int, index: int) -> None:
 @pytest.mark.repeated
 @pytest.mark.parametrize("seed", range(100, 150))
 def test_equal_stays_equal_in_many_pairs(seed: int) -> None:
-    """100 000 pairs, in three hours of one processor."""
+    """100 000 pairs, in an hour of one processor."""
     report = congruence.run_in_processes(2000, seed)
     assert report.counts["pairs"] >= 2000
     assert obeys(report), str(report)

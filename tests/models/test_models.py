@@ -116,3 +116,10 @@ def test_numbers_are_those_of_the_reference(name: str, make: Make) -> None:
 def test_embedding_removes_the_multipliers_of_all() -> None:
     for make in (models.snakeboard, models.balancing_robot, models.rattleback):
         assert not embedded(newton_euler(make().system)).constraints
+
+
+@pytest.mark.parametrize("n", [True, 0, 1.0])
+def test_the_number_of_links_is_a_number(n: object) -> None:
+    with pytest.raises(ModelError, match="expected the number of links, at least 1"):
+        models.n_pendulum(n)  # type: ignore[arg-type]
+    assert models.n_pendulum(1).system.name == "Pendulum of 1 mass"

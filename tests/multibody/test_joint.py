@@ -570,3 +570,16 @@ def test_a_loop_of_rounded_dimensions_moves_within_a_tolerance() -> None:
     C = made.joint("C")
     gap = found[C.sides.gap.components[2]]
     assert 1e-11 < abs(gap).max() < 1e-7  # it stays, as told
+
+
+def test_a_thread_that_closes_a_loop_in_one_direction_counts_all_turns() -> None:
+    """A press: a spindle on a bearing, a nut on a slide, and a screw between them."""
+    h = symbols("h")
+    spindle, nut = Link("spindle", 1.0, Iz=2e-4), Link("nut", 12.0)
+    A, B = revolute("A", ground, spindle), prismatic("B", ground, nut, axis="Z")
+    made = assemble([A, B, screw("S", spindle, nut, pitch=h)])
+    assert made.constraints[0].condition == h * A.coordinate + B.coordinate
+    for start, expected in (({A.coordinate: 40.0}, -0.04), ({B.coordinate: 0.1}, 0.1)):
+        motion = simulate(newton_euler(made.system()), {h: 0.001}, start, (0, 0.1))
+        assert motion[B.coordinate][0] == pytest.approx(expected)
+        assert motion[A.coordinate][0] == pytest.approx(-expected / 0.001)

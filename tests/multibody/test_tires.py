@@ -46,6 +46,7 @@ from symbody import (
     velocity,
 )
 from symbody.errors import ModelError
+from symbody.multibody.element.tire_force import TireLaw
 from tests.reference.test_magic_formula import SETS
 
 x, y, z, psi, gamma, theta = functions_of_time("x y z psi gamma theta")
@@ -522,3 +523,35 @@ def test_a_load_that_pulls_gives_no_forces() -> None:
     pressed = given.evaluate({pulling: 4000})
     assert pressed == pytest.approx(law(4000, 0.1).longitudinal.evaluate({}), rel=1e-12)
     assert pressed > 3000
+
+
+SYMMETRIC = {
+    "FNOMIN": 4000,
+    "UNLOADED_RADIUS": 0.313,
+    "PCY1": 1.193,
+    "PDY1": -0.99,
+    "PKY1": -14.95,
+    "PKY2": 2.13,
+    "QBZ1": 8.964,
+    "QCZ1": 1.1,
+    "QDZ1": 0.1,
+    "QSY1": 0.01,
+    "LONGVL": 16.7,
+    "PCX1": 1.685,
+    "PDX1": 1.21,
+    "PKX1": 21.51,
+    "SSZ2": 0.02,
+}
+
+
+@pytest.mark.parametrize("law", [linear_tire(cornering=4e4, trail=0.03), magic_formula(SYMMETRIC)])
+def test_a_wheel_that_rolls_back_has_its_trail_ahead(law: TireLaw) -> None:
+    """It is the mirror image of one that rolls ahead: My and Mz have the other sign, Fy has the same."""
+    hub = translate(x, y, 0.3) * rotate("Z", psi)
+    body = Body(hub * rotate("Y", theta), 20, 1, 2, 1)
+    element = tire(body, 0.3, law, load=4000, carrier=hub)
+    rates = [time_derivative(q) for q in (x, y, psi, theta)]
+    found = lambdify([psi, *rates], [element[name] for name in ("Fy", "My", "Mz")])
+    ahead, back = (found(0.0, way * 20.0, 1.0, 0.0, way * 20.0 / 0.3) for way in (1, -1))
+    np.testing.assert_allclose(back, [ahead[0], -ahead[1], -ahead[2]], rtol=1e-12)
+    assert ahead[2] > 50  # it aligns: the wheel moves to the left, and turns there

@@ -5,6 +5,7 @@ from __future__ import annotations
 from .bicycle import BICYCLES
 from .carts import CARTS
 from .classic import Classic
+from .elementary import ELEMENTARY
 from .machines import MACHINES
 from .pendulums import PENDULUMS
 from .robots import ROBOTS
@@ -15,6 +16,7 @@ from .vehicles import VEHICLES
 CLASSICS: tuple[Classic, ...] = (
     *PENDULUMS,
     *MACHINES,
+    *ELEMENTARY,
     *CARTS,
     *ROBOTS,
     *VEHICLES,

@@ -44,6 +44,8 @@ def typeset(formula: str) -> object:
         ("x__G", "x_{G}"),
         ("omega0", r"\omega_{0}"),
         ("theta_dot", r"\dot{\theta}"),
+        ("omega_bar", r"\bar{\omega}"),
+        ("r_vec1", r"\vec{r}_{1}"),
         ("q12", "q_{12}"),
         ("l1_x", "l_{1,x}"),
         ("load", r"\mathrm{load}"),
@@ -62,6 +64,20 @@ def test_the_table(name: str, expected: str) -> None:
 
 LETTERS = ["x", "q", "I", "m", "theta", "omega", "phi", "varphi", "Omega", "Gamma", "alpha", "lambda"]
 INDICES = ["1", "12", "x", "G", "0", "phi", "B", "xx"]
+
+
+@pytest.mark.parametrize(
+    ("value", "expected"),
+    [
+        (1.5e10, r"1.5 \cdot 10^{10}"),
+        (-2e6, r"-2 \cdot 10^{6}"),
+        (1e5, "10^{5}"),
+        (123000.0, "123000.0"),
+        (1.5e-10, r"1.5 \cdot 10^{-10}"),
+    ],
+)
+def test_large_decimals_have_powers_of_ten(value: float, expected: str) -> None:
+    assert latex(value * symbol("a")) == f"{expected} a"
 
 
 @pytest.mark.parametrize("letter", LETTERS)

@@ -2,18 +2,35 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
-from symbody import Body, System, functions_of_time, rotate, translate
-from symbody.document.reference_position import Still
+from symbody import (
+    Body,
+    Expr,
+    Point,
+    System,
+    functions_of_time,
+    ground,
+    newton_euler,
+    rotate,
+    spring,
+    subs,
+    symbols,
+    translate,
+)
+from symbody.document.reference_position import Still, still
+from symbody.document.subject import Subject
 from symbody.view.drawing_options import DrawingOptions
-from symbody.view.mark import Ellipse, outermost
+from symbody.view.mark import Ellipse, Line, outermost
 from symbody.view.scene import scene
 from symbody.view.shape import Ellipsoid
-from symbody.view.sketch import sketch_of
+from symbody.view.sketch import sketch, sketch_of
 
 DIRECTIONS = np.array([[np.cos(a), np.sin(a)] for a in np.linspace(0, np.pi, 12)])
+k, l = symbols("k l")
 SIDES = [(1.0, 1.0, 1.0), (3.0, 1.0, 2.0)]
 
 
@@ -46,3 +63,26 @@ def test_the_outline_is_as_wide_as_the_solid_in_all_directions(sides: tuple[floa
 def test_a_turned_ellipse_reaches_as_far_as_its_box() -> None:
     low, high = outermost(Ellipse((1.0, 2.0), (5.0, 3.0), 90.0, "#000000", 1.0))
     np.testing.assert_allclose([low, high], [(-2, -3), (4, 7)])
+
+
+@pytest.mark.parametrize(("stiffness", "is_coil"), [(k, True), (0, False)])
+def test_springs_are_zigzags_and_dampers_lines(stiffness: Expr | int, is_coil: bool) -> None:
+    """Their ends are those of the element, on either side; a zigzag has many short lines."""
+    x = functions_of_time("x")
+    cart = Body(translate(x, 0, 0), 1)
+    wall = Point(ground, -2, 0, 0)
+    element = spring(cart.center_of_mass, wall, stiffness, free_length=1, damping=1, on=cart)
+    assert [end.coordinates[0] for end in element.ends] == [0, -2]
+    system = System([cart], [element], coordinates=[x])
+    marks = sketch(still(Subject(newton_euler(system), None, {}, {}, {}))).marks
+    thin = [mark for mark in marks if isinstance(mark, Line) and mark.color == "#444444"]
+    assert (len(thin) > 10) == is_coil
+    assert thin[0].start != thin[-1].end
+    assert all(a.end == b.start for a, b in pairwise(thin))
+
+
+def test_the_ends_of_a_spring_are_substituted_with_it() -> None:
+    x = functions_of_time("x")
+    cart = Body(translate(x, 0, 0), 1)
+    element = spring(cart.center_of_mass, Point(ground, l, 0, 0), k, on=cart)
+    assert [end.coordinates[0] for end in subs(element, {l: 3 * k}).ends] == [0, 3 * k]

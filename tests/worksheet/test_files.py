@@ -119,3 +119,8 @@ def test_a_link_does_not_lead_out(tmp_path: Path) -> None:
 @pytest.mark.parametrize("statement", ['system("ls")', 'ssystem("ls")'])
 def test_commands_of_the_system_are_refused(statement: str) -> None:
     assert failures(f"{statement};") == ["a worksheet can't run commands of the system"]
+
+
+def test_long_sums_are_saved_and_read(tmp_path: Path) -> None:
+    text = 'z := add(a||i*sin(b||i), i=1..3000): save z, "z.mpl": y := z: read "z.mpl": y - z;'
+    assert printed(text, tmp_path) == ["0"]

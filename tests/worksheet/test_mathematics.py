@@ -86,3 +86,26 @@ def test_integrals_and_limits(text: str, value: float) -> None:
 
 def test_the_last_exception_is_kept() -> None:
     assert printed('try error "too short" catch: print(lastexception) end try:') == ['unknown, "too short"']
+
+
+@pytest.mark.parametrize(
+    ("sheet", "expected"),
+    [
+        ("evalf(Pi, 15); evalf(Pi);", ["3.14159265358979", "3.141592654"]),
+        ("12345678901.5; 1.23456789012345;", ["12345678901.5", "1.23456789012345"]),
+        ("Digits := 15: sqrt(2.0); sin(1.0);", ["1.4142135623731", ".841470984807897"]),
+        (
+            "maximize(a*x-x^2, x); maximize(x^2-b, x=-1..2); maximize(b*x, x=0..1);",
+            ["1/4*a^2", "4-b", "maximize(b*x,x = 0 .. 1)"],
+        ),
+        ("minimize(x^2-2*x, x=0..3, location);", ["-1, {[{x = 1}, -1]}"]),
+        (
+            "s := series(exp(x), x, 3): 2*s; s + series(sin(x), x, 5);",
+            ["2+2*x+x^2+O(x^3)", "1+2*x+1/2*x^2+O(x^3)"],
+        ),
+        ("series(1/x+x, x, 3); series(tan(x)/x, x, 4);", ["x+1/x", "1+1/3*x^2+O(x^4)"]),
+    ],
+)
+def test_digits_extrema_and_series(sheet: str, expected: list[str]) -> None:
+    pytest.importorskip("sympy")
+    assert printed(sheet) == expected

@@ -53,6 +53,10 @@ CASES = {
         "fsolve(cos(r)=r,r=0..1); fsolve({w^2+v^2=4,w-v=0},{w=0..3,v=0..3});",
         [".7390851332", "{v = 1.414213562, w = 1.414213562}"],
     ),
+    "absolute values": (
+        "solve(abs(x)=2,x); solve(abs(x-1)=-2,x); solve(abs(x)=a,x); solve({abs(x)+y=3,y-x=1},{x,y});",
+        ["2, -2", "a, -a", "{x = 1, y = 2}"],
+    ),
     "roots that are whole numbers are decimals": (
         "fsolve(x^2-4,x); fsolve(x^3-8,x);",
         ["-2., 2.", "2."],
@@ -64,6 +68,14 @@ CASES = {
     "relations in unknowns": (
         "simplify(a*u+b*v,{u=w1,v=2*w1},[u,v]);",
         ["w1*(a+2*b)"],
+    ),
+    "relations of rates and accelerations": (
+        (
+            "X, Y, A := diff(x(t),t), diff(y(t),t), diff(a(t),t): C, S := cos(a(t)), sin(a(t)): "
+            "rel := {p(t)=X*C+Y*S, r(t)=Y*C-X*S, w(t)=A}: "
+            "simplify(diff(X,t)*C+diff(Y,t)*S, rel union diff(rel,t), [X, Y, A, diff(X,t), diff(Y,t), diff(A,t)]);"
+        ),
+        ["diff(p(t),t)-r(t)*w(t)"],
     ),
     "a relation of a polynomial": (
         "simplify(3*p^2+3*q^2,{p^2+q^2=1});",

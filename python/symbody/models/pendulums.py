@@ -19,7 +19,7 @@ def indexed(names: str, n: int) -> list[tuple[Expr, ...]]:
 
 def check_count(where: str, n: object) -> None:
     """Check the number of links that a model is to have."""
-    if not isinstance(n, int) or n < 1:
+    if not isinstance(n, int) or isinstance(n, bool) or n < 1:
         raise ModelError(f"{where}: n is {n!r}; expected the number of links, at least 1")
 
 
@@ -48,7 +48,9 @@ def n_pendulum(n: int = 2) -> ClassicSystem:
         bob = Link(f"bob {k}", m, center=(0, -l, 0))
         joints.append(revolute(f"pin_{k}", parent, bob, at=at, coordinate=angle - before))
         parent, at, before = bob, (0, -l, 0), angle
-    system = assemble(joints).system(gravity=Vector(ground, 0, -g, 0), name=f"Pendulum of {n} masses")
+    system = assemble(joints).system(
+        gravity=Vector(ground, 0, -g, 0), name=f"Pendulum of {n} mass{'es' if n > 1 else ''}"
+    )
     return ClassicSystem(
         system,
         "Braun, On some properties of the multiple pendulum, Archive of Applied Mechanics 72 (2003), p. 899",

@@ -92,6 +92,7 @@ def _element(element: Element, actions: Sequence[Action]) -> Element:
         "undefined": element.undefined,
         "jumping": element.jumping,
         "sizes": element.sizes,
+        "positive": element.positive,
     }
     moved = Element(element.kind, actions, **more)
     if element.potential is None:

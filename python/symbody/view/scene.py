@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from symbody.errors import ViewError
 from symbody.geometry import ground
-from symbody.multibody import Body
+from symbody.multibody import Body, Element
 from symbody.symbolic.given.arguments import brief
 from symbody.view.arrow import arrow_entries, load_arrows, reaction_arrows
 from symbody.view.camera import view_of
@@ -81,7 +81,7 @@ def scene(motion: DrawableMotion, options: DrawingOptions, title: str) -> dict[s
         "bodies": _bodies(bodies, own, parts),
         "links": bones.rods,
         "axes": axes,
-        **_lines_and_points(options, requested, bones),
+        **_lines_and_points(options, requested, bones, _along_lines(motion)),
         **shown,
         "poses": [rounded(track) for track in tracks],
     }
@@ -137,19 +137,40 @@ def _given(
 
 def _requested_paths(motion: DrawableMotion, options: DrawingOptions) -> Array:
     """Return the paths of points, traces and both ends of lines, in this order."""
-    ends = (end for line in options.lines for end in line)
+    elements = (element.ends for element in _along_lines(motion))
+    ends = (end for line in (*options.lines, *elements) for end in line)
     return paths(motion, [*options.points, *options.traces, *ends])
 
 
-def _lines_and_points(options: DrawingOptions, requested: Array, bones: Skeleton) -> dict[str, Any]:
+def _along_lines(motion: DrawableMotion) -> list[Element]:
+    """Return the springs, dampers and actuators between two points."""
+    loads = mechanism_of(motion).loads
+    return [load for load in loads if isinstance(load, Element) and load.ends]
+
+
+def _kind(element: Element) -> str:
+    """Return how an element is drawn: a damper without stiffness is no spring, nor is a force that is given."""
+    stiffness = element.law.get("stiffness")
+    return "line" if stiffness is None or stiffness.is_zero else "spring"
+
+
+def _lines_and_points(
+    options: DrawingOptions, requested: Array, bones: Skeleton, elements: Sequence[Element]
+) -> dict[str, Any]:
     n, k = len(options.points), len(options.traces)
     names = [point.name for point in (*options.points, *options.traces)]
     points = [*zip(names, requested[: n + k], strict=True), *bones.points]
     lines = [*zip(requested[n + k :: 2], requested[n + k + 1 :: 2], strict=True), *bones.lines]
+    kinds = (
+        ["line"] * len(options.lines) + [_kind(element) for element in elements] + ["line"] * len(bones.lines)
+    )
     return {
         "points": [{"name": name, "path": rounded(path)} for name, path in points],
         "traces": list(range(n, n + k)),
-        "lines": [{"from": rounded(start), "to": rounded(end)} for start, end in lines],
+        "lines": [
+            {"from": rounded(start), "to": rounded(end), **({"is_spring": True} if kind == "spring" else {})}
+            for kind, (start, end) in zip(kinds, lines, strict=True)
+        ],
     }
 
 

@@ -182,7 +182,8 @@ class _Projection:
         for line in [] if kind else self.content["lines"]:
             ends = [np.array(line[end]).reshape(-1, 3)[self.instant] for end in ("from", "to")]
             start, end = self._flat(np.array(ends))
-            yield Line(start, end, "#444444", 1.2)
+            path = _coil(start, end) if line.get("is_spring") and not self.is_measuring else [start, end]
+            yield from (Line(a, b, "#444444", 1.2) for a, b in pairwise(path))
 
     def _axes(self) -> Iterator[Mark]:
         for axes in self.content["axes"]:
@@ -240,6 +241,23 @@ class _Projection:
             if body["is_named"]:
                 (centre,) = self._flat(self._in_root(body["pose"], [[0.0, 0.0, 0.0]]))
                 yield Label(centre, body["name"], body["color"])
+
+
+def _coil(start: Place, end: Place) -> list[Place]:
+    """Return the zigzag by which books draw a spring; of one that is seen end on, or very short, its line."""
+    way = np.array(end) - np.array(start)
+    length = float(np.linalg.norm(way))
+    if length < _SHORT:
+        return [start, end]
+    turns = min(max(round(length / _PITCH), 3), _TURNS)
+    along = np.linspace(0.15, 0.85, 2 * turns + 1)
+    side = np.array([0, *(_AMPLITUDE * (-1) ** k for k in range(2 * turns - 1)), 0])
+    places = start + along[:, None] * way + side[:, None] * np.array([-way[1], way[0]]) / length
+    return [start, *((round(float(x), 2), round(float(y), 2)) for x, y in places), end]
+
+
+_TURNS, _PITCH, _AMPLITUDE, _SHORT = 16, 12.0, 6.0, 24.0
+"""The most turns of a spring; and the length of a turn, half the width of the spring and its least length in points."""
 
 
 def _arc(at: Array, vector: Array) -> Array:

@@ -260,3 +260,8 @@ def test_code_in_a_field_of_text() -> None:
     )
     assert code(cells) == [["a := 3;"], ["b := a;"]]
     assert cells[0].prose == ("so  is",)
+
+
+def test_a_prompt_ends_a_statement_that_needs_no_more() -> None:
+    (cell,) = source_cells("> restart\n> a := 3\n> b := a+1;\n> for i to 2 do\n> i;\n> od;\n> c :=\n> 4;\n")
+    assert kinds(cell) == ["Evaluation", "Assignment", "Assignment", "For", "Assignment"]

@@ -31,6 +31,9 @@ CASES = [
     ("show(AB); it moves (see the figure\nB := 3;", TWO, ["it moves (see the figure"]),
     ("show(AB); for the rear wheel\nB := 3;", TWO, ["for the rear wheel"]),
     ("show(AB); frame and body", ONE, ["frame and body"]),
+    ("for i to 3 do w[i] := i^2;  squares\nod;", ["For"], ["squares"]),
+    ("for i to 3 do w := i^2;  w\nod;", ["For"], []),
+    ("a := b^2: square of it; c := 4;", ["Assignment", "Assignment"], ["square of it;"]),
     # It isn't one where it is complete, or where the next line completes it.
     ("show(AB); crank;", ["Evaluation", "Evaluation"], []),
     ("show(AB); B := [x,\ny];", TWO, []),

@@ -147,7 +147,7 @@ impl Graph {
     }
 
     /// Whether an angle is an odd multiple of pi/2 though it does not look like one.
-    fn is_pole_of_tangent(&self, angle: Id) -> bool {
+    pub(super) fn is_pole_of_tangent(&self, angle: Id) -> bool {
         self.flags(angle).has(Flags::INVERSE)
             && self.function_fingerprint(Function::Cos, &[angle]).is_zero()
             && self.is_number_everywhere(Pending::Function(Function::Cos, &[angle]), &Number::integer(0))

@@ -47,35 +47,6 @@ impl Graph {
         id
     }
 
-    /// The number that a piecewise function is in all its branches, or that a node is whose fingerprint does not show it,
-    /// or the node itself.
-    pub(super) fn settled(&mut self, id: Id) -> Id {
-        if self.kind(id) != Kind::Function(Function::Piecewise) {
-            let hides_number = self.has_large_numbers
-                && self.as_number(id).is_none() // 0.4 stays a decimal where 2/5 was met before
-                && self.as_number(self.representative(id)).is_some();
-            return if hides_number { self.representative(id) } else { id };
-        }
-        self.hidden_number(id).map_or(id, |number| self.number(&number))
-    }
-
-    /// The argument of a function or root that is decided by numbers: the number that a sum or a product hides, which
-    /// a derivation does not look for, or the node itself.
-    pub(super) fn decided(&mut self, id: Id) -> Id {
-        let settled = self.settled(id);
-        if !matches!(self.kind(settled), Kind::Sum | Kind::Product | Kind::Scale) {
-            return settled;
-        }
-        self.hidden_number(settled).map_or(settled, |number| self.number(&number))
-    }
-
-    /// The number that a node is in all lanes, if it has less than 46 bits above and below the line.
-    fn hidden_number(&self, id: Id) -> Option<Number> {
-        let value = self.value(id);
-        let number = value.to_simple_rational().or_else(|| value.to_likely_rational())?;
-        self.has_value_of_number(id, &number).then_some(number)
-    }
-
     /// The number that a fingerprint shows, if it is a simple one.
     ///
     /// Outside of derivations, and for constants, any simple number is recognised.

@@ -263,6 +263,7 @@ impl Graph {
             (Function::Sin, 3) => turned(self, Function::Cos, true),
             (Function::Cos, 1) => turned(self, Function::Sin, true),
             (Function::Cos, 3) => turned(self, Function::Sin, false),
+            (Function::Tan, 1 | 3) if self.is_pole_of_tangent(rest) => Ok(Some(Id::ZERO)),
             (Function::Tan, 1 | 3) => {
                 let tangent = self.apply(Function::Tan, &[rest])?;
                 let cotangent = self.div(Id::ONE, tangent)?;

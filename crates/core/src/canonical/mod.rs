@@ -28,6 +28,7 @@ mod build;
 mod collector;
 mod distribute;
 mod exact;
+mod hidden_number;
 mod linear_system;
 mod multiple_of_pi;
 mod product;

@@ -33,16 +33,29 @@ pub(super) struct AdicPoint<'a> {
     /// The roots that are known, with the fingerprints of their squares.
     roots: RefCell<Vec<(Element, Adic)>>,
     misses_roots: Cell<bool>,
+    has_pole: Cell<bool>,
 }
 
 impl<'a> AdicPoint<'a> {
     pub(super) fn new(adics: &'a Adics, number: u16, trial: u16) -> Self {
-        Self { adics, number, trial, roots: RefCell::default(), misses_roots: Cell::new(false) }
+        Self {
+            adics,
+            number,
+            trial,
+            roots: RefCell::default(),
+            misses_roots: Cell::new(false),
+            has_pole: Cell::new(false),
+        }
     }
 
     /// Whether some values had no root here.
     pub(super) fn misses_roots(&self) -> bool {
         self.misses_roots.get()
+    }
+
+    /// Whether something has a pole here: what was made of it has no value.
+    pub(super) fn has_pole(&self) -> bool {
+        self.has_pole.get()
     }
 
     /// Whether the roots are so few that they may all exist at another point.
@@ -92,6 +105,9 @@ impl<'a> AdicPoint<'a> {
         exponent: &Number,
         in_field: impl Fn(FieldId) -> Quadratic,
     ) -> Adic {
+        if value.leading().is_none() && exponent.is_negative() {
+            self.has_pole.set(true);
+        }
         if let Some((count, 2)) = exponent.to_small()
             && let Some(root) = self.square_root(value, &in_field)
         {

@@ -11,7 +11,7 @@
 use std::sync::Arc;
 
 use crate::graph::{Atom, Flags, Function, Graph, Id, Ids, Split, View};
-use crate::value::{Field, FieldId, Key, Number, Quadratic};
+use crate::value::{Field, FieldId, Key, Number, Quadratic, needs_large_products};
 
 use super::integer_point::IntegerPoint;
 use super::node::{is_large, power_of_complex, power_of_number, power_of_prime};
@@ -215,7 +215,7 @@ impl Graph {
             return known;
         }
         let factors = self.atoms(argument, of_exponential).into_iter().filter_map(|atom| {
-            let factor = self.growth_at_integers(argument, &atom, IntegerPoint::PLAIN);
+            let factor = self.factor_in(argument, &atom, IntegerPoint::PLAIN);
             if let Atom::Log(_) = atom {
                 let factor = factor.unwrap_or_else(|| Number::integer(0));
                 let is_there = !factor.is_zero() || self.depends_on_logarithm(argument, &atom);
@@ -229,6 +229,16 @@ impl Graph {
         let split: Split = factors.collect();
         self.lanes.borrow_mut().insert_split(argument, of_exponential, None, Arc::clone(&split));
         split
+    }
+
+    /// The factor of an atom in an argument, read off at a point of integers.
+    ///
+    /// One such as -1/299 of a logarithm comes from what holds no multiple of it, such as 1/(4*y + log(x)), and needs units
+    /// that are too large.
+    pub(super) fn factor_in(&self, argument: Id, atom: &Atom, point: IntegerPoint<'_>) -> Option<Number> {
+        let factor = self.growth_at_integers(argument, atom, point)?;
+        let is_drawn = matches!(atom, Atom::Log(_)) && needs_large_products(&factor.denominator());
+        (!is_drawn).then_some(factor)
     }
 
     /// The atoms below an argument.

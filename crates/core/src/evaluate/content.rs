@@ -166,12 +166,15 @@ impl Graph {
         least(0).or_else(|| least(POINTS)).unwrap_or_else(|| Number::integer(0))
     }
 
-    /// The power of the prime in a sum of multiples at a point, where that is not zero.
+    /// The power of the prime in a sum of multiples at a point, where that is not zero and nothing has a pole.
     fn valuation_at(&self, terms: &[(i64, Id)], order: &[Id], adics: &Adics, point: u16) -> Option<Number> {
         let mut first = None;
         for trial in 0..TRIALS {
             let at = AdicPoint::new(adics, point, trial);
             let values = self.adic_values(order, &at);
+            if at.has_pole() {
+                return None;
+            }
             let sum = terms.iter().fold(Adics::zero(), |sum, (factor, id)| {
                 adics.add(&sum, &adics.mul(&adics.integer(&(*factor).into()), &values[id]))
             });

@@ -1,8 +1,10 @@
-//! Equality that forms show, so that no values in lanes are needed: products of the same factors, sums of the same terms.
+//! Equality that forms show, so that no values in lanes are needed: products of the same factors, sums of the same terms,
+//! the same function of the same arguments.
 //!
-//! Numbers and nesting are looked through. What the forms do not show may be equal all the same.
+//! Numbers and nesting are looked through, and nodes that are in one class by now are the same. What the forms do not show
+//! may be equal all the same.
 
-use crate::graph::{Flags, Graph, Id, Kind, NumberId, View};
+use crate::graph::{Flags, Function, Graph, Id, Kind, NumberId, View};
 use crate::value::Number;
 
 use super::pending::Pending;
@@ -33,9 +35,48 @@ impl Graph {
                 View::Product(_) | View::Scale(..) => {
                     self.shows(Pending::Product(&[(node, NumberId::ONE)]), id, is_opposite)
                 }
+                View::Function(function, args) => {
+                    !is_opposite && self.is_function_of_known(function, args.iter(), id)
+                }
+                View::Application { name, args, orders } => match self.view(id) {
+                    View::Application { name: other, args: others, orders: other_orders } => {
+                        !is_opposite
+                            && name == other
+                            && orders == other_orders
+                            && self.are_known_equal(args.iter(), others.iter())
+                    }
+                    _ => false,
+                },
                 _ => false,
             },
-            Pending::Function(..) => false,
+            Pending::Function(function, args) => {
+                !is_opposite && self.is_function_of_known(function, args.iter().copied(), id)
+            }
+        }
+    }
+
+    /// Whether a node is this function of arguments that are known to be equal to these: their representatives are the same.
+    fn is_function_of_known(&self, function: Function, args: impl Iterator<Item = Id>, id: Id) -> bool {
+        match self.view(id) {
+            View::Function(other, others) => function == other && self.are_known_equal(args, others.iter()),
+            _ => false,
+        }
+    }
+
+    fn are_known_equal(&self, args: impl Iterator<Item = Id>, others: impl Iterator<Item = Id>) -> bool {
+        args.map(|id| self.known_equal(id)).eq(others.map(|id| self.known_equal(id)))
+    }
+
+    /// The node that stands for this one, if it is in a class by now, or the node itself.
+    fn known_equal(&self, id: Id) -> Id {
+        self.representatives.borrow().standing(id).map_or(id, |standing| standing.equal)
+    }
+
+    /// The same up to sign.
+    fn known_up_to_sign(&self, id: Id) -> (Id, bool) {
+        match self.representatives.borrow().standing(id) {
+            Some(standing) => (standing.first, standing.is_opposite),
+            None => (id, false),
         }
     }
 
@@ -62,7 +103,15 @@ impl Graph {
                     waiting.push((child, exponent));
                 }
                 View::Product(inner) if exponent == NumberId::ONE => waiting.extend(inner.iter()),
-                _ => opened.push((base, exponent)),
+                _ => match self.known_power(base, exponent) {
+                    (known, is_opposite) if known != base || is_opposite => {
+                        waiting.push((known, exponent));
+                        if is_opposite {
+                            coefficient = coefficient.neg();
+                        }
+                    }
+                    _ => opened.push((base, exponent)),
+                },
             }
             if waiting.len() + opened.len() > MOST_PARTS {
                 return None;
@@ -70,6 +119,19 @@ impl Graph {
         }
         opened.sort_unstable_by_key(|&(base, exponent)| (base, exponent.0));
         Some((coefficient, opened))
+    }
+
+    /// The base of which this power, or the opposite of this power, is known to be one with the same exponent.
+    fn known_power(&self, base: Id, exponent: NumberId) -> (Id, bool) {
+        let number = self.get_number(exponent);
+        if !self.flags(base).has(Flags::BRANCH) {
+            return (base, false);
+        }
+        if !number.is_integer() {
+            return (self.known_equal(base), false);
+        }
+        let (first, is_opposite) = self.known_up_to_sign(base);
+        (first, is_opposite && !number.is_even())
     }
 
     /// Whether terms and one more, whose sum has the fingerprint of zero, cancel.
@@ -105,7 +167,11 @@ impl Graph {
             View::Scale(number, child) => (child, self.get_number(number).mul(&factor)),
             _ => (id, factor),
         };
-        let mut terms: Vec<(Id, Number)> = terms.map(plain).collect();
+        let known = |(id, factor): (Id, Number)| match self.known_up_to_sign(id) {
+            (first, true) => plain((first, factor.neg())),
+            (first, false) => plain((first, factor)),
+        };
+        let mut terms: Vec<(Id, Number)> = terms.map(plain).map(known).collect();
         terms.sort_by_key(|&(id, _)| id);
         terms.dedup_by(|(id, factor), (kept, total)| {
             let is_same = id == kept;
@@ -123,7 +189,7 @@ impl Graph {
 mod tests {
     use super::*;
     use crate::error::Error;
-    use crate::graph::{Assumption, Function};
+    use crate::graph::Assumption;
 
     #[test]
     fn order_nesting_signs_and_zeros_are_looked_through() -> Result<(), Error> {
@@ -147,6 +213,26 @@ mod tests {
         assert!(g.shows_number(Pending::Sum(&[(one, product), (one, opposite)]), &zero));
         assert!(!g.shows_number(Pending::Sum(&[(one, product), (one, product)]), &zero));
         assert!(g.shows_number(Pending::Product(&[(modulus, one), (Id::ZERO, one)]), &zero));
+        Ok(())
+    }
+
+    #[test]
+    fn functions_of_what_is_in_one_class_are_one() -> Result<(), Error> {
+        let g = &mut Graph::new();
+        let [x, y] = ["x", "y"].map(|name| g.symbol(name, Assumption::Real));
+        let square = |g: &mut Graph, id: Id| g.pow_number(id, &Number::integer(2));
+        let sum = g.add(x, y);
+        let opened = [square(g, x)?, g.mul(x, y)?, square(g, y)?];
+        let two = g.number_id(&Number::integer(2));
+        let one = NumberId::ONE;
+        let forms = [square(g, sum)?, g.sum(&[(one, opened[0]), (two, opened[1]), (one, opened[2])])];
+        let [first, second] = forms.map(|form| g.apply(Function::Sign, &[form]));
+        let (first, second) = (first?, second?);
+        assert!(g.shows(Pending::Node(first), second, false));
+        assert!(g.shows(Pending::Function(Function::Sign, &[forms[0]]), second, false));
+        assert!(!g.shows(Pending::Node(first), second, true));
+        let other = g.apply(Function::Sign, &[sum])?;
+        assert!(!g.shows(Pending::Node(first), other, false));
         Ok(())
     }
 }

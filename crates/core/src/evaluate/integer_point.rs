@@ -43,18 +43,24 @@ pub(super) struct IntegerPoint<'a> {
     pub number: u64,
     /// The lane whose signs are those here, if they are not those of the values at the point.
     signs: Option<FieldId>,
+    /// Whether poles are zero, so that other terms of a sum have their values.
+    poles_are_zero: bool,
 }
 
 impl<'a> IntegerPoint<'a> {
     pub(super) const PLAIN: Self = Self::numbered(0);
 
     pub(super) const fn numbered(number: u64) -> Self {
-        Self { grown: None, atom: None, number, signs: None }
+        Self { grown: None, atom: None, number, signs: None, poles_are_zero: false }
     }
 
     /// The plain point with the signs of a lane.
     pub(super) fn with_signs_of(field: FieldId) -> Self {
         Self { signs: Some(field.of_signs()), ..Self::PLAIN }
+    }
+
+    fn with_poles_zero(self) -> Self {
+        Self { poles_are_zero: true, ..self }
     }
 
     fn is_first(&self) -> bool {
@@ -142,7 +148,10 @@ impl Rationals {
 impl Graph {
     /// The value of a node at an integer point, if it is a rational number there.
     pub(super) fn at_integers(&self, root: Id, point: IntegerPoint<'_>) -> Option<Number> {
-        self.rationals(&self.short_order(&[root])?, point).get(root)
+        let order = self.short_order(&[root])?;
+        let values = self.rationals(&order, point);
+        let is_pole = values.element(root).is_none();
+        if is_pole { self.rationals(&order, point.with_poles_zero()).get(root) } else { values.get(root) }
     }
 
     /// The values of nodes and of what is below them at two points of integers, and at two more where functions are drawn.
@@ -172,7 +181,8 @@ impl Graph {
 
     /// The growth of a node's value at an integer point with an atom, if that is rational.
     ///
-    /// It is u(2) - u(1) for pi, which is positive, and (u(1) - u(-1))/2 for others, which may be odd functions.
+    /// It is u(2) - u(1) for pi, which is positive, and (u(1) - u(-1))/2 for others, which may be odd functions. What has a
+    /// pole at the point adds nothing.
     pub(super) fn growth_at_integers(
         &self,
         root: Id,
@@ -180,14 +190,16 @@ impl Graph {
         point: IntegerPoint<'_>,
     ) -> Option<Number> {
         let order = self.short_order(&[root])?;
-        let [first, second] = FieldId::HASH.map(|field| {
+        let growth = |field: FieldId, point: IntegerPoint<'_>| {
             let at = |value| self.values_at(&order, point.with(atom, value), field).remove(&root);
             let f = field.field();
             Some(match atom {
                 Atom::Pi => f.sub(&at(2)?, &at(1)?),
                 _ => f.half(&f.sub(&at(1)?, &at(-1)?)),
             })
-        });
+        };
+        let [first, second] = FieldId::HASH
+            .map(|field| growth(field, point).or_else(|| growth(field, point.with_poles_zero())));
         rational(fingerprint([&first?, &second?]))
     }
 
@@ -243,8 +255,10 @@ impl Graph {
                 let exponent = self.get_number(exponent);
                 let base = if exponent.is_integer() { base } else { self.representative(base) };
                 let value = values.get(&base)?;
-                let is_pole = value.is_zero() && exponent.is_negative();
-                (!is_pole).then(|| f.mul(&product, &self.power_of(base, value, exponent, f)))
+                if value.is_zero() && exponent.is_negative() {
+                    return point.poles_are_zero.then(|| value.clone());
+                }
+                Some(f.mul(&product, &self.power_of(base, value, exponent, f)))
             }),
             View::Function(function, args) => {
                 let args: Vec<Id> = self.represented(args).collect();

@@ -164,15 +164,21 @@ impl Graph {
                 self.push_parts(id, &mut parts);
                 out.extend(parts.iter().map(|&part| (part, field)));
                 let signs = field.of_signs();
-                if signs != field && signs.hash_lane().is_some() && self.is_choice(id) {
+                if signs != field && signs.hash_lane().is_some() && self.asks_for_signs(id) {
                     out.extend(parts.into_iter().map(|part| (part, signs)));
                 }
             }
         }
     }
 
-    fn is_choice(&self, id: Id) -> bool {
-        matches!(self.kind(id), Kind::Function(function) if function.is_choice())
+    /// Whether the value of a node in a field takes the values of its parts in the first field of the lane: for signs, or
+    /// for the branches of roots of what may be complex.
+    fn asks_for_signs(&self, id: Id) -> bool {
+        match self.kind(id) {
+            Kind::Function(function) => function.is_choice(),
+            Kind::Product => self.flags(id).has(Flags::COMPLEX) && self.flags(id).has(Flags::ROOT),
+            _ => false,
+        }
     }
 
     /// The value of a node from those of its children, which are known. `id` is the node of the view.
@@ -257,7 +263,7 @@ impl Graph {
                 let root = self.root_in(base, den * num.signum(), field);
                 f.power(&root, &Number::integer(num).abs())
             }
-            None => self.power_of(base, &self.value_in(base, field), exponent, f),
+            None => self.principal_power_in(base, exponent, field),
         }
     }
 
@@ -267,9 +273,19 @@ impl Graph {
             return known.clone();
         }
         let exponent = Number::rational(1, degree);
-        let root = self.power_of(base, &self.value_in(base, field), &exponent, field.field());
+        let root = self.principal_power_in(base, &exponent, field);
         self.lanes.borrow_mut().insert_root(base, degree, field, root.clone());
         root
+    }
+
+    /// The principal power of a node, or some branch of it for a complex node: the same one in all fields of a lane.
+    fn principal_power_in(&self, base: Id, exponent: &Number, field: FieldId) -> Quadratic {
+        let (value, f) = (self.value_in(base, field), field.field());
+        if self.as_number(base).is_some() || !self.is_complex(base) {
+            return self.power_of(base, &value, exponent, f);
+        }
+        let signs = field.of_signs();
+        power_on_branch(&value, exponent, branch_of(&self.value_in(base, signs), signs.field()), f)
     }
 
     /// The principal power of a node that has this value.
@@ -432,10 +448,17 @@ impl Graph {
     }
 }
 
-/// A rational power of what may be complex: e^(2 pi i k r) with a k drawn for the value is some branch, the same one for
-/// all exponents.
+/// A rational power of what may be complex, on the branch that is drawn for this value.
 pub(super) fn power_of_complex(value: &Quadratic, exponent: &Number, f: &Field) -> Quadratic {
-    let branch = f.exponent(&f.opaque(Key::new("branch"), &[value]));
+    power_on_branch(value, exponent, branch_of(value, f), f)
+}
+
+/// The k of the factor e^(2 pi i k r) of a power r of this value, the same one for all exponents.
+fn branch_of(value: &Quadratic, f: &Field) -> u64 {
+    f.exponent(&f.opaque(Key::new("branch"), &[value]))
+}
+
+fn power_on_branch(value: &Quadratic, exponent: &Number, branch: u64, f: &Field) -> Quadratic {
     let turns = exponent.mul(&Number::whole(branch.into()));
     f.mul(&f.rational_power(value, exponent), &f.unit(&turns))
 }

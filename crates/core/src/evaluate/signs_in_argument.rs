@@ -49,7 +49,7 @@ impl Graph {
         let plain = self.split_first(argument, of_exponential);
         let at_signs = |atom: Atom| {
             let known = plain.iter().find(|(other, _)| *other == atom).map(|(_, factor)| factor);
-            let factor = self.growth_at_integers(argument, &atom, IntegerPoint::with_signs_of(lane));
+            let factor = self.factor_in(argument, &atom, IntegerPoint::with_signs_of(lane));
             let factor = factor.unwrap_or_else(|| Number::integer(0));
             let factor = match atom {
                 Atom::Pi | Atom::LogOfPi | Atom::LogOfPrime(_) => {

@@ -130,7 +130,8 @@ impl Function {
 
     /// Whether numbers as arguments decide which value it has, or whether it has one.
     pub(crate) fn is_decided_by_numbers(self) -> bool {
-        self.is_choice() || matches!(self, Self::Asin | Self::Acos | Self::Atan | Self::Atan2 | Self::Log)
+        let needs_range = matches!(self, Self::Asin | Self::Acos | Self::Atan | Self::Atan2 | Self::Log);
+        needs_range || self.is_choice() || self == Self::Power
     }
 
     pub(crate) fn check_arity(self, found: usize) -> Result<(), Error> {

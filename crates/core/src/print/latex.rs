@@ -183,14 +183,29 @@ impl Writer<'_> {
     }
 }
 
-/// 1.5e-7 is 1.5 times a power of ten.
+/// 1.5e-7 and 15000000000.0 are 1.5 times a power of ten.
 fn decimal(number: &str) -> String {
-    match number.split_once('e') {
+    let scientific = with_exponent(number);
+    match scientific.as_deref().unwrap_or(number).split_once('e') {
         Some(("1", exponent)) => format!("10^{{{exponent}}}"),
         Some((mantissa, exponent)) => format!("{mantissa} \\cdot 10^{{{exponent}}}"),
         None => number.to_owned(),
     }
 }
+
+/// A decimal number that ends with many zeros, with a power of ten.
+fn with_exponent(number: &str) -> Option<String> {
+    let whole = number.strip_suffix(".0")?;
+    let digits = whole.trim_end_matches('0');
+    if whole.len() - digits.len() < MANY_ZEROS || digits.is_empty() {
+        return None;
+    }
+    let point = if digits.len() > 1 { "." } else { "" };
+    Some(format!("{}{point}{}e{}", &digits[..1], &digits[1..], whole.len() - 1))
+}
+
+/// The zeros at the end of a decimal number from which on it is written with a power of ten.
+const MANY_ZEROS: usize = 5;
 
 fn brackets(text: &str) -> String {
     format!("\\left({text}\\right)")

@@ -7,7 +7,7 @@
 //! | `I__xx`, `Ixx`, `Fx` | axes are italic, and the index of a capital that stands before them: `I_{xx}`, `F_{x}` |
 //! | `omega0`, `varphi`, `Omega`, `θ` | Greek letters; capitals that are Latin letters too are upright: `\mathrm{A}` |
 //! | `load`, `lc1` | several letters upright: `\mathrm{load}`, `\mathrm{lc}_{1}` |
-//! | `theta_dot`, `x_hat`, `x_prime`, `x'` | accents: `\dot{\theta}`, `\hat{x}`, `x^{\prime}` |
+//! | `theta_dot`, `x_hat`, `r_vec`, `x'` | accents: `\dot{\theta}`, `\hat{x}`, `\vec{r}`, `x^{\prime}` |
 //! | `a b`, `x-y`, `1a` | as it is written, if it has other characters than letters, digits and `_`: `\mathtt{x-y}` |
 //!
 //! Invariant: in one text, different names are typeset differently. Of the names that the rules make equal, such as `m1`
@@ -87,7 +87,8 @@ const LATIN_CAPITALS: [(&str, &str, char); 13] = [
 const SPELLINGS: [(&str, &str); 2] = [("lamda", "lambda"), ("µ", "mu")];
 
 /// Parts of a name that are accents over its letter.
-const ACCENTS: [(&str, &str); 2] = [("hat", "\\hat"), ("tilde", "\\tilde")];
+const ACCENTS: [(&str, &str); 4] =
+    [("hat", "\\hat"), ("tilde", "\\tilde"), ("bar", "\\bar"), ("vec", "\\vec")];
 /// Parts of a name that are dots over its letter, as many as their place in this list.
 const DOT_WORDS: [&str; 3] = ["dot", "ddot", "dddot"];
 /// The dots over a letter. Beyond that a derivative is written x^{(4)}.
@@ -398,6 +399,8 @@ mod tests {
             ("q1_ddot", "\\ddot{q}_{1}"),
             ("theta_dot1", "\\dot{\\theta}_{1}"),
             ("x_hat", "\\hat{x}"),
+            ("omega_bar", "\\bar{\\omega}"),
+            ("r_vec1", "\\vec{r}_{1}"),
             ("x_prime_1", "x_{1}^{\\prime}"),
             ("x''", "x^{\\prime\\prime}"),
             ("a b", "\\mathtt{a\\ b}"),

@@ -8,6 +8,7 @@ use num_integer::Integer;
 use num_traits::{One, Pow, Zero};
 
 use super::circle;
+use super::extended::LARGEST_DEGREE;
 use super::field::{Field, TORSION};
 use super::key::Key;
 use super::number::Number;
@@ -161,6 +162,21 @@ impl Field {
         }
         sum
     }
+}
+
+/// Whether a root of this degree of what may be negative needs products of units that have more than 128 coordinates
+/// together. (Where a single unit has more, it is a drawn point of the circle.)
+pub(crate) fn needs_large_products(degree: &BigInt) -> bool {
+    let coordinates = prime_factors(&Number::whole(degree.clone())).into_iter().map(|(prime, count)| {
+        let power: BigInt = Pow::pow(&prime, count.unsigned_abs());
+        match power.gcd(&TORSION.into()) {
+            _ if prime.is_even() => BigInt::one(), // square roots
+            held if held.is_one() => &power / &prime * (prime - 1),
+            held => power / held,
+        }
+    });
+    let units: Vec<BigInt> = coordinates.filter(|each| !each.is_one()).collect();
+    units.len() > 1 && units.into_iter().product::<BigInt>() > LARGEST_DEGREE.into()
 }
 
 /// The b/d of a fraction of a turn, which is the sum of that and of one with other primes in the denominator.

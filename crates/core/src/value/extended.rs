@@ -16,7 +16,7 @@ use super::number::Number;
 use super::quadratic::{Extended, Generator, Quadratic};
 
 /// The largest degree of a generator.
-const LARGEST_DEGREE: u64 = 128;
+pub(super) const LARGEST_DEGREE: u64 = 128;
 
 /// Products of elements that take more products of coordinates are drawn.
 const HEAVIEST: usize = 50_000;
@@ -112,11 +112,20 @@ impl Field {
         self.polynomial(generator, terms(a, generator).into_iter().chain(terms(b, generator)))
     }
 
-    /// A product, which is drawn where it is too large.
+    /// The first real coordinate of an element that is not zero, and the element divided by it.
+    fn without_leading(&self, a: &Quadratic) -> (Quadratic, Quadratic) {
+        let factor = Quadratic::Real(a.leading());
+        let rest = self.mul(a, &self.inverse(&factor));
+        (factor, rest)
+    }
+
+    /// A product, which is drawn up to a real factor where it is too large.
     pub(super) fn mul_extended(&self, a: &Quadratic, b: &Quadratic) -> Quadratic {
         if weight(a) * weight(b) > HEAVIEST {
-            let (lesser, greater) = if a.words() < b.words() { (a, b) } else { (b, a) };
-            return self.opaque(Key::new("large product"), &[lesser, greater]);
+            let ((m, a), (n, b)) = (self.without_leading(a), self.without_leading(b));
+            let (lesser, greater) = if a.words() < b.words() { (&a, &b) } else { (&b, &a) };
+            let drawn = self.opaque(Key::new("large product"), &[lesser, greater]);
+            return self.mul(&self.mul(&m, &n), &drawn);
         }
         let generator = outer_generator(a, b);
         let (a, b) = (terms(a, generator), terms(b, generator));
@@ -140,7 +149,9 @@ impl Field {
         );
         match self.mul(&element, &others) {
             Quadratic::Extended(norm) if norm.generator.prime == generator.prime => {
-                self.opaque(Key::new("large reciprocal"), &[&element]) // a product was too large
+                // A product was too large. The reciprocal is drawn up to a real factor.
+                let (factor, rest) = self.without_leading(&element);
+                self.mul(&self.inverse(&factor), &self.opaque(Key::new("large reciprocal"), &[&rest]))
             }
             norm => self.mul(&others, &self.inverse(&norm)),
         }

@@ -3,7 +3,9 @@
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, ToPrimitive, Zero};
+use rustc_hash::FxHashMap;
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::{Arc, LazyLock, Mutex};
 
 use super::number::Number;
 use super::prime::mul_mod;
@@ -11,21 +13,51 @@ use super::prime::mul_mod;
 /// Primes below this are found by trial division.
 const TRIALS: u64 = 2000;
 
+/// The prime factors of large integers that were asked for, which take long to find. Values do not depend on it.
+static KNOWN: LazyLock<Mutex<FxHashMap<BigInt, Arc<Powers>>>> = LazyLock::new(Mutex::default);
+
+/// The table of known factors begins anew after this many numbers.
+const MOST_KNOWN: usize = 10_000;
+
+type Powers = [(BigInt, i64)];
+
 /// The prime factors of a positive number, with exponents that are negative for those of the denominator.
 ///
 /// Factors beyond 64 bits stay as they are, if they are not powers, and no prime factor is found in few steps.
 pub(crate) fn prime_factors(number: &Number) -> BTreeMap<BigInt, i64> {
     let mut factors = BTreeMap::new();
     for (part, sign) in [(number.numerator(), 1), (number.denominator(), -1)] {
-        split(part, sign, &mut factors);
+        match part.to_u64() {
+            Some(word) => split_word(word, sign, &mut factors),
+            None => factors_of_large(part).iter().for_each(|(prime, exponent)| {
+                *factors.entry(prime.clone()).or_default() += sign * exponent;
+            }),
+        }
     }
     factors.retain(|_, exponent| *exponent != 0);
     factors
 }
 
+/// The factors of a number of more than 64 bits, found once.
+fn factors_of_large(number: BigInt) -> Arc<Powers> {
+    let table = || KNOWN.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+    if let Some(known) = table().get(&number) {
+        return Arc::clone(known);
+    }
+    let mut factors = BTreeMap::new();
+    split(number.clone(), 1, &mut factors);
+    let factors: Arc<Powers> = factors.into_iter().collect();
+    let mut known = table();
+    if known.len() >= MOST_KNOWN {
+        known.clear();
+    }
+    known.insert(number, Arc::clone(&factors));
+    factors
+}
+
 fn split(mut rest: BigInt, sign: i64, factors: &mut BTreeMap<BigInt, i64>) {
     let mut q = 2u64;
-    while q < TRIALS && !rest.is_one() && !rest.is_zero() {
+    while q < TRIALS && rest.bits() > 64 {
         let (mut quotient, mut remainder) = rest.div_rem(&q.into());
         while remainder.is_zero() {
             *factors.entry(q.into()).or_default() += sign;
@@ -35,20 +67,35 @@ fn split(mut rest: BigInt, sign: i64, factors: &mut BTreeMap<BigInt, i64>) {
         q += if q == 2 { 1 } else { 2 };
     }
     match rest.to_u64() {
-        Some(0 | 1) => {}
         Some(word) => split_word(word, sign, factors),
         None => split_large(rest, sign, factors),
     }
 }
 
-fn split_word(word: u64, sign: i64, factors: &mut BTreeMap<BigInt, i64>) {
+/// The factors of a number of up to 64 bits; zero has none.
+fn split_word(mut rest: u64, sign: i64, factors: &mut BTreeMap<BigInt, i64>) {
+    let mut q = 2;
+    while q < TRIALS && q * q <= rest {
+        while rest % q == 0 {
+            *factors.entry(q.into()).or_default() += sign;
+            rest /= q;
+        }
+        q += if q == 2 { 1 } else { 2 };
+    }
+    if rest > 1 {
+        split_without_small(rest, sign, factors);
+    }
+}
+
+/// The factors of a number that is prime or has none below the bound of trials.
+fn split_without_small(word: u64, sign: i64, factors: &mut BTreeMap<BigInt, i64>) {
     if word < TRIALS * TRIALS || is_prime(word) {
         *factors.entry(word.into()).or_default() += sign;
         return;
     }
     let divisor = proper_divisor(word);
-    split_word(divisor, sign, factors);
-    split_word(word / divisor, sign, factors);
+    split_without_small(divisor, sign, factors);
+    split_without_small(word / divisor, sign, factors);
 }
 
 /// A number of more than 64 bits: the root of a perfect power, or the number itself.

@@ -23,7 +23,7 @@ def nomenclature(subject: Subject) -> list[Block]:
     for (kind, unit), family in groupby(named, key=lambda entry: (entry.kind, entry.unit)):
         for alike in _lines_of([*family], kind):
             names = [entry.name for entry in alike]
-            rows.append((listed(names), (_meaning(alike),), (unit,)))
+            rows.append((listed(names), (row_meaning(alike),), (unit,)))
     return [Heading("Nomenclature"), Table(("symbol", "meaning", "unit"), tuple(rows))]
 
 
@@ -51,17 +51,19 @@ def _lines_of(family: Sequence[Entry], kind: str) -> list[Sequence[Entry]]:
     return [family[start : start + step] for start in range(0, len(family), step)]
 
 
-def _meaning(alike: Sequence[Entry]) -> str:
+def row_meaning(alike: Sequence[Entry]) -> str:
     """Return the meaning of a line: "mass of link 1", or "mass of link 1, ..., 7" of a family."""
     first, last = alike[0], alike[-1]
     if first.meaning == last.meaning:
         return first.meaning
     numbers = [entry.name.name[len(entry.name.name.rstrip("0123456789")) :] for entry in alike]
-    return first.kind.replace(
+    return _PLURALS.get(first.kind, first.kind).replace(
         "#", joined_by_and(numbers) if len(numbers) <= _FEW else f"{numbers[0]}, ..., {numbers[-1]}"
     )
 
 
+_PLURALS = {"multiplier of constraint #": "multipliers of constraints #"}
+"""The meanings of families that stand in the plural."""
 _FEW = 3
 """The numbers of a family that are listed."""
 

@@ -101,6 +101,11 @@ def not_negative(where: str, **values: Scalar | None) -> dict[str, Expr]:
     return {name: value for name, value in given.items() if not value.is_constant}
 
 
+def zero_fault(name: str) -> str:
+    """Return what is wrong with a size that is zero, by which a law divides."""
+    return f"{name} = 0; expected a positive number, by which the law divides"
+
+
 def negative_fault(name: str, value: Expr | float) -> str:
     """Return what is wrong with a size or a resistance that is negative."""
     shown = f"{value:.6g}" if isinstance(value, float) else brief(value)

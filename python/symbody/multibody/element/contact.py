@@ -92,7 +92,15 @@ def contact(
         potential = expression(stiffness) * overlap ** (n + 1) / (n + 1)
         quantities = {"overlap": overlap, "normal": normal, "gap": z - radius}
         actions = forces(force, place, on, reaction)
-        return Element(_WHERE, actions, potential=potential, quantities=quantities, name=name, sizes=sizes)
+        return Element(
+            _WHERE,
+            actions,
+            potential=potential,
+            quantities=quantities,
+            name=name,
+            sizes=sizes,
+            positive=("stiffness", "creep_speed"),
+        )
 
 
 def _slip(place: Point, on: Body, plane: Frame, reaction: Body | None) -> Vector:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import cached_property
 from typing import Any, NamedTuple, TypeGuard, final
 
 from symbody.errors import LoadError
+from symbody.geometry import Point
 from symbody.multibody.load import Action, Load
 from symbody.symbolic import Expr, number, time_derivative, time_function
 from symbody.symbolic.expression.container import Container, contains
@@ -42,8 +43,10 @@ class Element(Load):
         undefined: where the law has no value, if it is so anywhere.
         jumping: an angle in its law that is known from -pi to pi alone, and jumps there.
         sizes: sizes and resistances of its law, by the names of the arguments, which make no sense below zero.
+        positive: the names of those among them that make no sense if they are zero, either: the law divides by them.
         law: of a force along a line, the terms of ``F = k (l - l0) + c l'`` by the names of the arguments "stiffness",
             "free_length" and "damping", or "force", F itself; of an effort along a coordinate of a joint, likewise.
+        ends: of a force along a line, the points between which it acts.
 
     >>> from symbody import Body, functions_of_time, ground, origin, spring, symbols, translate
     >>> x, k = functions_of_time("x"), symbols("k")
@@ -65,14 +68,18 @@ class Element(Load):
         undefined: Undefined | None = None,
         jumping: Expr | None = None,
         sizes: Mapping[str, Expr] | None = None,
+        positive: Iterable[str] = (),
         law: Mapping[str, Expr] | None = None,
+        ends: Sequence[Point] = (),
     ) -> None:
         self.kind, self.name, self.potential = kind, name, potential
         self.undefined, self.jumping = undefined, jumping
         self.states = dict(states or {})
         self.quantities = dict(quantities or {})
         self.sizes = dict(sizes or {})
+        self.positive = frozenset(positive)
         self.law = dict(law or {})
+        self.ends = tuple(ends)
         self._actions = tuple(actions)
 
     @cached_property
@@ -154,7 +161,7 @@ def _parts(element: Element) -> tuple[Any, ...]:
     if element.undefined is not None:
         given.append(element.undefined.where_zero)
     named = (element.states, element.quantities, element.sizes, element.law)
-    return *element.actions, *(value for each in named for value in each.values()), *given
+    return *element.actions, *(value for each in named for value in each.values()), *given, *element.ends
 
 
 def _rebuilt(element: Element, parts: Sequence[Any]) -> Element:
@@ -167,6 +174,8 @@ def _rebuilt(element: Element, parts: Sequence[Any]) -> Element:
     given = {name: next(remaining) for name in _OPTIONAL if getattr(element, name) is not None}
     undefined = None if element.undefined is None else element.undefined._replace(where_zero=next(remaining))
     named: dict[str, Any] = {"states": states, "quantities": quantities, "sizes": sizes, "law": law}
+    ends = [next(remaining) for _ in element.ends]
+    named |= {"positive": element.positive, "ends": ends}
     return Element(element.kind, actions, name=element.name, undefined=undefined, **named, **given)
 
 

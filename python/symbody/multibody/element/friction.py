@@ -83,6 +83,7 @@ def friction(
             quantities={"effort": effort, "rate": joint.rate},
             name=name,
             sizes=sizes,
+            positive=("creep_speed", "stribeck_speed"),
             law={argument: expression(value) for argument, value in law.items() if value is not None},
         )
 

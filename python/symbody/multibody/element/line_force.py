@@ -49,5 +49,11 @@ def line_force(
         actions = forces(line.vector * (size / line.length), at, on, reaction, to)
         quantities = {"length": line.length, "rate": line.rate, "force": size}
     return Element(
-        _WHERE, actions, quantities=quantities, name=name, undefined=line.undefined, law={"force": size}
+        _WHERE,
+        actions,
+        quantities=quantities,
+        name=name,
+        undefined=line.undefined,
+        law={"force": size},
+        ends=(at, to),
     )

@@ -103,6 +103,7 @@ class MagicFormula:
         camber: Scalar = 0,
         *,
         speed: Scalar | None = None,
+        ahead: Scalar = 1,
     ) -> TireForce:
         """Return the forces of the tyre.
 
@@ -112,6 +113,7 @@ class MagicFormula:
             lateral_slip: the tangent of the slip angle.
             camber: the camber, in rad.
             speed: that of the wheel, in m/s, if the rolling resistance or friction depends on it.
+            ahead: 1 for a wheel that travels ahead, -1 for one that travels back, where the trail is ahead.
         """
         if speed is None and self.needs_speed:
             raise LoadError(
@@ -119,7 +121,7 @@ class MagicFormula:
                 "expected law(load, kappa, lateral_slip, camber, speed=v); a tire gives its own"
             )
         with derivation(order=ENERGY):
-            given = (kappa, lateral_slip, camber, 0 if speed is None else speed)
+            given = (kappa, lateral_slip, camber, 0 if speed is None else speed, ahead)
             return _Forces(self.coefficients, self.version, pressing(load), *map(expression, given)).found
 
     @property
@@ -141,7 +143,9 @@ class MagicFormula:
                 "relaxation=(sigma_x, sigma_y) to the tire"
             )
         with derivation(order=ENERGY):
-            forces = _Forces(p, self.version, N, number(0), number(0), expression(camber), number(0))
+            forces = _Forces(
+                p, self.version, N, number(0), number(0), expression(camber), number(0), number(1)
+            )
             along = (p["PTX1"] + p["PTX2"] * forces.df) * exp(-p["PTX3"] * forces.df)
             across = p["PTY1"] * sin(2 * atan(N / (p["PTY2"] * forces.F0)))
             across *= 1 - p["PKY3"] * Abs(expression(camber))
@@ -151,7 +155,8 @@ class MagicFormula:
     @property
     def sizes(self) -> dict[str, Expr]:
         """The coefficients in symbols that make no sense below zero."""
-        return not_negative("magic_formula", **{name: self.coefficients[name] for name in sorted(POSITIVE)})
+        names = (*sorted(POSITIVE), "INFLPRES")
+        return not_negative("magic_formula", **{name: self.coefficients.get(name) for name in names})
 
     def __repr__(self) -> str:
         given = [name for name, value in self.coefficients.items() if value != DEFAULTS.get(name)]
@@ -170,6 +175,7 @@ class _Forces:
     """alpha*, the tangent of the slip angle (4.E3)."""
     gamma: Expr
     speed: Expr
+    ahead: Expr
 
     @cached_property
     def found(self) -> TireForce:
@@ -333,7 +339,8 @@ class _Forces:
         else:
             carried = self._lateral_curve(number(0)).at(self.alpha) * self.lateral_weight
         lever = p["SSZ1"] + p["SSZ2"] * Fy / p["FNOMIN"] + (p["SSZ3"] + p["SSZ4"] * self.df) * self.gamma
-        return self._residual - self._trail * carried + p["UNLOADED_RADIUS"] * lever * p["LS"] * Fx
+        about = self.ahead * (self._residual - self._trail * carried)
+        return about + p["UNLOADED_RADIUS"] * lever * p["LS"] * Fx
 
     @cached_property
     def _trail(self) -> Expr:

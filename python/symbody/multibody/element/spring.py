@@ -79,6 +79,7 @@ def spring(
         undefined=None if l0.is_zero and line.stays_on_axis else line.undefined,
         sizes=sizes,
         law={"stiffness": k, "free_length": l0, "damping": c},
+        ends=(at, to),
     )
 
 

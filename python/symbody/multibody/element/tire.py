@@ -32,8 +32,10 @@ from .attachment import check_bodies, check_fixed, forces, not_negative, torques
 from .element import Element, Undefined
 from .linear_tire import LinearTire
 from .magic_formula import MagicFormula
+from .tire_coefficient import POSITIVE
 from .tire_force import TireForce, TireLaw
 from .tire_kinematics import Shape, SpinAxis, TireKinematics, tire_kinematics
+from .tire_shape import TireShape
 
 _WHERE = "tire"
 
@@ -139,13 +141,13 @@ def tire(
         vertical = _vertical(contact, load, 0 if stiffness is None else stiffness, damping)
         slip = _slips(contact, relaxation, expression(least_speed), name)
         _check_forces(law, stiffness, acts=load_acts)
-        found = _forces(_at_speed(law, contact), vertical.load, slip, contact.camber)
-        if not isinstance(law, TireForce):
-            found = found._replace(rolling=found.rolling * _ahead(contact.VR, expression(least_speed)))
+        found = _rolling(law, contact, vertical.load, slip, expression(least_speed))
         carried = vertical.load if load is None or load_acts else number(0)
         actions = _actions(contact, found, carried, wheel, reaction)
     quantities = _quantities(contact, found, vertical.load, slip)
     has_slips_at_rest = relaxation is not None or not expression(least_speed).is_zero
+    wheel_radius = None if isinstance(radius, TireShape) else radius
+    sizes |= not_negative(_WHERE, radius=wheel_radius, rolling_radius=rolling_radius)
     sizes |= _sizes(law, relaxation)
     return Element(
         _WHERE,
@@ -156,6 +158,7 @@ def tire(
         name=name,
         undefined=None if has_slips_at_rest else Undefined(contact.VS, _STANDS),
         sizes=sizes,
+        positive=_POSITIVE,
     )
 
 
@@ -180,6 +183,17 @@ def _actions(
     if all(component.is_zero for component in moment.components):
         return actions
     return actions + torques(moment, wheel, reaction)
+
+
+_POSITIVE = (
+    "radius",
+    "rolling_radius",
+    "longitudinal relaxation",
+    "lateral relaxation",
+    *POSITIVE,
+    "INFLPRES",
+)
+"""The sizes by which the kinematics or the law divide."""
 
 
 def _sizes(law: TireLaw, relaxation: Lengths | None) -> dict[str, Expr]:
@@ -210,16 +224,34 @@ def _quantities(contact: TireKinematics, found: TireForce, load: Expr, slip: _Sl
     }
 
 
-def _ahead(VR: Expr, least: Expr) -> Expr:
-    """Return 1 for a wheel that rolls ahead, -1 for one that rolls back: rolling resistance opposes the spin."""
-    return sign(-VR) if least.is_zero else tanh(-VR / least)
+def _rolling(law: TireLaw, contact: TireKinematics, load: Expr, slip: _Slips, least: Expr) -> TireForce:
+    """Return the forces on a wheel that rolls ahead or back, by a law of one that rolls ahead.
+
+    Rolling resistance opposes the spin. The lateral force acts behind the contact as the wheel travels, so that the
+    aligning moment of a wheel that travels back has the other sign; the arm of the longitudinal force stays.
+
+    Args:
+        law: the law.
+        contact: how the wheel moves.
+        load: the vertical load.
+        slip: the slips.
+        least: the speed below which directions are not told apart sharply, or zero.
+    """
+    if isinstance(law, TireForce):
+        return _forces(law, load, slip, contact.camber)
+    travel = _ahead(contact.VS, least)
+    if isinstance(law, MagicFormula):
+        speed = Abs(contact.VS) if law.needs_speed else None
+        found = _forces(partial(law, speed=speed, ahead=travel), load, slip, contact.camber)
+    else:
+        found = _forces(law, load, slip, contact.camber)
+        found = found._replace(aligning=found.aligning * travel)
+    return found._replace(rolling=found.rolling * _ahead(-contact.VR, least))
 
 
-def _at_speed(law: TireLaw, contact: TireKinematics) -> TireLaw:
-    """Return a law at the speed of the wheel, if it depends on it."""
-    if not (isinstance(law, MagicFormula) and law.needs_speed):
-        return law
-    return partial(law, speed=Abs(contact.VS))
+def _ahead(velocity: Expr, least: Expr) -> Expr:
+    """Return 1 for a velocity ahead, -1 for one back, and what is between up to a least speed."""
+    return sign(velocity) if least.is_zero else tanh(velocity / least)
 
 
 def _forces(law: TireLaw, load: Expr, slip: _Slips, camber: Expr) -> TireForce:

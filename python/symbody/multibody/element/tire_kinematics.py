@@ -210,8 +210,11 @@ def _section(center: Triple, radius: ExprLike | TireShape, rho: Expr, axes: _Axe
     if not isinstance(radius, TireShape):
         R = _positive("radius", radius)
         _check_crown(R, rho)
+        height, up = center[2], axes.up[2]
         crown = sub3(center, scale3(R - rho, axes.up))
-        return _Section(crown, R - rho + crown[2] * upright, rho - crown[2], NULL, number(0))
+        # upright, both are written without the crown: (R - rho) (1 - up upright) is zero
+        arm, depth = (R - rho) * (1 - up * upright) + height * upright, rho * (1 - up) + R * up - height
+        return _Section(crown, arm, depth, NULL, number(0))
     if not rho.is_zero:
         raise LoadError(
             f"{_WHERE}: crown_radius = {brief(rho)} beside a shape; expected a radius with it, or the crown in the "

@@ -76,4 +76,7 @@ def _at_pressure(p: dict[str, Expr], pressure: Expr) -> dict[str, Expr]:
         ("QSX2",): scale("PPMX1"),
         tuple(f"QSY{k}" for k in range(1, 7)): (pressure / p["NOMPRES"]) ** p["QSY8"],
     }
-    return p | {name: p[name] * factor for names, factor in scaled.items() for name in names}
+    inflation = (
+        {} if pressure.is_constant else {"INFLPRES": pressure}
+    )  # its value is checked when a motion begins
+    return p | inflation | {name: p[name] * factor for names, factor in scaled.items() for name in names}

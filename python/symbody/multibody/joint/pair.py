@@ -13,7 +13,7 @@ from .closure import AXES, Closure, Sides, along, held_point, holds_by_itself, p
 from .joint_angle import angles, over_all_turns, turning_axis
 from .limit import Limit
 
-__all__ = ["Pair", "Size", "SlideAndTurn", "Travel", "held_senses", "held_turns", "turns_back"]
+__all__ = ["Pair", "Size", "SlideAndTurn", "Travel", "held_senses", "held_turns", "turns_back", "whole_angle"]
 
 
 class Size(NamedTuple):
@@ -179,11 +179,17 @@ class SlideAndTurn(Pair):
 
     def _over_all_turns(self, sides: Sides) -> Expr | None:
         """Return the angle of a pair that turns about one axis, where it is a sum of coordinates."""
-        if len(self.turns) != 1:
-            return None
-        if not all(holds_by_itself(each.condition) for each in held_turns(sides, self.turns)):
-            return None
-        return over_all_turns(sides, AXES.index(self.turns), angles(self.turns, sides.entry)[0])
+        return whole_angle(sides, self.turns) if len(self.turns) == 1 else None
+
+
+def whole_angle(sides: Sides, axis: str) -> Expr | None:
+    """Return the angle about an axis with all its turns, where it is a sum of coordinates; None elsewhere.
+
+    It is where the axis keeps one direction in both bodies, as in a mechanism in a plane.
+    """
+    if not all(holds_by_itself(each.condition) for each in held_turns(sides, axis)):
+        return None
+    return over_all_turns(sides, AXES.index(axis), angles(axis, sides.entry)[0])
 
 
 def held_turns(sides: Sides, axes: str) -> tuple[Closure, ...]:

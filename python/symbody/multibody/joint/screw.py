@@ -16,7 +16,7 @@ from .closure import AXES, Closure, Sides, along
 from .joint import Coordinate, Joint, Loop, Part, joined, mounted
 from .limit import Limits
 from .link import Place
-from .pair import Pair, Size, Travel, held_senses, held_turns
+from .pair import Pair, Size, Travel, held_senses, held_turns, whole_angle
 
 
 @checked(JointError)
@@ -86,17 +86,27 @@ class Thread(Pair):
         return translate(*shift) * rotate(self.axis, angle)
 
     def closures(self, sides: Sides) -> tuple[Closure, ...]:
-        """Return the closures of a shaft in a bush, and ``h sin(d/h - phi) = 0``, which is regular at every turn."""
+        """Return the closures of a shaft in a bush, and ``d - h phi = 0``.
+
+        Where the angle phi is known up to whole turns, that is ``h sin(d/h - phi) = 0``, which is regular at each of
+        them.
+        """
         k = AXES.index(self.axis)
         i, j = (k + 1) % 3, (k + 2) % 3
-        turn = sides.gap.components[k] / self.pitch
-        condition = self.pitch * (sin(turn) * sides.entry(i, i) - cos(turn) * sides.entry(j, i))
+        angle = whole_angle(sides, self.axis)
+        if angle is None:
+            turn = sides.gap.components[k] / self.pitch
+            condition = self.pitch * (sin(turn) * sides.entry(i, i) - cos(turn) * sides.entry(j, i))
+        else:
+            condition = sides.gap.components[k] - self.pitch * angle
         e = sides.of_parent(k)
         thread = Closure("thread", condition, sides.point, e, -self.pitch * e)
         return along(sides, i), along(sides, j), thread, *held_turns(sides, self.axis)
 
     def senses(self, sides: Sides) -> Mapping[str, Expr]:
-        """Return that of the axis, and ``cos(d/h - phi)``: the sine is zero also half a turn away from the thread."""
+        """Return that of the axis, and ``cos(d/h - phi)``: its sine is zero also half a turn away from the thread."""
+        if whole_angle(sides, self.axis) is not None:
+            return held_senses(sides, self.axis)
         k = AXES.index(self.axis)
         i, j = (k + 1) % 3, (k + 2) % 3
         turn = sides.gap.components[k] / self.pitch

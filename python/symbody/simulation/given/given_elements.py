@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from symbody.codegen import CompiledFunction, lambdify
 from symbody.errors import notify
 from symbody.multibody import Element, System, Variables
-from symbody.multibody.element.attachment import negative_fault
+from symbody.multibody.element.attachment import negative_fault, zero_fault
 from symbody.symbolic import Expr, free_symbols
 from symbody.symbolic.given.arguments import brief
 
@@ -22,6 +22,8 @@ __all__ = ["size_in_cases", "warn_of_negative_sizes"]
 
 def warn_of_negative_sizes(system: Variables, given: Mapping[Expr, ArrayLike], where: str) -> None:
     """Give a notice of each size or resistance of an element that is negative, such as damping that gives energy.
+
+    And of those that are zero, where a law divides by them.
 
     Those that are numbers were checked when the element was made.
 
@@ -36,19 +38,22 @@ def warn_of_negative_sizes(system: Variables, given: Mapping[Expr, ArrayLike], w
     for element in elements:
         first_of_its_value = {size: name for name, size in reversed(element.sizes.items())}
         for size, name in first_of_its_value.items():
-            fault = _fault(name, size, given)
+            fault = _fault(name, size, given, may_vanish=name not in element.positive)
             if fault:
                 which, what = fault
                 notify(f"{where}: {which}{brief(element)}: {what}")
 
 
-def _fault(name: str, size: Expr, given: Mapping[Expr, ArrayLike]) -> tuple[str, str] | None:
-    """Return the cases in which a size is negative, and what is wrong; None if nothing is, or if it is not known."""
+def _fault(
+    name: str, size: Expr, given: Mapping[Expr, ArrayLike], *, may_vanish: bool
+) -> tuple[str, str] | None:
+    """Return the cases in which a size makes no sense, and what is wrong; None if nothing is, or if it is not known."""
     values = size_in_cases(size, given)
-    places = np.flatnonzero(values < 0)
+    places = np.flatnonzero(values < 0 if may_vanish else values <= 0)
     if not len(places):
         return None
-    return counted_cases(places, len(values)), negative_fault(name, float(values[places[0]]))
+    first = float(values[places[0]])
+    return counted_cases(places, len(values)), negative_fault(name, first) if first else zero_fault(name)
 
 
 def size_in_cases(size: Expr, given: Mapping[Expr, ArrayLike]) -> NDArray[np.float64]:

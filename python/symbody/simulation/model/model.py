@@ -18,7 +18,18 @@ from symbody.multibody.energy import known_potential, potentials
 from symbody.multibody.load import action_power
 from symbody.simulation.given.given_input import substitute_inputs
 from symbody.simulation.given.parameter import parameters_among, parameters_in
-from symbody.symbolic import Expr, ExprLike, cost, derivation, free_symbols, number, substitute, symbols, t
+from symbody.symbolic import (
+    Expr,
+    ExprLike,
+    cost,
+    derivation,
+    free_symbols,
+    number,
+    substitute,
+    symbols,
+    t,
+    without_idle_symbols,
+)
 from symbody.symbolic import jacobian as jacobian_of
 from symbody.symbolic.numeric.deficiency import noting, report
 
@@ -196,6 +207,9 @@ class Model:
             drifts = substitute(self.velocity_constraints, at_rest)
             for multiplier, drift in zip(self.multipliers, drifts, strict=True):
                 total -= multiplier * drift
+        (total,) = without_idle_symbols(
+            [total]
+        )  # the equations may not have them, and then they have no values
         return None if total.is_zero else total
 
     @property
@@ -236,7 +250,7 @@ class Model:
         system = self.system
         if not isinstance(system, System):
             return () if self.equations.energy is None else self.with_inputs([self.equations.energy])
-        return self.with_inputs(_energies(system))
+        return without_idle_symbols(self.with_inputs(_energies(system)))
 
     @property
     def prescribed(self) -> list[str]:

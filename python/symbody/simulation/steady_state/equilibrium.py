@@ -451,16 +451,31 @@ def _many(problem: Balance, q: Array, direction: Array) -> str:
     moved = [name for name, share in zip(names, size, strict=True) if share > 1e-3 * size.max()]
     freest = int(np.argmax(size))
     if names[freest] in problem.equations.states:
+        open_states = [names[k] for k in _open_states(problem, q)] or [names[freest]]
+        is_one = len(open_states) == 1
+        fixed = ", ".join(f"{state}: {round(q[names.index(state)], 9) + 0.0:.6g}" for state in open_states)
         return (
-            f"{_WHERE}: the equilibrium is not isolated: the state {names[freest]} can have other values, as neither "
-            "the loads nor the rates of states determine it, as of a tyre at rest; fix it, such as "
-            f"fixed={{{names[freest]}: {q[freest]:.6g}}}, leave it out of the states, or let its rate depend on it"
+            f"{_WHERE}: the equilibrium is not isolated: the state{'' if is_one else 's'} "
+            f"{joined_by_and([*map(str, open_states)])} can have other values, as neither the loads nor the rates of "
+            f"states determine {'it' if is_one else 'them'}, as of a tyre at rest; fix {'it' if is_one else 'them'}, "
+            f"such as fixed={{{fixed}}}, leave {'it' if is_one else 'them'} out of the states, or let "
+            f"{'its rate' if is_one else 'their rates'} depend on {'it' if is_one else 'them'}"
         )
     together = f"{moved[0]} can" if len(moved) == 1 else f"{', '.join(map(str, moved))} can together"
     return (
         f"{_WHERE}: the equilibrium is not isolated: {together} be changed without a force; fix a coordinate, "
         f"such as fixed={{{names[freest]}: {q[freest]:.6g}}}"
     )
+
+
+def _open_states(problem: Balance, q: Array) -> list[int]:
+    """Return the places of the states that have no effect on their rates at rest, and none of others has either."""
+    n = len(problem.equations.coordinates)
+    _, slopes, _ = problem.values(q, np.zeros(problem.count))
+    of_rates = slopes[len(slopes) - len(problem.equations.states) :, n : len(q)]
+    is_open = ~of_rates.any(axis=1) & ~of_rates.any(axis=0)
+    fixed = {*problem.fixed}
+    return [n + int(k) for k in np.flatnonzero(is_open) if problem.conditions.positions[n + k] not in fixed]
 
 
 def _unbalanced(problem: Balance, q: Array, forces: Array) -> str:

@@ -15,6 +15,7 @@ from symbody.worksheet.builtins.substitution import substituted
 from symbody.worksheet.evaluation.arithmetic import scalar
 from symbody.worksheet.evaluation.entrywise import entrywise
 from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.mathematics.elimination import eliminated_in_turn
 from symbody.worksheet.mathematics.polynomial import coefficients, degree, reduced
 from symbody.worksheet.printing.print import text_of
 from symbody.worksheet.values.naming import symbol
@@ -142,7 +143,8 @@ def _with_relations(
     wanted = [scalar(session, each) for each in names]
     residuals = [left - right for left, right in relations]
     if wanted:
-        solution = eliminated(residuals, wanted) if is_linear(residuals, wanted) else None
+        solve = eliminated if is_linear(residuals, wanted) else eliminated_in_turn
+        solution = solve(residuals, wanted)
         if solution is not None:
             changed = {old: new for old, new in solution.items() if new != old}
             return entrywise(session, value, lambda each: _simple(session, each.subs(changed)))

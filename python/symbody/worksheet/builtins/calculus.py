@@ -5,12 +5,13 @@ from __future__ import annotations
 from dataclasses import replace
 from math import factorial
 
-from symbody.errors import WorksheetError
+from symbody.errors import ExpressionError, WorksheetError
 from symbody.symbolic import Expr, number, t, time_derivative
 from symbody.worksheet.evaluation.arithmetic import scalar
 from symbody.worksheet.evaluation.derivative_rules import by_rules, derived
 from symbody.worksheet.evaluation.entrywise import entrywise
 from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.mathematics.laurent import laurent_series
 from symbody.worksheet.mathematics.order_term import (
     order_of_derivative,
     order_term,
@@ -154,7 +155,11 @@ def taylor(session: Session, value: Value, place: Value, order: Value | None = N
     count = as_integer(order) if order is not None else 6
 
     def expanded(each: Expr) -> Expr:
-        total = _below(session, each, variable, point, count)
+        session.options.series = True
+        try:
+            total = _below(session, each, variable, point, count)
+        except (ExpressionError, ArithmeticError):  # a pole, or a place where a quotient is 0/0
+            total = laurent_series(each, variable, point, count or 0)
         return total if total == each else total + order_term((variable - point) ** (count or 0))
 
     return entrywise(session, value, expanded)

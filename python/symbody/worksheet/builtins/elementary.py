@@ -63,7 +63,8 @@ def _of_one(function: Callable[[Expr], Expr]) -> Command:
                 f"{name}: {session.text(x)[:60]} is no expression; map applies a function to each item"
             )
         argument = scalar(session, x)
-        return with_decimals(_of_inverse(function, argument) or function(argument), argument)
+        found = _of_inverse(function, argument) or function(argument)
+        return with_decimals(found, argument, digits=session.options.digits)
 
     return command
 
@@ -105,9 +106,9 @@ def arctan(session: Session, y: Value, x: Value | None = None) -> Value:
     """arctan(y), arctan(y, x): the angle whose tangent is y, or that of the point x, y."""
     a = scalar(session, y)
     if x is None:
-        return with_decimals(atan(a), a)
+        return with_decimals(atan(a), a, digits=session.options.digits)
     b = scalar(session, x)
-    return with_decimals(atan2(a, b), a, b)
+    return with_decimals(atan2(a, b), a, b, digits=session.options.digits)
 
 
 def surd(session: Session, x: Value, n: Value) -> Value:
@@ -288,7 +289,10 @@ def evalf(session: Session, *values: Value) -> Value:
     """evalf(e [, n]): numbers as decimals; of a sequence, those of each."""
     places = as_integer(values[1]) if len(values) == 2 else None
     if places is not None:
-        return in_decimals(session, values[0], places)
+        made = in_decimals(session, values[0], places)
+        if isinstance(made, Expr) and made.is_number and places > session.options.digits:
+            session.options.precise[made] = min(places, _DOUBLE)
+        return made
     return sequence([in_decimals(session, each, session.options.digits) for each in values])
 
 

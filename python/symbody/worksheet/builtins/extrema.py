@@ -8,15 +8,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from symbody.errors import SymbodyError, WorksheetError
 from symbody.symbolic import Expr
 from symbody.worksheet.evaluation.arithmetic import scalar
-from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.evaluation.session import Command, Session, sequence
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.numeric import as_float, decimal
-from symbody.worksheet.values.value import Listed, MapleSet, Range, Relation, Sequence, Value
+from symbody.worksheet.values.value import Listed, MapleSet, Range, Relation, Sequence, Unevaluated, Value
 
 __all__ = ["COMMANDS", "PACKAGES"]
 
@@ -51,7 +51,18 @@ def _extremum(where: str, sign: int) -> Command:
     """Return maximize or minimize."""
 
     def command(session: Session, value: Value, *places: Value) -> Value:
-        return _found(session, _problem(session, where, sign, value, places))[0]
+        wanted = tuple(each for each in places if not _is_location(each))
+        problem = _problem(session, where, sign, value, wanted)
+        if problem.value.free_symbols - {problem.variable}:
+            found = _with_parameters(session, problem)
+            if found is None:
+                return Unevaluated(symbol(where), (value, *places))
+        else:
+            found = _found(session, problem)
+        if len(wanted) == len(places):
+            return found[0]
+        place = MapleSet((Relation("=", problem.variable, found[1]),))
+        return sequence([found[0], MapleSet((Listed((place, found[0])),))])
 
     command.__doc__ = (
         f"{where}(e, x = a..b): the {where[:-1]}al value of a function of one variable in a range."
@@ -64,6 +75,8 @@ def _with_place(where: str, sign: int) -> Command:
 
     def command(session: Session, value: Value, *places: Value) -> Value:
         problem = _problem(session, where, sign, value, places)
+        if others := sorted(map(session.text, problem.value.free_symbols - {problem.variable})):
+            raise WorksheetError(f"{where}: {', '.join(others)} has no value; expected numbers")
         best, place = _found(session, problem)
         numbers = [scalar(session, session.call(symbol("evalf"), (each,))) for each in (best, place)]
         return Listed((numbers[0], Listed((Relation("=", problem.variable, numbers[1]),))))
@@ -98,10 +111,6 @@ def _problem(session: Session, where: str, sign: int, value: Value, places: tupl
     if isinstance(place, Relation) and isinstance(place.right, Range):
         ends = tuple(_end(session, where, each) for each in (place.right.start, place.right.stop))
     variable = scalar(session, place.left if isinstance(place, Relation) else place)
-    if others := [each for each in names if each != variable]:
-        raise WorksheetError(
-            f"{where}: {session.text(others[0])} has no value; expected a function of {session.text(variable)} alone"
-        )
     return _Problem(expression, variable, ends[0], ends[1], sign, where)
 
 
@@ -112,6 +121,33 @@ def _end(session: Session, where: str, value: Value) -> Expr | None:
     if as_float(end) is None:
         raise WorksheetError(f"{where}: an end of the range is {session.text(end)[:60]}; expected a number")
     return end
+
+
+def _is_location(value: Value) -> bool:
+    """Whether an argument is the option ``location``, or ``location = true``."""
+    option = value.left if isinstance(value, Relation) else value
+    return isinstance(option, Expr) and option == symbol("location")
+
+
+def _with_parameters(session: Session, problem: _Problem) -> tuple[Expr, Expr] | None:
+    """Return the value sought of a function with parameters, and its place; None where they decide which it is.
+
+    In a range, the derivative must have no parameters; without one, the
+    function must be a polynomial of the second degree that opens to the right side.
+    """
+    x, value = problem.variable, problem.value
+    slope = value.diff(x)
+    if problem.low is None and problem.high is None:
+        curvature = as_float(slope.diff(x))
+        if curvature is None or curvature * problem.sign <= 0:
+            return None
+        place = scalar(session, session.call(symbol("solve"), (slope, x)))
+        return value.subs({x: place}), place
+    if slope.free_symbols - {x} or problem.low is None or problem.high is None:
+        return None
+    varying = value - value.subs({x: problem.low})
+    _, place = _found(session, replace(problem, value=varying))
+    return value.subs({x: place}), place
 
 
 def _found(session: Session, problem: _Problem) -> tuple[Expr, Expr]:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, Matrix, number
+from symbody.worksheet.mathematics.order_term import absorbed
 from symbody.worksheet.printing.print import text_of
 from symbody.worksheet.values.complex_number import normal, root_of_negative
 from symbody.worksheet.values.naming import symbol
@@ -100,7 +101,9 @@ def binary(session: Session, operator: str, left: Value, right: Value) -> Value:
 
 
 def _combined(session: Session, operator: str, left: Expr, right: Expr) -> Expr:
-    made = _SCALAR[operator](left, right)
+    made = power(left, right, session.options.digits) if operator == "^" else _SCALAR[operator](left, right)
+    if session.options.series:
+        made = absorbed(made)
     return normal(made) if session.options.imaginary else made
 
 

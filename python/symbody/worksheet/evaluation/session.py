@@ -50,7 +50,7 @@ class Scope:
 
 @dataclass
 class Options:
-    """What ``interface``, ``Digits``, ``PDEtools[declare]`` and ``alias`` have set; which functions have occurred."""
+    """What ``interface``, ``Digits``, ``PDEtools[declare]`` and ``alias`` have set; what has occurred."""
 
     digits: int = 10
     places: int | None = None
@@ -59,7 +59,9 @@ class Options:
     aliases: dict[str, Value] = field(default_factory=dict)
     reciprocals: set[str] = field(default_factory=set)
     imaginary: bool = False
+    series: bool = False
     printlevel: int = 1
+    precise: dict[Expr, int] = field(default_factory=dict)
 
 
 _KEPT = (
@@ -190,7 +192,9 @@ class Session:
 
     def evaluated(self, nodes: Iterable[syntax.Expression]) -> tuple[Value, ...]:
         """Return the values of several expressions, sequences among them opened."""
-        return tuple(current.flattened(self.evaluate(node) for node in nodes))
+        found = tuple(current.flattened(self.evaluate(node) for node in nodes))
+        self.limits.check_items(len(found))
+        return found
 
     def value(self, name: str) -> Value:
         """Return what a name stands for: its last name if that is a table, a procedure or an old matrix."""
@@ -241,6 +245,7 @@ class Session:
             places=self.options.places,
             reciprocals=frozenset(self.options.reciprocals),
             raw=frozenset(self.opaque),
+            precise=self.options.precise,
             elided=True,
         )
 

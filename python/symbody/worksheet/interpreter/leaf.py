@@ -21,6 +21,9 @@ def _decimal(session: Session, node: syntax.Decimal) -> Value:
     if len(exponent.lstrip("+-")) > 4:
         raise WorksheetError(f"the number {text} is out of range")
     value = number((mantissa if mantissa.strip(".") else "0") + (f"e{exponent}" if exponent else ""))
+    figures = len(mantissa.replace(".", "").lstrip("0"))
+    if value.is_decimal and figures > session.options.digits:
+        session.options.precise[value] = figures
     return value if value.is_decimal else number(float(text)) if "." in text or exponent else value
 
 

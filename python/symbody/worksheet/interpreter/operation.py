@@ -28,6 +28,7 @@ __all__ = ["METHODS"]
 _RELATIONS = {"=", "<>", "<", "<=", "::"}
 _TURNED = {">": "<", ">=": "<="}
 _ARITHMETIC = {"+", "-", "*", "/", "^", ".", "&*"}
+_FOLDED = {"+", "-", "*"}
 _SETS = {"union", "minus", "intersect", "subset"}
 
 
@@ -61,6 +62,8 @@ def _infix(session: Session, node: syntax.Infix) -> Value:
         return _logical(session, node)
     if operator == "$":
         return builtins.dollar(session, node.left, node.right)
+    if operator in _FOLDED:
+        return _folded(session, node)
     left = session.evaluate(node.left)
     if operator == "assuming":  # names stand for real numbers, and nothing more is assumed
         return left
@@ -84,6 +87,19 @@ def _operated(session: Session, operator: str, left: Value, right: Value) -> Val
     if operator == "mod":
         return session.call(symbol("modp"), (left, right))
     return Unevaluated(symbol(operator), (left, right))  # @ and @@
+
+
+def _folded(session: Session, node: syntax.Infix) -> Value:
+    """Return a sum or a product from left to right, however many terms it has."""
+    chain: list[syntax.Infix] = []
+    first: syntax.Expression = node
+    while isinstance(first, syntax.Infix) and first.operator in _FOLDED and not first.elementwise:
+        chain.append(first)
+        first = first.left
+    total = session.evaluate(first)
+    for each in reversed(chain):
+        total = _operated(session, each.operator, total, session.evaluate(each.right))
+    return total
 
 
 def _logical(session: Session, node: syntax.Infix) -> Value:

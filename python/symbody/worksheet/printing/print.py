@@ -90,6 +90,7 @@ class Style:
         places: digits behind the point, or None for all.
         reciprocals: which of sec, csc and cot the session has used.
         raw: names that are texts of something that isn't a scalar, and are printed without quotes.
+        precise: decimals that show more digits, by their values: those that were written or asked for with more.
         elided: whether only the first and the last digits of very long numbers are printed.
     """
 
@@ -101,6 +102,7 @@ class Style:
     places: int | None = None
     reciprocals: frozenset[str] = frozenset()
     raw: frozenset[str] = frozenset()
+    precise: Mapping[Expr, int] = field(default_factory=dict)
     elided: bool = False
 
 
@@ -192,7 +194,7 @@ def _node_text(node: Tree, parts: list[_Text], style: Style) -> _Text:
 def _number(node: Tree, parts: list[_Text], style: Style) -> _Text:
     ratio = node.value.ratio
     if node.value.is_decimal:
-        text = decimal_text(ratio, style.digits, style.places)
+        text = decimal_text(ratio, style.precise.get(node.value, style.digits), style.places)
         return text, _NEGATIVE if text.startswith("-") else _ATOM
     text = shown_number(node.value) if style.elided else number_text(node.value)
     return text, _NEGATIVE if ratio[0] < 0 else _ATOM if ratio[1] == 1 else _PRODUCT

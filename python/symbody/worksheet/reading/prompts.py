@@ -45,10 +45,10 @@ def inputs(line: Line, begin: int) -> Iterator[Line]:
     for prompt in _PROMPT_WITHIN.finditer(line.text, begin):
         if _is_in_string(line.text, start, prompt.start()):
             continue
-        yield Line(line.text[begin : prompt.start()], line.line, line.column + begin)
+        yield Line(line.text[begin : prompt.start()], line.line, line.column + begin, prompted=True)
         begin = prompt.end()
     if line.text[begin:].strip():
-        yield Line(line.text[begin:], line.line, line.column + begin)
+        yield Line(line.text[begin:], line.line, line.column + begin, prompted=True)
 
 
 def split_at_prompt(line: Line) -> Iterator[Line]:

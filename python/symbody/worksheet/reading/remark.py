@@ -6,7 +6,7 @@ bracket. What can't continue a statement is a remark up to the end of its line, 
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -23,6 +23,7 @@ _WORDS = frozenset(_KEYWORDS.split()) | {"NAME"}
 _OPERANDS = _WORDS | {"STRING", "INTEGER", "DECIMAL", "BACKQUOTED"}
 _SEPARATORS = TERMINATORS | {"COMMA", "LPAR", "LSQB", "LBRACE", "THEN", "DO", "ELSE"}
 _MARKS = frozenset({"COMMA", "SEMICOLON", "COLON", "MINUS", "DOT", "UNKNOWN"})  # of prose, too
+_ENDS = frozenset({"OD", "END", "FI"})  # of loops and conditions
 _OPENING = frozenset({"LPAR", "LSQB", "LBRACE"})
 _CLOSING = frozenset({"RPAR", "RSQB", "RBRACE"})
 
@@ -71,6 +72,38 @@ def remark_in(tokens: Sequence[Token], begin: int, failure: Failure, used: Colle
         span = _with_bare_words(tokens, span, begin, used)  # noqa: PLW2901 - the same remark, longer
         if span.begin == begin or _helps(tokens, begin, span, failure.index):
             return span
+    return None
+
+
+def words_before_code(tokens: Sequence[Token], begin: int) -> Span | None:
+    """Return words side by side between two statements of a line: ``x := a^2: square of it; y := 4;``."""
+    if not begin or tokens[begin - 1].line != tokens[begin].line:
+        return None
+    end = begin
+    while end < len(tokens) and tokens[end].type in _WORDS and tokens[end].line == tokens[begin].line:
+        end += 1
+    is_ended = end < len(tokens) and tokens[end].type in TERMINATORS
+    return Span(begin, end + 1) if end > begin + 1 and is_ended else None
+
+
+def words_before_end(
+    tokens: Sequence[Token], begin: int, end: int, used: Callable[[], Collection[str]]
+) -> Span | None:
+    """Return words behind the last terminator of a line within a loop that ends on the next line.
+
+    They would be the last statement of the loop; none of them occurs elsewhere in the code of the sheet (``used``).
+    """
+    for closing in range(begin + 2, end):
+        if tokens[closing].type not in _ENDS or tokens[closing - 1].type != "NAME":
+            continue
+        first = closing
+        while tokens[first - 1].type == "NAME" and tokens[first - 1].line == tokens[closing - 1].line:
+            first -= 1
+        is_behind = tokens[first - 1].type in TERMINATORS and tokens[first - 1].line == tokens[first].line
+        is_alone = tokens[closing - 1].line != tokens[closing].line
+        others = {*tokens[:first], *tokens[closing:]}
+        if is_behind and is_alone and not others.union(used()).intersection(tokens[first:closing]):
+            return Span(first, closing)
     return None
 
 

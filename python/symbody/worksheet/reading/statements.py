@@ -18,7 +18,14 @@ from symbody.worksheet.reading.parse import (
     terminator_after,
     tokens_of,
 )
-from symbody.worksheet.reading.remark import Span, is_trailing_remark, remark_in, used_names
+from symbody.worksheet.reading.remark import (
+    Span,
+    is_trailing_remark,
+    remark_in,
+    used_names,
+    words_before_code,
+    words_before_end,
+)
 from symbody.worksheet.sheet.source import Cell, Line, Remark, SyntaxMistake
 from symbody.worksheet.sheet.syntax import Place, Statement
 
@@ -42,6 +49,10 @@ def statements(cell: Cell, used: Collection[str] = ()) -> Iterator[Statement | R
     tokens = [token for line in lines for token in line]
     if tokens and tokens[-1].type not in TERMINATORS:
         tokens.append(terminator_after(tokens[-1]))
+
+    def known() -> Collection[str]:
+        return used or used_names(lines)
+
     begin, effort = 0, _EFFORT * (len(tokens) + 1000)
     while begin < len(tokens) and tokens[begin]:
         found = next_statement(tokens, begin)
@@ -56,14 +67,19 @@ def statements(cell: Cell, used: Collection[str] = ()) -> Iterator[Statement | R
                 yield unclosed_vector(cell, tokens, found.row)
                 begin = found.row + 1
                 continue
-            used = used or used_names(lines)
-            span = remark_in(tokens, begin, found, used) if effort > 0 else None
+            span = remark_in(tokens, begin, found, known()) if effort > 0 else None
+            if span is None and _prompt_ends(cell, tokens, begin, found):
+                tokens.insert(found.index, terminator_after(tokens[found.index - 1]))
+                continue
+            span = span or words_before_code(tokens, begin)
             if span is None:
                 yield mistake(cell, tokens, begin, found)
                 begin = _next_begin(tokens, begin, found.index) if effort > 0 else len(tokens)
                 continue
         elif cell.remarks_lost_marks and is_trailing_remark(tokens, begin, found):
             span = Span(begin, found.end - 1)
+        elif cell.remarks_lost_marks and (inner := words_before_end(tokens, begin, found.end, known)):
+            span = inner
         else:
             yield found.statement
             begin = found.end
@@ -91,6 +107,17 @@ def _comma_ends(tokens: Sequence[Token], begin: int, failure: Failure) -> bool:
     comma, word = tokens[index - 1], tokens[index]
     begins = word.type in _STATEMENTS and word.line != comma.line
     return comma.type == "COMMA" and begins and is_statement(tokens[begin : index - 1])
+
+
+def _prompt_ends(cell: Cell, tokens: Sequence[Token], begin: int, failure: Failure) -> bool:
+    """Whether a statement without a terminator ends before a prompt, behind which the next one begins."""
+    index = failure.index
+    if not begin < index < len(tokens) or failure.place is not None or not tokens[index]:
+        return False
+    line = tokens[index].line
+    is_first = tokens[index - 1].line != line
+    has_prompt = is_first and any(each.line == line and each.prompted for each in cell.input)
+    return has_prompt and is_statement(tokens[begin:index])
 
 
 def _next_begin(tokens: Sequence[Token], begin: int, index: int) -> int:

@@ -11,11 +11,19 @@ __all__ = ["Cell", "Line", "Remark", "SyntaxMistake"]
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """A line of input, without its prompt: its text, and where this begins in the file."""
+    """A line of input, without its prompt.
+
+    Attributes:
+        text: the code.
+        line: where this begins in the file.
+        column: likewise.
+        prompted: whether a prompt stands before it.
+    """
 
     text: str
     line: int
     column: int = 1
+    prompted: bool = False
 
 
 @dataclass(frozen=True, slots=True)

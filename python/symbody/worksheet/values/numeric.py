@@ -44,8 +44,14 @@ def as_integer(value: object) -> int | None:
     return None
 
 
-def with_decimals(value: Expr, *arguments: Expr) -> Expr:
-    """Return the value of a function as a decimal if all its arguments are numbers and one is a decimal."""
+def with_decimals(value: Expr, *arguments: Expr, digits: int = 10) -> Expr:
+    """Return the value of a function as a decimal if all its arguments are numbers and one is a decimal.
+
+    Args:
+        value: the value of the function.
+        arguments: its arguments.
+        digits: how many digits the decimal has.
+    """
     if (
         all(each.is_number for each in arguments)
         and any(each.is_decimal for each in arguments)
@@ -53,7 +59,7 @@ def with_decimals(value: Expr, *arguments: Expr) -> Expr:
     ):
         result = as_float(value)
         if result is not None:
-            return decimal(result)
+            return decimal(result, digits)
     return value
 
 
@@ -64,8 +70,8 @@ def quotient(a: Expr, b: Expr) -> Expr:
     return a / b
 
 
-def power(base: Expr, exponent: Expr) -> Expr:
-    """Return a power; numbers beyond a million digits are refused."""
+def power(base: Expr, exponent: Expr, digits: int = 10) -> Expr:
+    """Return a power, a root of a decimal with so many digits; numbers beyond a million digits are refused."""
     if exponent.is_number and base.is_number:
         if base.is_zero and exponent.ratio[0] < 0:
             raise WorksheetError("numeric exception: division by zero")
@@ -75,4 +81,4 @@ def power(base: Expr, exponent: Expr) -> Expr:
         if base.is_decimal and exponent.ratio[1] == 1 and size > 200:
             value = rounded(base.ratio, 30) ** exponent.ratio[0]
             return number(f"{value:.10g}")
-    return with_decimals(base**exponent, base, exponent)
+    return with_decimals(base**exponent, base, exponent, digits=digits)
