@@ -20,6 +20,7 @@ from benchmarks.simulate.double_pendulum import double_pendulum
 from benchmarks.simulate.plot import write_plot
 from benchmarks.simulate.precision import Comparison, Curve, Effort, Point, compared, drift, reference
 from benchmarks.simulate.problem import Array, Problem
+from benchmarks.simulate.run import with_section
 from benchmarks.simulate.throughput import Batch, Manner, Rate, Throughput, measured
 from symbody.simulation.device import devices
 from tests.simulation.device_on_host import Host
@@ -163,6 +164,12 @@ def test_many_motions_agree(pendulum: Problem, monkeypatch: pytest.MonkeyPatch) 
     assert all(rate.error <= found.batch.error for rate in found.rates)
     assert [rate.runs for rate in found.rates if rate.manner.is_loop] == [2, 2, 2]
     assert "**JAX (pip: jax) is missing.**" in report.throughput(found)
+
+
+def test_a_table_replaces_that_of_the_same_heading() -> None:
+    page = "about\n\n### first\n\nold\n\n### second\n\nkept\n"
+    assert with_section(page, "### first\n\nnew\n\n") == page.replace("old\n", "new\n")
+    assert with_section(page, "### second\n\nnew\n") == page.replace("kept", "new")
 
 
 def test_linkages_agree() -> None:

@@ -39,9 +39,9 @@ PENDULUMS = (
 LINKAGES = (
     "motions of the slider-crank with spring and damper of SUNDIALS' examples over {duration:g} s, from crank angles "
     "between 0.6 and 2.5 rad. simulate_many gets these angles and solves for the other coordinates; its motions keep "
-    "the constraints. So does simulate_many one motion at a time: it finds all initial states together as well. One "
-    "by one it solves for each of them alone, as it did before there were lanes. The native integrator and solve_ivp "
-    "get the whole states; solve_ivp's motions drift off the constraints."
+    "the constraints. So does simulate_many one motion at a time, which finds all initial states together as well. "
+    "*One by one*, it solves for each of them alone, as simulate does; a sample tells. The native integrator "
+    "and solve_ivp get the whole states; solve_ivp's motions drift off the constraints."
 )
 ARMS = (
     "motions of the Franka Panda arm over {duration:g} s, released from rest at random angles up to 0.5 rad: seven "

@@ -3,8 +3,8 @@
     python -m benchmarks.simulate.run [--quick] [--only many] [--rounds N]
 
 A full run takes some minutes and writes docs/benchmarks/simulate.md and .svg; with --quick the tables are printed. With
---only many, the tables of many motions are measured, and replace those on the page; with --only linkages, the table of
-linkages is measured and printed.
+--only many, the tables of many motions are measured, and replace those on the page; with --only linkages, that of
+linkages alone.
 """
 
 from __future__ import annotations
@@ -40,19 +40,26 @@ def main() -> None:
     if arguments.quick:
         print(quick())
         return
-    if arguments.only == "linkages":
-        print(many([linkages(10_000)], 50, max(3, arguments.rounds // 3)))
-        return
     if arguments.only:
-        page = (FOLDER / "simulate.md").read_text(encoding="utf-8")
-        kept = page[: page.index(report.many_motions().partition("\n")[0])]
-        write_page(
-            "simulate.md", kept + many(batches_of(double_pendulum()), 50, max(3, arguments.rounds // 3))
-        )
+        page, rounds = (FOLDER / "simulate.md").read_text(encoding="utf-8"), max(3, arguments.rounds // 3)
+        kept, begin, others = page.partition("## Many motions\n")
+        if arguments.only == "many":
+            write_page("simulate.md", kept + many(batches_of(double_pendulum()), 50, rounds))
+        else:
+            table = report.throughput(measured(linkages(10_000), 50, rounds))
+            write_page("simulate.md", kept + begin + with_section(others, table))
         return
     text, comparisons = full(arguments.rounds)
     write_plot(comparisons, FOLDER / "simulate.svg")
     write_page("simulate.md", text)
+
+
+def with_section(page: str, section: str) -> str:
+    """Return a page with another section in place of that of the same heading, which ends at the next one."""
+    heading = section.partition("\n")[0] + "\n"
+    before, _, after = page.partition(heading)
+    _, mark, rest = after.partition("\n### ")
+    return before + section.rstrip("\n") + "\n" + (mark and "\n" + mark.lstrip("\n")) + rest
 
 
 def quick() -> str:

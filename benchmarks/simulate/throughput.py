@@ -194,7 +194,7 @@ def one_at_a_time(problem: Problem, *, given: int | None = None) -> list[Manner]
 
 
 def one_by_one(problem: Problem, *, given: int) -> Manner:
-    """Return `simulate_many` that also solves for one initial state after another, as it did at first.
+    """Return `simulate_many` that also solves for one initial state after another.
 
     Args:
         problem: the system.
@@ -271,8 +271,7 @@ def _native(problem: Problem) -> Many:
         starts = np.pad(
             states, ((0, 0), (0, compiled.width - states.shape[1]))
         )  # no work is done at the start
-        outcomes = run_many(compiled, starts, parameters, _instants(problem), options, 1)
-        return np.stack([outcome.states[-1] for outcome in outcomes if outcome is not None])
+        return run_many(compiled, starts, parameters, _instants(problem), options, 1).states[:, -1]
 
     return many
 

@@ -23,6 +23,9 @@ from symbody import (
     symbols,
     translate,
 )
+from symbody.dynamics.recursion.shortest_derivation import mass_matrix_and_bias, shortest_derivation
+from symbody.dynamics.tree.compared_forms import compared_forms
+from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree
 from tests.dynamics.ways_of_modelling import (
     DOWN_Y,
     MECHANISMS,
@@ -85,6 +88,25 @@ def test_both_formalisms_give_the_same_nodes(name: str, way: str) -> None:
     one, two = newton_euler(system), lagrange_equations(system)
     assert ids(one.residuals) == ids(two.residuals)
     assert ids(assembled(one)) == ids(assembled(two))
+
+
+def test_each_form_is_derived_once_and_the_shortest_derivation_goes_on() -> None:
+    system = modelled(pendulum_on_a_cart(3), "chain")
+    forms, derived = compared_forms(system), list[tuple[Expr, ...]]()
+
+    def derive(system: System, tree: FrameTree) -> tuple[Expr, ...]:
+        derived.append(mass_matrix_and_bias(system, tree))
+        return derived[-1]
+
+    with shortest_derivation(system, derive) as shortest:
+        again = mass_matrix_and_bias(system, frame_tree(system))  # of equal values, but longer anywhere else
+    counts = [cost(entries).total for entries in derived]
+    assert len(derived) == len(forms) > 1
+    assert len(set(counts)) == len(counts)
+    assert ids(shortest) == ids(derived[counts.index(min(counts))]) == ids(again)
+    with shortest_derivation(system, derive) as known:  # the choice is kept
+        assert ids(known) == ids(shortest)
+    assert len(derived) == len(forms) + 1
 
 
 def ids(values: Sequence[Expr]) -> list[int]:

@@ -46,6 +46,7 @@ from symbody.simulation.batch.runs import Runs
 from symbody.simulation.integrate import native
 from tests.laws.test_energy_drift import loop, skate, start, tree
 from tests.repeated import repeated
+from tests.simulation.singular_mechanisms import Mechanism, cranks, distance_of_cranks, kite, slider_crank
 
 pytestmark = pytest.mark.skipif(lanes() < 4, reason="a vector of this processor holds two numbers")
 
@@ -129,6 +130,26 @@ def test_linkages_swing(method: str, *, has_events: bool, monkeypatch: pytest.Mo
     assert together.results.counts[:, 1].max() > 0
     assert together.completed.all()
     assert (len(together.results.occurrences.table) > 2 * CASES) == has_events
+
+
+@pytest.mark.parametrize("mechanism", [kite, *repeated([cranks, distance_of_cranks, slider_crank])])
+def test_mechanisms_pass_singular_positions(
+    mechanism: Callable[..., Mechanism], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Motions step back from where rounding errors decide, also to the start of a step that a lane has taken."""
+    given = mechanism(1) if mechanism is cranks else mechanism()
+    q = given.equations.coordinates
+    begun = [given.begin(float(speed)) for speed in np.linspace(2, 9, CASES)]
+    initial = {name: np.array([one[name] for one in begun]) for name in begun[0]}
+    events = [Event(q[-1] - 0.1), Event(time_derivative(q[0], 2))]
+    for watched, tolerance in (([], 1e-5), (events, 1e-8)):
+        options: dict[str, Any] = {"rtol": tolerance, "atol": tolerance, "events": watched, "threads": 1}
+        t = np.linspace(0, 1.5, 8)
+        alone, together = in_both_ways(
+            monkeypatch, given.equations, dict(given.parameters), initial, t, **options
+        )
+        assert_same(alone, together)
+        assert together.results.counts[:, 1].max() > 0
 
 
 @pytest.mark.parametrize("name", ["four_bar", "slider_crank", "rolling_disc"])

@@ -53,6 +53,10 @@ CASES = {
         "fsolve(cos(r)=r,r=0..1); fsolve({w^2+v^2=4,w-v=0},{w=0..3,v=0..3});",
         [".7390851332", "{v = 1.414213562, w = 1.414213562}"],
     ),
+    "absolute values": (
+        "solve(abs(x)=2,x); solve(abs(x-1)=-2,x); solve(abs(x)=a,x); solve({abs(x)+y=3,y-x=1},{x,y});",
+        ["2, -2", "a, -a", "{x = 1, y = 2}"],
+    ),
     "roots that are whole numbers are decimals": (
         "fsolve(x^2-4,x); fsolve(x^3-8,x);",
         ["-2., 2.", "2."],

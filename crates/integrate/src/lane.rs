@@ -147,7 +147,8 @@ impl Lane {
         self.crew.begin(self.number, beginning);
     }
 
-    /// Take accepted steps, together with those of the other lanes. Write the states at the ends of the last one.
+    /// Take accepted steps, together with those of the other lanes. Write the states at the ends of the last one, if any
+    /// was accepted.
     pub(crate) fn advance(
         &self,
         stretch: Stretch,

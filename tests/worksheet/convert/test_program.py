@@ -291,3 +291,32 @@ def test_the_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None
     options.file = tmp_path / "missing.mpl"
     assert convert_file(options) == 3
     assert "is not readable" in capsys.readouterr().err
+
+
+def test_small_variables_mark_what_was_made_before() -> None:
+    text = program(
+        "with(MBSymba_r6): T := translate(x(t),y(t),0)*rotate('Z',psi(t)): B := make_BODY(T,m,0,0,J): "
+        "e := comp_Y(newton_equations({B}),T): linear_modeling({psi(t),y(t)}): lin := linearize(e): "
+        "l := lagrange_equations({B},[y(t),psi(t)]):",
+        "single track",
+    )
+    assert "lin = sb.taylor(e)" in text
+    assert "l = [sb.lagrange(sb.kinetic_energy([B]), each) for each in [y, psi]]" in text
+    values, (x, y, psi), m = run(text), sb.functions_of_time("x y psi"), sb.symbols("m")
+    small = {values["psi"]: psi, values["y"]: y}
+    assert values["lin"].subs(small) == m * (sb.time_derivative(y, 2) - psi * sb.time_derivative(x, 2))
+
+
+def test_integrals_and_matrices_are_those_of_sympy() -> None:
+    pytest.importorskip("sympy")
+    values = run(
+        program(
+            "J := int(m/L*z^2, z=-L/2..L/2): M := matrix([[1,2],[3,4]]): p := linalg[charpoly](M, s): "
+            "R := linalg[rref](matrix([[1,2],[2,4]])): a := `+`(b, c, d): q := ListTools:-Reverse([b, c]):",
+            "integrals",
+        )
+    )
+    m, L, s, b, c, d = sb.symbols("m L s b c d")
+    assert (values["J"], values["p"]) == (m * L**2 / 12, s**2 - 5 * s - 2)
+    assert values["R"] == sb.Matrix([[1, 2], [0, 0]])
+    assert (values["a"], values["q"]) == (b + c + d, [c, b])

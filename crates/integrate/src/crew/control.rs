@@ -34,6 +34,8 @@ pub(super) struct Control {
     /// How many of the last steps stability bounded, and whether the problem is stiff, at the start of the next step.
     before_note: (u32, bool),
     pub statistics: Statistics,
+    /// The number of steps when the motion asked for more.
+    steps_before: usize,
     pub failure: Option<Failure>,
 }
 
@@ -55,6 +57,7 @@ impl Control {
             is_own_turn: false,
             before_note: (stiff_steps, false),
             statistics: Statistics::default(),
+            steps_before: 0,
             failure: None,
         }
     }
@@ -63,6 +66,12 @@ impl Control {
     pub fn put(&mut self, stretch: Stretch, statistics: Statistics, largest_speed: f64) {
         (self.stretch, self.statistics, self.largest_speed) = (stretch, statistics, largest_speed);
         self.before_note = (self.stiff_steps, statistics.stiff);
+        self.steps_before = statistics.steps;
+    }
+
+    /// Whether a step was accepted since the motion asked for more.
+    pub fn has_advanced(&self) -> bool {
+        self.statistics.steps > self.steps_before
     }
 
     /// The next step to try; `None` if it is too short.

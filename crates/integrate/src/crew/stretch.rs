@@ -95,8 +95,11 @@ impl<const W: usize> Stretches<W> {
         step: &StepColumns<W>,
     ) -> Arrival {
         let control = self.lanes[lane].as_ref().expect("a motion that has begun");
-        read(lane, &self.starts, before);
-        read(lane, if self.landings.is_some() { &self.ends } else { &step.before }, after);
+        // The ends of a step that the motion has taken by itself are known to the motion alone.
+        if control.has_advanced() {
+            read(lane, &self.starts, before);
+            read(lane, if self.landings.is_some() { &self.ends } else { &step.before }, after);
+        }
         Arrival {
             last: control.last,
             t: control.t,

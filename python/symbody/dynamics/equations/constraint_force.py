@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TypeAlias
 
 from symbody.multibody import Variables
 from symbody.symbolic import (
@@ -21,6 +22,9 @@ from symbody.symbolic import (
 )
 
 from .constraint_form import in_shortest_form
+
+_Forces: TypeAlias = tuple[tuple[Expr, ...], tuple[Expr, ...]]
+"""Of constraints on positions, and of those on velocities; one per speed."""
 
 
 def constraint_jacobian(system: Variables) -> Matrix:
@@ -54,11 +58,13 @@ def with_multipliers(residuals: Sequence[Expr], system: Variables) -> tuple[Expr
     """
     if not system.constraints:
         return tuple(residuals)
-    with derivation(order=ENERGY):
-        forces = [_forces_on_positions(system), _forces_on_velocities(system)]
+    with derivation(order=ENERGY) as current:
+        known: dict[Variables, _Forces] = current.cache.setdefault("forces of constraints", {})
+        if system not in known:
+            known[system] = _forces_on_positions(system), _forces_on_velocities(system)
     return tuple(
         residual - position - velocity
-        for residual, position, velocity in zip(residuals, *forces, strict=True)
+        for residual, position, velocity in zip(residuals, *known[system], strict=True)
     )
 
 

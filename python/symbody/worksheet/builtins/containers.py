@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 from symbody.errors import WorksheetError
-from symbody.symbolic import Expr, number, pi
+from symbody.symbolic import Expr, cos, exp, number, pi, sin
+from symbody.symbolic.expression.traverse import post_order
 from symbody.worksheet.builtins.arrays import array_of
 from symbody.worksheet.builtins.elementary import in_decimals
 from symbody.worksheet.builtins.structural import operands
@@ -188,6 +190,38 @@ def _to_degrees(session: Session, value: Value, *options: Value) -> Value:
     return scalar(session, value) * 180 / pi * symbol("degrees")
 
 
+_EXPONENTIALS: dict[str, Callable[[Expr], Expr]] = {
+    "sinh": lambda u: (exp(u) - exp(-u)) / 2,
+    "cosh": lambda u: (exp(u) + exp(-u)) / 2,
+    "tanh": lambda u: (exp(u) - exp(-u)) / (exp(u) + exp(-u)),
+}
+_LEFT = {"exp": frozenset({"sin", "cos", "tan"}), "sincos": frozenset({"sinh", "cosh", "tanh"})}
+
+
+def _rewritten(kind: str, forms: dict[str, Callable[[Expr], Expr]]) -> Command:
+    """Return the conversion that writes functions by others; functions that it can't write so are told."""
+
+    def conversion(session: Session, value: Value, *options: Value) -> Value:
+        def rewrite(each: Expr) -> Expr:
+            nodes = [
+                node
+                for node in post_order([each], lambda node: node.args, lambda node: node.id)
+                if node.kind == "function" and len(node.args) == 1
+            ]
+            if left := sorted({node.name for node in nodes} & _LEFT[kind]):
+                session.notice(
+                    f"convert: {', '.join(left)} {'stays' if len(left) == 1 else 'stay'} as written"
+                )
+            for node in reversed(nodes):  # the outermost first
+                if node.name in forms:
+                    each = each.subs({node: forms[node.name](*node.args)})
+            return each
+
+        return entrywise(session, value, rewrite)
+
+    return conversion
+
+
 _CONVERSIONS: dict[str, Command] = {
     "list": _to_list,
     "listlist": _to_rows,
@@ -209,9 +243,9 @@ _CONVERSIONS: dict[str, Command] = {
     "float": _to_decimal,
     "degrees": _to_degrees,
     "radians": _to_radians,
-    "exp": _same,
+    "exp": _rewritten("exp", _EXPONENTIALS),
     "trig": _same,
-    "sincos": _same,
+    "sincos": _rewritten("sincos", {"tan": lambda u: sin(u) / cos(u)}),
     "diff": _same,
     "D": _same,
     "radical": _same,

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from symbody.errors import SymbodyError, WorksheetError
 from symbody.symbolic import Expr, expand, factor_terms
+from symbody.symbolic.expression.traverse import post_order
 from symbody.symbolic.roots.solutions import solutions as all_solutions
 from symbody.worksheet.evaluation.arithmetic import scalar
 from symbody.worksheet.evaluation.current import set_of
@@ -77,6 +78,36 @@ def unknowns_of(session: Session, value: Value | None, residuals: list[Expr]) ->
 Solution = dict[Expr, Value]
 
 
+def _magnitude(residuals: list[Expr], unknowns: list[Expr]) -> Expr | None:
+    """Return an absolute value that depends on unknowns, or None."""
+    nodes = post_order(residuals, lambda node: node.args, lambda node: node.id)
+    sizes = (node for node in nodes if node.kind == "function" and node.name == "Abs")
+    return next((node for node in sizes if node.free_symbols & {*unknowns}), None)
+
+
+def _of_sign(
+    session: Session, residuals: list[Expr], unknowns: list[Expr], size: Expr, sign: int
+) -> list[Solution]:
+    """Return the solutions for which abs(u) is u or -u, without those of which numbers show that it is not.
+
+    Args:
+        session: the session.
+        residuals: what is to be zero.
+        unknowns: what is solved for.
+        size: abs(u).
+        sign: 1 or -1.
+    """
+    (inner,) = size.args
+    found = solutions(session, [each.subs({size: sign * inner}) for each in residuals], unknowns)
+    kept = []
+    for solution in found:
+        at = {x: value for x, value in solution.items() if isinstance(value, Expr)}
+        bound = as_float((sign * inner).subs(at))
+        if bound is None or bound > 0 or (sign > 0 and bound == 0):
+            kept.append(solution)
+    return kept
+
+
 def solutions(session: Session, residuals: list[Expr], unknowns: list[Expr]) -> list[Solution]:
     """Return all solutions that are found; unknowns that stay free are themselves."""
     session.limits.check()
@@ -87,6 +118,9 @@ def solutions(session: Session, residuals: list[Expr], unknowns: list[Expr]) -> 
         back = {name: x for x, name in unknown.items()}
         return [{back.get(x, x): value for x, value in solution.items()} for solution in renamed]
     left = [each for each in residuals if not each.is_zero]
+    size = _magnitude(left, unknowns)
+    if size is not None:
+        return [each for sign in (1, -1) for each in _of_sign(session, left, unknowns, size, sign)]
     try:
         found = all_solutions(left, unknowns)
     except (SymbodyError, ArithmeticError):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from symbody.symbolic import Expr
+from symbody.worksheet.convert.calculus_calls import CALCULUS
 from symbody.worksheet.convert.files import FILES
 from symbody.worksheet.convert.joint_calls import JOINTS
 from symbody.worksheet.convert.list_calls import LISTS
@@ -20,12 +21,15 @@ from symbody.worksheet.sheet import syntax
 
 __all__ = ["arrow", "call"]
 
-_TABLES = (MECHANICS, JOINTS, MAPLE, MATRICES, LISTS, NUMBERS, PICTURES, FILES)
+_TABLES = (MECHANICS, JOINTS, MAPLE, CALCULUS, MATRICES, LISTS, NUMBERS, PICTURES, FILES)
+_OPERATORS = {"+", "-", "*", "/", "^", "."}
 
 
 def call(to: Writer, node: syntax.Call) -> str:
     """Return a call of a command or of a function of the sheet."""
     name, arguments = _called(node.function), node.arguments
+    if name in _OPERATORS and len(arguments) > 1:
+        return to.text(_between(name, arguments))
     if not name:
         return _call_of_value(to, node)
     if len(arguments) == 1 and isinstance(arguments[0], syntax.Name) and arguments[0].name == "t":
@@ -43,6 +47,14 @@ def call(to: Writer, node: syntax.Call) -> str:
     if command is not None:
         return command(to, arguments)
     raise NoText(name)
+
+
+def _between(operator: str, arguments: tuple[syntax.Expression, ...]) -> syntax.Expression:
+    """Return what an operator that is called as a function gives: a + b + c of ```+`(a, b, c)``."""
+    total, *others = arguments
+    for each in others:
+        total = syntax.Infix(operator, total, each, place=each.place)
+    return total
 
 
 def _function_of_time(to: Writer, name: str) -> str:
@@ -121,4 +133,5 @@ _PACKAGES = {
     "StringTools",
     "FileTools",
     "VectorCalculus",
+    "ListTools",
 }

@@ -33,6 +33,18 @@ def _sorted(text: Writer, arguments: Arguments) -> str:
     return f"sorted({text.text(arguments[0])})"
 
 
+def _of_list(form: str) -> Call:
+    """Return the writer of a command of a list by a text with ``{0}`` for it."""
+
+    def write(text: Writer, arguments: Arguments) -> str:
+        whole = text.text(arguments[0])
+        if len(arguments) != 1 or not isinstance(text.value(whole), list):
+            raise NoText("list")
+        return form.format(whole)
+
+    return write
+
+
 def _of_integers(function: str) -> Call:
     """Return the writer of a function of whole numbers."""
 
@@ -75,6 +87,8 @@ def _operator(text: Writer, arguments: Arguments) -> str:
 
 LISTS: Mapping[str, Call] = {
     "subsop": _replaced,
+    "Reverse": _of_list("{0}[::-1]"),
+    "MakeUnique": _of_list("list(dict.fromkeys({0}))"),
     "sort": _sorted,
     **dict.fromkeys(("gcd", "igcd"), _of_integers("math.gcd")),
     **dict.fromkeys(("lcm", "ilcm"), _of_integers("math.lcm")),

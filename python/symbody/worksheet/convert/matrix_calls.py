@@ -114,6 +114,18 @@ def _cross(text: Writer, arguments: Arguments) -> str:
     return f"sb.Matrix.column(sb.symbolic.cross3({one}.entries, {other}.entries))"
 
 
+def _by_sympy(method: str) -> Call:
+    """Return the writer of a matrix that a method of SymPy's gives."""
+    return _form(f"sb.from_sympy({{0}}.to_sympy().{method})")
+
+
+def _characteristic(text: Writer, arguments: Arguments) -> str:
+    """Return det(s*1 - A), as a polynomial in s."""
+    whole, name = _matrix(text, arguments[0]), grouped(text.text(arguments[1]), PRODUCT)
+    return f"sb.expand((sb.identity({whole}.shape[0])*{name} - {whole}).det())"
+
+
+_NULL_SPACE = "[sb.from_sympy(each) for each in {0}.to_sympy().nullspace()]"
 _SCALAR_PRODUCT = "sum(a*b for a, b in zip({0}.entries, {1}.entries))"
 
 MATRICES: Mapping[str, Call] = {
@@ -132,6 +144,11 @@ MATRICES: Mapping[str, Call] = {
     **dict.fromkeys(("SubMatrix", "submatrix", "SubVector"), _part),
     **dict.fromkeys(("Norm", "VectorNorm", "norm"), _norm),
     "ZeroMatrix": _zeros,
+    **dict.fromkeys(("CharacteristicPolynomial", "charpoly"), _characteristic),
+    **dict.fromkeys(("ReducedRowEchelonForm", "gaussjord", "rref"), _by_sympy("rref()[0]")),
+    **dict.fromkeys(("GaussianElimination", "gausselim"), _by_sympy("echelon_form()")),
+    **dict.fromkeys(("Adjoint", "adjoint", "adj"), _by_sympy("adjugate()")),
+    **dict.fromkeys(("NullSpace", "nullspace", "kernel"), _form(_NULL_SPACE)),
     **dict.fromkeys(("DiagonalMatrix", "diag"), _diagonal),
     "grad": _derivatives,
     **dict.fromkeys(("Equal", "equal"), _form("{0} == {1}")),

@@ -151,15 +151,21 @@ def _lagrange_of_system(text: Writer, arguments: Arguments) -> str:
         raise NoText("lagrange_equations")
     bodies = [each for each in found if isinstance(each, Body)]
     gravity = "gravity" if isinstance(text.names.values.get("gravity"), Vector) else ""
-    if len(bodies) == len(found) and not gravity:
-        return f"sb.lagrange(sb.kinetic_energy({objects}), {unknown})"
     if len(bodies) == len(found):
-        return f"sb.lagrange(sb.kinetic_energy({objects}) - sb.gravitational_energy({objects}, {gravity}), {unknown})"
+        weight = f" - sb.gravitational_energy({objects}, {gravity})" if gravity else ""
+        return _lagrange_of(text, f"sb.kinetic_energy({objects}){weight}", unknown)
     heavy = f", gravity={gravity}" if gravity else ""
     coordinates = unknown if isinstance(text.value(unknown), list) else f"[{unknown}]"
     heavy_bodies, loads = _divided(text, objects)
     system = f"sb.System({heavy_bodies}, {loads}, coordinates={coordinates}{heavy})"
     return f"list(sb.lagrange_equations({system}).residuals)"
+
+
+def _lagrange_of(text: Writer, energy: str, unknown: str) -> str:
+    """Return Lagrange's expression for a coordinate, or those for a list of coordinates."""
+    if isinstance(text.value(unknown), list):
+        return f"[sb.lagrange({energy}, each) for each in {unknown}]"
+    return f"sb.lagrange({energy}, {unknown})"
 
 
 def _divided(text: Writer, objects: str) -> tuple[str, str]:

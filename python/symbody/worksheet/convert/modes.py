@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from symbody.symbolic import Expr, small
+from symbody.geometry import Frame, Point, Vector
+from symbody.multibody import Body, Force, Torque
+from symbody.symbolic import Expr, Matrix, small, subs
 from symbody.worksheet.convert.names import NoText, identifier
 from symbody.worksheet.convert.sequences import items
 from symbody.worksheet.convert.writer import Writer
@@ -11,6 +13,7 @@ from symbody.worksheet.sheet import syntax
 __all__ = ["mode_lines"]
 
 _MASTER = "master"
+_MARKED = Expr | Matrix | Frame | Point | Vector | Body | Force | Torque
 
 
 def mode_lines(text: Writer, value: syntax.Expression) -> list[str] | None:
@@ -52,4 +55,18 @@ def _small(text: Writer, sets: tuple[syntax.Expression, ...]) -> list[str]:
     if not names:
         raise NoText("linear_modeling")
     listed = ", ".join(identifier(name) for name in names)
-    return [f"{listed} = sb.small({listed})"]
+    older = _made_before(text, {plain: mark for mark, plain in text.names.small.items()})
+    if not older:
+        return [f"{listed} = sb.small({listed})"]
+    marks = ", ".join(f"{name}: sb.small({name})" for name in map(identifier, names))
+    return [
+        f"marks = {{{marks}}}  # of what was made before, too",
+        f"{listed} = marks.values()" if len(names) > 1 else f"({listed},) = marks.values()",
+        *(f"{name} = sb.subs({name}, marks)" for name in older),
+    ]
+
+
+def _made_before(text: Writer, marks: dict[Expr, Expr]) -> list[str]:
+    """Return the names of what holds variables that are small from now on."""
+    made = {name: value for name, value in text.names.values.items() if isinstance(value, _MARKED)}
+    return [name for name, value in made.items() if value not in marks and subs(value, marks) != value]

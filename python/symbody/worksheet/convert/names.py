@@ -7,6 +7,7 @@ import re
 from dataclasses import dataclass, field
 from typing import Any
 
+from symbody.deferred import Deferred
 from symbody.symbolic import Expr, symbol, time_function
 
 __all__ = ["Names", "NoText", "identifier"]
@@ -41,6 +42,7 @@ _TAKEN = frozenset(
         "plt",
         "math",
         "scipy",
+        "sympy",
     }
 )
 
@@ -61,6 +63,7 @@ def _imported() -> dict[str, Any]:
     """Return what the first lines of a program import."""
     values: dict[str, Any] = {}
     exec(_MODULES, values)
+    values["sympy"] = Deferred("sympy")  # optional, and only for what it finds
     return values
 
 
@@ -129,7 +132,7 @@ class Names:
         kept = {
             text: made
             for text, made in self.values.items()
-            if text in {"sb", "Path", "math", "pickle", "np", "plt", "scipy", "__builtins__"}
+            if text in {"sb", "Path", "math", "pickle", "np", "plt", "scipy", "sympy", "__builtins__"}
             or (text in self.symbols and str(made) == self.symbols[text] and made not in self.small)
         }
         self.used |= self.values.keys() - kept.keys()

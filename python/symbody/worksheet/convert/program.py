@@ -150,6 +150,7 @@ def _imports(body: str) -> str:
         "plt.": "import matplotlib.pyplot as plt\n",
         "np.": "import numpy as np\n",
         "scipy.": "import scipy.optimize\n",
+        "sympy.": "import sympy\n",
     }
     lines = "".join(line for word, line in needed.items() if word in body)
     return f"{lines}\n" if lines else ""

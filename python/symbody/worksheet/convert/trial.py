@@ -42,7 +42,10 @@ def prepare(program: Draft, statement: syntax.Statement, *, keeps: bool) -> None
 
 def as_code(program: Draft, statement: syntax.Statement, changed: Sequence[str]) -> bool:
     """Execute the code of a statement; keep it if its values are those of the session."""
-    if program.code is None or not _runs(program, statement, changed):
+    done = program.code is not None and _runs(program, statement, changed)
+    if not done and _to_first_order(program, changed):
+        done = _runs(program, statement, changed)
+    if program.code is None or not done:
         program.names.restore(program.snapshot)
         program.procedures.drop()
         return False
@@ -55,6 +58,17 @@ def as_code(program: Draft, statement: syntax.Statement, changed: Sequence[str])
         )
     program.procedures.keep()
     program.written += 1
+    return True
+
+
+def _to_first_order(program: Draft, changed: Sequence[str]) -> bool:
+    """Cut an assigned expression behind the first order in the small variables, as the worksheet has it."""
+    head, sign, value = program.code[0].partition(" = ") if program.code else ("", "", "")
+    if not program.names.small or not sign or len(program.code or ()) != 1 or len(changed) != 1:
+        return False
+    if not head.isidentifier() or not program.reason.startswith("differs in"):
+        return False
+    program.code = [f"{head} = sb.taylor({value})"]
     return True
 
 
