@@ -15,8 +15,10 @@ from symbody import (
     Torque,
     Vector,
     assemble,
+    contact,
     equilibrium,
     fixed,
+    free,
     free_body_diagram,
     functions_of_time,
     gear,
@@ -322,3 +324,21 @@ def test_what_a_simulation_left_out_as_redundant_exerts_nothing(tmp_path):
     lifts = [float(name.split()[1]) for name in names if name.startswith("S")]
     assert sum(lifts) == pytest.approx(40.0)
     assert len(lifts) <= 2
+
+
+def test_forces_at_different_points_are_seen_apart(tmp_path):
+    """A table on three feet: seen along the plane of the weight and a leg, two feet would lie on each other."""
+    table = Link("table", 10.0, 1.0, 1.0, 1.5, center=(0.05, 0.1, 0.4))
+    stand = free("F", ground, table)
+    made = assemble([stand])
+    feet = [
+        contact(made.point(table, *place), 0, 1e6, on=made.body(table), name=f"c{k}")
+        for k, place in enumerate(((0.5, 0, 0), (-0.3, 0.4, 0), (-0.3, -0.4, 0)))
+    ]
+    equations = newton_euler(made.system(feet, gravity=Vector(ground, 0, 0, -10)))
+    x, y, z, psi, _, _ = stand.coordinates
+    found = equilibrium(equations, {}, guess={z: -1e-3}, fixed={x: 0, y: 0, psi: 0})
+    drawn = free_body_diagram(found, table, tmp_path / "table.svg").read_text(encoding="utf-8")
+    ends = {(float(x), float(y)) for x, y, _, _, color in LINE.findall(drawn) if color == "#c0392b"}
+    assert min(abs(a[0] - b[0]) + abs(a[1] - b[1]) for a in ends for b in ends if a != b) > 30
+    assert len(ends) >= 3

@@ -10,6 +10,7 @@ from typing import Annotated, Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
 
 from symbody.dynamics import Reaction
 from symbody.dynamics.formalism.part import body_of, cut_joints, things_of
@@ -49,6 +50,12 @@ BALANCED = 1e-9
 
 FLAT = 1e-6
 """What is thinner than this part of its extent lies in a plane."""
+
+CLEAR = 0.05
+"""Points of action that are seen closer than this part of their largest distance lie on each other."""
+
+TURNS = (0.0, 15.0, -15.0, 30.0, -30.0)
+"""Turns of the camera about the vertical, in degrees, in the order of preference."""
 
 _SUPPORT = "support"
 """The name of what holds a part beside joints."""
@@ -304,14 +311,15 @@ def _vectors(motion: DrawableMotion, given: Sequence[_Acting]) -> Array:
 
 
 def _facing(content: dict[str, Any]) -> dict[str, list[float]]:
-    """Return the camera that faces the plane of the part and of its forces; the usual one if there is no such plane.
+    """Return the camera that faces the plane of the part and of its forces; one near the usual one if there is none.
 
     Only so are the angles and the lengths in the picture those of the forces.
     """
     places, actions = _places(content), content["actions"]
     forces = [each["vector"] for each in actions if not each["is_moment"]]
     moments = [each["vector"] for each in actions if each["is_moment"]]
-    lying = np.array([*(places - places[0]), *forces, np.zeros(3), np.zeros(3)])
+    acting = [np.array(each["at"]) - places[0] for each in actions if not each["is_moment"]]
+    lying = np.array([*(places - places[0]), *acting, *forces, np.zeros(3), np.zeros(3)])
     _, sizes, axes = np.linalg.svd(lying, full_matrices=False)
     normal = axes[2]
     if sizes[1] < FLAT * sizes[0] and moments:  # a line: the plane is across the moments
@@ -320,7 +328,7 @@ def _facing(content: dict[str, Any]) -> dict[str, list[float]]:
         np.abs(lying @ normal).max() > FLAT * sizes[0]
         or np.abs(np.cross(moments or [normal], normal)).max() > FLAT
     ):
-        return {}
+        return _apart(content)
     view = content["view"]
     side = normal @ view["direction"]
     upwards = next(up for up in ([view["up"], *np.eye(3)[[1, 0]]]) if abs(normal @ up) < 0.9)
@@ -329,6 +337,26 @@ def _facing(content: dict[str, Any]) -> dict[str, list[float]]:
         "direction": (normal * (1 if side >= 0 else -1)).tolist(),
         "up": (up / np.linalg.norm(up)).tolist(),
     }
+
+
+def _apart(content: dict[str, Any]) -> dict[str, list[float]]:
+    """Return the usual camera, turned about the vertical if points at which forces act lie on each other there."""
+    view = content["view"]
+    direction, up = np.array(view["direction"], dtype=float), np.array(view["up"], dtype=float)
+    places = np.array([each["at"] for each in content["actions"]]).reshape(-1, 3)
+    gaps = (places[:, None] - places[None])[np.triu_indices(len(places), 1)]
+    gaps = gaps[np.linalg.norm(gaps, axis=1) > FLAT * float(view["radius"])]
+    if not len(gaps):
+        return {}
+
+    def clearance(degrees: float) -> float:
+        seen = Rotation.from_rotvec(np.radians(degrees) * up).apply(direction)
+        return float(np.linalg.norm(np.cross(gaps, seen / np.linalg.norm(seen)), axis=1).min())
+
+    if clearance(0.0) > CLEAR * float(np.linalg.norm(gaps, axis=1).max()):
+        return {}
+    best = max(TURNS, key=clearance)
+    return {"direction": Rotation.from_rotvec(np.radians(best) * up).apply(direction).tolist()}
 
 
 def _radius(content: dict[str, Any]) -> float:
