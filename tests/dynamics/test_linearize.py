@@ -13,9 +13,11 @@ from symbody import (
     System,
     Vector,
     cos,
+    describe,
     equations_of,
     functions_of_time,
     ground,
+    latex,
     linearize,
     newton_euler,
     pi,
@@ -26,6 +28,7 @@ from symbody import (
     symbols,
     t,
     time_derivative,
+    torsion_spring,
     translate,
 )
 from symbody.errors import ModelError
@@ -187,3 +190,13 @@ def test_an_input_that_moves_where_its_value_matters() -> None:
     eqs = newton_euler(System([body], [load], coordinates=[x]))
     with pytest.raises(ModelError, match=r"the motion is not steady.*changes with t"):
         linearize(eqs, {w: 0, time_derivative(w): V})
+
+
+def test_a_linear_model_is_shown_as_text_and_in_latex() -> None:
+    """Text has the matrices row by row; `latex` takes what has a formula of its own."""
+    x, (m, k, c) = functions_of_time("x"), symbols("m k c")
+    block = Body(translate(x, 0, 0), m)
+    equations = newton_euler(System([block], [torsion_spring(x, k, damping=c, on=block)], [x]))
+    model, form = linearize(equations), equations.matrix_form()
+    assert describe(model) == "M q'' + C q' + K q = 0\n    q = (x)\n    M = [m]\n    C = [c]\n    K = [k]"
+    assert (latex(model), latex(form)) == (model.latex(), form.latex())

@@ -250,6 +250,10 @@ class Linear:
         """
         return self._page.latex()
 
+    def description(self) -> str:
+        """Return the same as text, and each matrix row by row."""
+        return self._page.description()
+
     @property
     def _page(self) -> LinearPage:
         return LinearPage(self.second, (self.E, self.A0, self.B0), self.states, self.inputs)

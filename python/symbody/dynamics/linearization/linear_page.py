@@ -8,6 +8,7 @@ from typing import NamedTuple
 from symbody.symbolic import Expr, Matrix, cost, latex, readable, time_derivative
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.expression.latex_layout import bmatrix
+from symbody.symbolic.given.arguments import counted
 
 from .second_order import SecondOrder
 
@@ -17,6 +18,8 @@ _AT_ONCE = 120
 """Operations up to which matrices are written out."""
 _MOST_STATES = 12
 """States up to which matrices are written out."""
+_LONGEST = 40
+"""Operations up to which an entry is written out as text."""
 
 
 class LinearPage(NamedTuple):
@@ -55,6 +58,19 @@ class LinearPage(NamedTuple):
         right = [_term(A0, self.states), *([_term(B0, self.inputs)] if self.inputs else [])]
         return f"{_term(E, [time_derivative(x) for x in self.states])} = {' + '.join(right)}"
 
+    def description(self) -> str:
+        """Return the form and its matrices as text, row by row, with the sizes of long entries."""
+        if isinstance(self.second, SecondOrder):
+            form = self.second
+            equation = f"M q'' + C q' + K q = {'F r' if self.inputs else '0'}"
+            names, matrices = {"q": form.coordinates}, {"M": form.M, "C": form.C, "K": form.K, "F": form.F}
+        else:
+            equation = f"E x' = A0 x{' + B0 r' if self.inputs else ''}"
+            names, matrices = {"x": tuple(self.states)}, dict(zip(("E", "A0", "B0"), self.first, strict=True))
+        names |= {"r": tuple(self.inputs)} if self.inputs else {}
+        lines = [equation, *(f"    {name} = ({', '.join(map(str, each))})" for name, each in names.items())]
+        return "\n".join([*lines, *(line for item in matrices.items() for line in _rows(*item))])
+
     def _of_second_order(self, form: SecondOrder) -> str:
         left = [
             _term(matrix, [time_derivative(q, order) if order else q for q in form.coordinates])
@@ -73,6 +89,21 @@ def names_table(names: Mapping[str, Sequence[object]], operations: int) -> str:
 def _term(matrix: Matrix, names: Sequence[Expr]) -> str:
     shown = bmatrix([latex(readable(entry)) for entry in matrix.entries], matrix.columns)
     return f"{shown} {bmatrix([latex(name) for name in names], 1)}"
+
+
+def _rows(name: str, matrix: Matrix) -> list[str]:
+    """Return the rows of a matrix as text; none of one without columns."""
+    columns = matrix.columns
+    texts = [_text(entry) for entry in matrix.entries]
+    rows = [f"[{', '.join(texts[i : i + columns])}]" for i in range(0, len(texts), columns or 1)]
+    indent = " " * (len(name) + 3)
+    return [f"    {f'{name} = ' if not place else indent}{row}" for place, row in enumerate(rows)]
+
+
+def _text(entry: Expr) -> str:
+    """Return an entry as text; of a long one, its size."""
+    operations = cost(entry).total
+    return str(readable(entry)) if operations <= _LONGEST else f"({counted(operations, 'operation')})"
 
 
 def _is_zero(matrix: Matrix) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any
+from typing import Any, Protocol, runtime_checkable
 
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
@@ -14,8 +14,15 @@ from symbody.symbolic.given.arguments import expression_or_container
 __all__ = ["latex", "listing", "listing_of_equations", "maple"]
 
 
+@runtime_checkable
+class Typeset(Protocol):
+    """A thing with a formula of its own, such as a linear model or the matrices of equations."""
+
+    def latex(self) -> str: ...
+
+
 def latex(expression: Any) -> str:
-    r"""Return an expression in LaTeX, without dollar signs; also a list, matrix, vector, point, frame, or equations.
+    r"""Return an expression in LaTeX, without dollar signs; also a list, matrix, frame, equations, or a linear model.
 
     Names are typeset as in a textbook: ``m_1`` is m with the index 1, ``omega0``, ``I__xx`` and ``theta_dot`` have
     Greek letters, indices and dots. Different names in one formula are typeset differently: beside ``m1``, the name
@@ -28,11 +35,11 @@ def latex(expression: Any) -> str:
     >>> print(latex(symbols("m_1 I__xx omega0 load")))
     \left(m_{1}, I_{xx}, \omega_{0}, \mathrm{load}\right)
     """
-    return (
-        in_latex(expression, "latex")
-        if is_container(expression)
-        else expression_or_container(expression, "latex").latex()
-    )
+    if is_container(expression):
+        return in_latex(expression, "latex")
+    if isinstance(expression, Typeset):
+        return expression.latex()
+    return expression_or_container(expression, "latex").latex()
 
 
 def maple(expression: ExprLike) -> str:
