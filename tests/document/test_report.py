@@ -26,10 +26,12 @@ from symbody import (
     cos,
     cost,
     floating_frame,
+    friction,
     functions_of_time,
     ground,
     lagrange_equations,
     latex,
+    motor,
     newton_euler,
     project,
     readable,
@@ -40,6 +42,7 @@ from symbody import (
     symbols,
     time_derivative,
     time_derivatives,
+    torsion_spring,
     translate,
 )
 from symbody.document import report as public_name
@@ -172,6 +175,32 @@ def test_laws_of_springs_are_told(tmp_path: Path) -> None:
     assert (r"\mathrm{kr}", "stiffness of strut 3 and strut 4", "N/m") in rows
     assert ("a, b, h, w", "length", "m") not in rows  # parameters are in the order of their names
     assert "~m, " in written(tmp_path, full_car(), ".tex")
+
+
+def test_constants_along_a_slide_and_about_a_hinge_have_their_units() -> None:
+    """One law is of forces along a slide and of torques about a hinge."""
+    x, (m, k, c, d, M, top, low, F, v) = functions_of_time("x"), symbols("m k c d M top low F v")
+    for frame, along in ((translate(x, 0, 0), True), (rotate("Z", x), False)):
+        body = Body(frame, m, 0, 0, m, name="part")
+        loads = [
+            torsion_spring(x, k, free_angle=d, damping=c, on=body, name="buffer"),
+            motor(x, M, on=body, limit=(low, top), name="drive"),
+            friction(x, coulomb=F, creep_speed=v, on=body, name="seal"),
+        ]
+        rows = cells(blocks(newton_euler(System([body], loads, [x]))))
+        effort, length = ("force", "m") if along else ("torque", "rad")
+        unit = "N" if along else "N m"
+        for row in (
+            ("k", "stiffness of buffer", f"{unit}/{length}"),
+            ("c", "damping of buffer", f"{unit} s/{length}"),
+            ("d", f"free {'length' if along else 'angle'} of buffer", length),
+            ("M", f"{effort} of drive", unit),
+            (r"\mathrm{top}", f"largest {effort} of drive", unit),
+            (r"\mathrm{low}", f"least {effort} of drive", unit),
+            ("F", "dry friction of seal", unit),
+            ("v", "creep speed of seal", f"{length}/s"),
+        ):
+            assert row in rows
 
 
 def test_names_of_one_meaning_share_a_row() -> None:

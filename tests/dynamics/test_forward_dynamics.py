@@ -331,3 +331,12 @@ def test_a_mass_beside_a_spring_is_no_factor() -> None:
     load = Force(ground, -k * x, 0, 0, at=body.center_of_mass, on=body)
     (acceleration,) = forward_dynamics(newton_euler(System([body], [load], [x]))).accelerations
     assert str(acceleration) == "-k*x/m"
+
+
+def test_a_model_may_be_undefined_where_a_parameter_is_one() -> None:
+    """The search for a parameter that multiplies all equations tries them with the parameter one."""
+    x, (k, m) = functions_of_time("x"), symbols("k m")
+    block = Body(translate(x, 0, 0), m)
+    force = Force(ground, -k * x / (k - 1), 0, 0, at=block.center_of_mass, on=block)
+    (found,) = forward_dynamics(newton_euler(System([block], [force], [x]))).accelerations
+    assert found == -k * x / (m * (k - 1))

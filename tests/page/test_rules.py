@@ -40,6 +40,7 @@ from symbody import (
     t,
     tan,
     tanh,
+    torsion_spring,
     translate,
 )
 from symbody.errors import ModelError
@@ -298,6 +299,34 @@ def test_squares_of_distances_from_an_axis() -> None:
 def test_entries_of_spatial_arms_have_no_double_angles(axes: str) -> None:
     matrix = newton_euler(arm(axes))._page.mass_matrix
     assert not re.search(r"(sin|cos)\([^()]*2\*", " ".join(map(str, matrix.entries)))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "x/(a - b)",
+        "p/(c - y) + b",
+        "sqrt((p + x)**2 + x**2/(a - y)**2)",
+        "b*(x - a)/((y - b)*p)",
+        "log(a - b)*x",
+    ],
+)
+def test_differences_are_divisors(text: str) -> None:
+    """No two names are made equal on the way to a form."""
+    given = parse(text)
+    found = readable(given)
+    assert found == given
+    assert len(str(found)) <= len(str(given))
+
+
+@pytest.mark.parametrize("names", ["R r k q", "z1 z2 z3 z4", "s r q p"])
+def test_a_system_with_a_difference_as_divisor_is_shown(names: str) -> None:
+    """The stiffness k/(R - r) is written as the user wrote it, whatever the names."""
+    R, r, k, q = names.split()
+    (x,), (outer, inner, stiffness) = (functions_of_time(q),), symbols(f"{R} {r} {k}")
+    block = Body(translate(x, 0, 0), 1, name="block")
+    equations = newton_euler(System([block], [torsion_spring(x, stiffness / (outer - inner), on=block)], [x]))
+    assert f"{k}*{q}/({R} - {r}) = 0" in describe(equations)
 
 
 def test_a_common_function_stands_outside() -> None:

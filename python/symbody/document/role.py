@@ -6,7 +6,6 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from symbody.document.subject import Subject
 from symbody.multibody import Element, System, Variables
-from symbody.multibody.element.element import is_along_line
 from symbody.symbolic import Expr
 from symbody.view.overview import overview
 
@@ -67,27 +66,44 @@ def _of_system(system: System) -> Iterator[tuple[Expr, Role]]:
             yield from ((leaf, ANGLE) for leaf in _multiples(motion.variables))
 
 
-_UNITS = {
-    True: {"stiffness": "N/m", "free_length": "m", "damping": "N s/m", "force": "N"},
-    False: {"stiffness": "N m/rad", "damping": "N m s/rad"},
+_EFFORT, _SPEED, _DAMPING = ("N", "N m"), ("m/s", "rad/s"), ("N s/m", "N m s/rad")
+_IN_LAWS = {
+    "stiffness": (("stiffness", "stiffness"), ("N/m", "N m/rad")),
+    "free_length": (("free length", "free length"), ("m", "m")),
+    "free_angle": (("free length", "free angle"), ("m", "rad")),
+    "damping": (("damping", "damping"), _DAMPING),
+    "force": (("force", "torque"), _EFFORT),
+    "effort": (("force", "torque"), _EFFORT),
+    "limit": (("largest force", "largest torque"), _EFFORT),
+    "least_effort": (("least force", "least torque"), _EFFORT),
+    "largest_effort": (("largest force", "largest torque"), _EFFORT),
+    "viscous": (("viscous friction", "viscous friction"), _DAMPING),
+    "coulomb": (("dry friction", "dry friction"), _EFFORT),
+    "static": (("static friction", "static friction"), _EFFORT),
+    "stribeck_speed": (("Stribeck speed", "Stribeck speed"), _SPEED),
+    "creep_speed": (("creep speed", "creep speed"), _SPEED),
 }
-"""The units in laws of forces along lines, and of torques about axes."""
+"""Meanings and units of the arguments of laws: of forces along lines and slides, and of torques about axes."""
 
 
 def _of_laws(system: System) -> Iterator[tuple[Expr, Role]]:
-    """Yield what stands alone in the laws of springs and dampers."""
-    elements = [load for load in system.loads if isinstance(load, Element) and load.law]
-    for element in elements:
-        is_line = is_along_line(element)
-        for argument, value in element.law.items():
-            owners = [
-                each
-                for each in elements
-                if each.law.get(argument) == value and is_along_line(each) == is_line
-            ]
-            names = dict.fromkeys(each.name or f"the {each.kind.replace('_', ' ')}" for each in owners)
-            meaning = f"{argument.replace('_', ' ')} of {_in_words([*names])}"
-            yield value, (meaning, _UNITS[is_line][argument])
+    """Yield what stands alone in the laws of elements, such as springs, motors and frictions."""
+    roles = [
+        (value, *_role_in_law(argument, element), element.name or f"the {element.kind.replace('_', ' ')}")
+        for element in system.loads
+        if isinstance(element, Element)
+        for argument, value in element.law.items()
+    ]
+    for value, meaning, unit, _ in roles:
+        owners = dict.fromkeys(owner for *role, owner in roles if role == [value, meaning, unit])
+        yield value, (f"{meaning} of {_in_words([*owners])}", unit)
+
+
+def _role_in_law(argument: str, element: Element) -> Role:
+    """Return the meaning and the unit of an argument; torques alone act about an axis, forces along it."""
+    is_about = not any(action.is_force for action in element.actions)
+    meanings, units = _IN_LAWS[argument]
+    return meanings[is_about], units[is_about]
 
 
 def _of_loads(system: System) -> Iterator[tuple[Expr, Role]]:

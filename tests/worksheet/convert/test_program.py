@@ -95,6 +95,7 @@ def program_of(path: Path, folder: Path) -> Converted:
     return converted(read_source(path), path.stem, Session(folder=folder, source=path.parent))
 
 
+@pytest.mark.filterwarnings("ignore::symbody.errors.ModelNotice")  # a run prints them as notes
 @pytest.mark.parametrize("sheet", [*QUICK, *repeated(OTHERS)])
 def test_programs_give_what_the_sheets_give(
     sheet: str,

@@ -23,7 +23,7 @@ from symbody.dynamics.equations.equations import Equations
 from symbody.dynamics.equations.singular_mass import described_singularity
 from symbody.dynamics.recursion import articulated_body
 from symbody.dynamics.tree.frame_tree import FrameTree
-from symbody.errors import ExpressionError, ModelError
+from symbody.errors import DivisionByZeroError, ExpressionError, ModelError
 from symbody.geometry.given.argument import checked
 from symbody.multibody import System, Variables
 from symbody.symbolic import (
@@ -211,7 +211,7 @@ def _scale(eqs: Equations, accelerations: Sequence[Expr]) -> Expr | None:
         unknowns = {multiplier: multiplier / each for multiplier in eqs.multipliers}
         try:
             at_one = substitute(substitute(residuals, {each: number(1)}), unknowns)
-        except ExpressionError:  # undefined there
+        except (DivisionByZeroError, ExpressionError):  # undefined there
             continue
         if all(each * part == residual for residual, part in zip(residuals, at_one, strict=True)):
             return each

@@ -45,7 +45,7 @@ class Element(Load):
         sizes: sizes and resistances of its law, by the names of the arguments, which make no sense below zero.
         positive: the names of those among them that make no sense if they are zero, either: the law divides by them.
         law: of a force along a line, the terms of ``F = k (l - l0) + c l'`` by the names of the arguments "stiffness",
-            "free_length" and "damping", or "force", F itself; of a torque about an axis, likewise.
+            "free_length" and "damping", or "force", F itself; of an effort along a coordinate of a joint, likewise.
         ends: of a force along a line, the points between which it acts.
 
     >>> from symbody import Body, functions_of_time, ground, origin, spring, symbols, translate

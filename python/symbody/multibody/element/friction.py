@@ -62,14 +62,14 @@ def friction(
             f"{_WHERE}: no friction is given; expected viscous=c, or coulomb=Fc with creep_speed=v0"
         )
     _check(dry, static, stribeck_speed, creep_speed)
-    sizes = not_negative(
-        _WHERE,
-        viscous=viscous,
-        coulomb=coulomb,
-        static=static,
-        stribeck_speed=stribeck_speed,
-        creep_speed=creep_speed,
-    )
+    law = {
+        "viscous": viscous,
+        "coulomb": coulomb,
+        "static": static,
+        "stribeck_speed": stribeck_speed,
+        "creep_speed": creep_speed,
+    }
+    sizes = not_negative(_WHERE, **law)
     with derivation(order=ENERGY):
         joint = joint_motion(coordinate, on, reaction, _WHERE)
         v, effort = joint.rate, -c * joint.rate
@@ -84,6 +84,7 @@ def friction(
             name=name,
             sizes=sizes,
             positive=("creep_speed", "stribeck_speed"),
+            law={argument: expression(value) for argument, value in law.items() if value is not None},
         )
 
 

@@ -70,7 +70,14 @@ def motor(
         joint = joint_motion(coordinate, on, reaction, _WHERE)
         quantities = {"effort": given, "rate": joint.rate, "power": given * joint.rate}
         sizes = {} if bounds is None else _sizes(bounds)
-        return Element(_WHERE, joint.actions(given), quantities=quantities, name=name, sizes=sizes)
+        return Element(
+            _WHERE,
+            joint.actions(given),
+            quantities=quantities,
+            name=name,
+            sizes=sizes,
+            law={"effort": expression(effort)} | ({} if bounds is None else _limits(bounds)),
+        )
 
 
 @checked(LoadError)
@@ -131,6 +138,14 @@ def _within(effort: Scalar, bounds: _Bounds) -> Expr:
     asked = expression(effort)
     below = asked if bounds.high is None else Min(asked, bounds.high)
     return below if bounds.low is None else Max(bounds.low, below)
+
+
+def _limits(bounds: _Bounds) -> dict[str, Expr]:
+    """Return the limits by what they are called."""
+    if bounds.is_symmetric and bounds.high is not None:
+        return {"limit": bounds.high}
+    given = {"least_effort": bounds.low, "largest_effort": bounds.high}
+    return {name: value for name, value in given.items() if value is not None}
 
 
 def _sizes(bounds: _Bounds) -> dict[str, Expr]:

@@ -72,7 +72,7 @@ def torsion_spring(
             quantities={"angle": twist, "rate": joint.rate, "torque": torque},
             name=name,
             sizes=sizes,
-            law={"stiffness": k, "damping": c},
+            law={"stiffness": k, "free_angle": expression(free_angle), "damping": c},
             jumping=twist if turned.jumps else None,
         )
 

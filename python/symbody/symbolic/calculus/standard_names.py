@@ -8,12 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from hashlib import blake2b
 
-from symbody.errors import ExpressionError
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 
 from .derivative import substitute
+from .reading import nodes_of
 
 _TIME = _core.time()
 _RANKED = 8
@@ -74,16 +75,41 @@ def _enter_all(expression: Expr, standing: dict[Expr, Expr]) -> None:
 
 def _rank(
     leaf: Expr, new: set[Expr], expression: Expr, standing: Mapping[Expr, Expr]
-) -> tuple[str, str, str]:
+) -> tuple[str, bytes, str]:
     """Return what tells a variable from others in an expression: how it occurs there; at last its name."""
     if not 1 < len(new) <= _RANKED:
-        return leaf.kind, "", leaf.name
-    alike = {other: _standard(other, int(other != leaf)) for other in new}
-    try:
-        text = str(substitute([expression], {**standing, **alike})[0])
-    except ExpressionError:  # a divisor is zero where all others are equal
-        text = ""
-    return leaf.kind, text, leaf.name
+        return leaf.kind, b"", leaf.name
+    return leaf.kind, _occurrence(leaf, new, expression, standing), leaf.name
+
+
+def _occurrence(leaf: Expr, new: set[Expr], expression: Expr, standing: Mapping[Expr, Expr]) -> bytes:
+    """Return what is equal for variables that occur alike: a digest of the form, in which all others are alike.
+
+    No value is made, since a difference of equal variables may be a divisor.
+    """
+    digests = dict[int, bytes]()
+    for node in nodes_of(expression):
+        parts = [digests[part.id] for part in node.args]
+        if node.kind in _COMMUTATIVE:
+            parts.sort()
+        head = f"{_head(node, leaf, new, standing)} {len(parts)} "
+        digests[node.id] = blake2b(b"".join((head.encode(), *parts)), digest_size=_DIGEST).digest()
+    return digests[expression.id]
+
+
+def _head(node: Expr, leaf: Expr, new: set[Expr], standing: Mapping[Expr, Expr]) -> str:
+    """Return what a node is beside its parts."""
+    if node.kind not in _LETTERS or node == _TIME:
+        name = getattr(node, "name", "") if node.args else str(node)
+        return f"{node.kind} {name} {getattr(node, 'orders', ())}"
+    base = _base(node)
+    name = "this" if base == leaf else "another" if base in new else standing.get(base, base).name
+    return f"{node.kind} {node.assumption} {getattr(node, 'order', 0)} {name}"
+
+
+_COMMUTATIVE = {"sum", "product"}
+_DIGEST = 16
+"""The bytes of a digest."""
 
 
 def _enter(variable: Expr, standing: dict[Expr, Expr]) -> None:
