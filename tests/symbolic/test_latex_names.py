@@ -11,6 +11,7 @@ from matplotlib.mathtext import MathTextParser
 from sympy import Symbol
 from sympy import latex as sympy_latex
 
+from symbody.errors import ArgumentError
 from symbody.symbolic import (
     Expr,
     cos,
@@ -159,3 +160,9 @@ def test_functions_and_shared_quantities_are_names_too() -> None:
     assert "z_{1}" in "".join([*results, *(value for _, value in definitions)])
     assert not any(name.startswith("z") for name in names)
     assert len(set(names)) == len(names) > 0
+
+
+def test_a_class_has_no_formula() -> None:
+    """A class whose objects have formulas is refused as other things are."""
+    with pytest.raises(ArgumentError, match="latex: "):
+        latex(Expr)

@@ -37,7 +37,7 @@ def latex(expression: Any) -> str:
     """
     if is_container(expression):
         return in_latex(expression, "latex")
-    if isinstance(expression, Typeset):
+    if isinstance(expression, Typeset) and not isinstance(expression, type | Expr):
         return expression.latex()
     return expression_or_container(expression, "latex").latex()
 
