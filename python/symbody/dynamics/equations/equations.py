@@ -330,7 +330,7 @@ class Equations:
         >>> model = cart_pole()
         >>> show(newton_euler(model.system).equation_of(model.system.coordinates[0]))
         EQUATION OF MOTION of x
-            (M + m)*x'' + l*m*cos(theta)*theta'' - l*m*sin(theta)*theta'**2 = F
+            (M + m1)*x'' + a1*m1*cos(theta1)*theta1'' - a1*m1*sin(theta1)*theta1'**2 + b*x' = F
         """
         places = {each: k for known in (self.system.driving, self.speeds) for k, each in enumerate(known)}
         if speed not in places:
