@@ -23,6 +23,7 @@ from symbody import (
 )
 from symbody.document.reference_position import Still, still
 from symbody.document.subject import Subject
+from symbody.view.drawable_motion import OneInstant
 from symbody.view.drawing_options import DrawingOptions
 from symbody.view.mark import Ellipse, Line, outermost
 from symbody.view.scene import scene
@@ -40,7 +41,7 @@ def test_the_outline_is_as_wide_as_the_solid_in_all_directions(sides: tuple[floa
     s = functions_of_time("s")
     frame = rotate("X", 0.4) * rotate("Y", 0.8) * translate(s, 0, 0)
     body = Body(frame, 1, 1, 1, 1)
-    motion = Still(System([body], coordinates=[s]), {s: 0.5})
+    motion = OneInstant(Still(System([body], coordinates=[s]), {s: 0.5}))
     content = scene(motion, DrawingOptions(shapes={body: Ellipsoid(*sides)}), "")
     (outline,) = [mark for mark in sketch_of(content).marks if isinstance(mark, Ellipse)]
     axes = np.radians([outline.turn, outline.turn + 90])

@@ -17,6 +17,7 @@ from symbody.multibody import Body, System, Variables
 from symbody.simulation import consistent_state
 from symbody.symbolic import Expr, free_symbols
 from symbody.view import DrawableMotion
+from symbody.view.drawable_motion import OneInstant
 from symbody.view.overview import overview
 
 ANGLES = (0.5, 0.9, -0.4, 0.6)
@@ -41,32 +42,26 @@ ROD, SOLID = 0.08, 0.01
 
 @dataclass(frozen=True)
 class Still:
-    """A motion of one instant, by the values of all symbols; symbols without one have a default."""
+    """One instant, by the values of all symbols; symbols without one have a default."""
 
     system: Variables
     known: Mapping[Expr, float]
-
-    @property
-    def t(self) -> NDArray[np.float64]:
-        return np.zeros(1)
-
-    def __getitem__(self, expression: Expr) -> NDArray[np.float64]:
-        return np.asarray(self.evaluate([expression])[0])
+    t: float = 0.0
 
     def evaluate(self, expressions: Sequence[Expr]) -> NDArray[np.float64]:
-        """Return the values, one row for each expression."""
+        """Return one value for each expression."""
         leaves = sorted(free_symbols(expressions), key=str)
         values = [float(self.known.get(leaf, _default(leaf))) for leaf in leaves]
         found = lambdify([leaves], list(expressions))(values)
-        return np.asarray(found, dtype=np.float64).reshape(len(expressions), 1)
+        return np.asarray(found, dtype=np.float64)
 
 
 def still(subject: Subject) -> DrawableMotion:
     """Return the reference position of a system: the given values, defaults for others, on the constraints."""
     try:
-        return _placed(subject, LENGTHS)
+        return OneInstant(_placed(subject, LENGTHS))
     except ConstraintError:
-        return _placed(subject, (PARAMETER,))
+        return OneInstant(_placed(subject, (PARAMETER,)))
 
 
 def _placed(subject: Subject, lengths: Sequence[float]) -> Still:

@@ -42,7 +42,7 @@ class DrawableMotion(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class OneInstant:
-    """What holds at one instant alone, as a motion: an equilibrium, a steady motion at its first instant.
+    """What holds at one instant alone, as a motion: an equilibrium, a steady motion at its first instant, a structure.
 
     Attributes:
         found: has the `system`, the instant `t`, and `evaluate`, which returns one value for each expression.
@@ -69,27 +69,22 @@ class OneInstant:
 
 @dataclass(frozen=True, eq=False)
 class Structure:
-    """A system in which nothing moves, as a motion of one instant.
+    """A system in which nothing moves, at one instant.
 
     Attributes:
         system: the system, without coordinates.
         parameters: the values of its parameters.
         where: the function that the user called, for messages.
+        t: the instant, in s.
     """
 
     system: System
     parameters: Mapping[Expr, float]
     where: str
-
-    @property
-    def t(self) -> NDArray[np.float64]:
-        return np.zeros(1)
-
-    def __getitem__(self, expression: Expr) -> NDArray[np.float64]:
-        return np.asarray(self.evaluate([expression])[0])
+    t: float = 0.0
 
     def evaluate(self, expressions: Sequence[Expr]) -> NDArray[np.float64]:
-        """Return the values as a column.
+        """Return one value for each expression.
 
         Raises:
             ViewError: a parameter has no value.
@@ -105,7 +100,7 @@ class Structure:
         values = [
             each.evaluate({leaf: self.parameters[leaf] for leaf in each.free_symbols}) for each in expressions
         ]
-        return np.array(values, dtype=np.float64).reshape(-1, 1)
+        return np.array(values, dtype=np.float64)
 
 
 def drawable(found: Any, where: str, parameters: Mapping[Expr, float] | None = None) -> DrawableMotion:
@@ -120,7 +115,7 @@ def drawable(found: Any, where: str, parameters: Mapping[Expr, float] | None = N
         ViewError: parameters are given beside a motion, which has its own.
     """
     if isinstance(found, System) and not found.coordinates:
-        return Structure(found, parameters or {}, where)
+        return OneInstant(Structure(found, parameters or {}, where))
     if parameters is not None:
         raise ViewError(
             f"{where}, parameters: {described(found)} has its own values; expected parameters of a structure alone, "

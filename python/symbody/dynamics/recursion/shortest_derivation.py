@@ -46,9 +46,8 @@ def shortest_derivation(system: System, derive: Derive) -> Iterator[tuple[Expr, 
         compared = (chosen[derive],) if derive in chosen else forms
         chosen[derive], result = _shortest(system, compared, derive, opened)
         order = None if current is None else current.order
-        if order != ENERGY and are_small(
-            result
-        ):  # the terms that only energies need are dropped from the start
+        # The terms that only energies need are dropped from the start.
+        if order != ENERGY and are_small(result):
             opened.enter_context(derivation(fresh=True, order=order))
             result = derive(system, tree_of_forms(system, chosen[derive]))
         yield result

@@ -28,6 +28,7 @@ from symbody.symbolic.given.arguments import brief, with_known_names
 from symbody.symbolic.given.arguments import expression as as_expression
 from symbody.symbolic.numeric.deficiency import reporting
 
+from .failed_balance import not_isolated, unbalanced
 from .implicit_slopes import ImplicitSlopes
 from .rest_position import RestPosition
 from .steady_conditions import SteadyConditions, conditions_of
@@ -403,7 +404,7 @@ def _solved(problem: Balance, start: Array) -> tuple[Array, Array]:
     """
     found = problem.searched(start)
     if found.solution is None:
-        raise SimulationError(_unbalanced(problem, *found.nearest))
+        raise SimulationError(unbalanced(problem, *found.nearest, _WHERE))
     return found.solution
 
 
@@ -414,9 +415,8 @@ def _check_finite(problem: Balance, solution: tuple[Array, Array]) -> None:
         SimulationError: they have none, as at the end of a damper whose direction is not determined.
     """
     q, forces = solution
-    near = np.where(
-        np.abs(q) > _ROUNDED * max(1.0, np.abs(q).max()), q, 0.0
-    )  # where a search ends beside the place
+    is_rounded = np.abs(q) <= _ROUNDED * max(1.0, np.abs(q).max())
+    near = np.where(is_rounded, 0.0, q)  # where a search ends beside the place
     if problem.is_finite(q, forces) and problem.is_finite(near, forces):
         return
     q = near
@@ -442,80 +442,4 @@ def _check_single(problem: Balance, solution: tuple[Array, Array]) -> None:
     """
     direction = problem.other_nearby(*solution)
     if direction is not None:
-        raise SimulationError(_many(problem, solution[0], direction))
-
-
-def _many(problem: Balance, q: Array, direction: Array) -> str:
-    names = problem.conditions.positions
-    size = np.abs(direction)
-    moved = [name for name, share in zip(names, size, strict=True) if share > 1e-3 * size.max()]
-    freest = int(np.argmax(size))
-    if names[freest] in problem.equations.states:
-        open_states = [names[k] for k in _open_states(problem, q)] or [names[freest]]
-        is_one = len(open_states) == 1
-        fixed = ", ".join(f"{state}: {round(q[names.index(state)], 9) + 0.0:.6g}" for state in open_states)
-        return (
-            f"{_WHERE}: the equilibrium is not isolated: the state{'' if is_one else 's'} "
-            f"{joined_by_and([*map(str, open_states)])} can have other values, as neither the loads nor the rates of "
-            f"states determine {'it' if is_one else 'them'}, as of a tyre at rest; fix {'it' if is_one else 'them'}, "
-            f"such as fixed={{{fixed}}}, leave {'it' if is_one else 'them'} out of the states, or let "
-            f"{'its rate' if is_one else 'their rates'} depend on {'it' if is_one else 'them'}"
-        )
-    together = f"{moved[0]} can" if len(moved) == 1 else f"{', '.join(map(str, moved))} can together"
-    return (
-        f"{_WHERE}: the equilibrium is not isolated: {together} be changed without a force; fix a coordinate, "
-        f"such as fixed={{{names[freest]}: {q[freest]:.6g}}}"
-    )
-
-
-def _open_states(problem: Balance, q: Array) -> list[int]:
-    """Return the places of the states that have no effect on their rates at rest, and none of others has either."""
-    n = len(problem.equations.coordinates)
-    _, slopes, _ = problem.values(q, np.zeros(problem.count))
-    of_rates = slopes[len(slopes) - len(problem.equations.states) :, n : len(q)]
-    is_open = ~of_rates.any(axis=1) & ~of_rates.any(axis=0)
-    fixed = {*problem.fixed}
-    return [n + int(k) for k in np.flatnonzero(is_open) if problem.conditions.positions[n + k] not in fixed]
-
-
-def _unbalanced(problem: Balance, q: Array, forces: Array) -> str:
-    eqs = problem.equations
-    F, _, _ = problem.values(q, forces)
-    error = np.abs(F / problem.scale(q, forces))
-    worst = int(np.argmax(np.where(np.isfinite(error), error, np.inf)))
-    name = problem.conditions.names[worst]
-    place = ", ".join(
-        f"{q_k} = {value:.6g}" for q_k, value in zip(problem.conditions.positions[:12], q, strict=False)
-    )
-    return (
-        f"{_WHERE}: none was found; nearest, at {place}: {name} is off by {F[worst]:.3g}; expected loads that "
-        "can balance: give a guess nearer to the equilibrium, or hold coordinates that no load holds, "
-        f"such as fixed={{{eqs.coordinates[0]}: ...}}{_across(problem, q)}"
-    )
-
-
-def _across(problem: Balance, q: Array) -> str:
-    """Return that no finite forces balance a load, if constraints nearly depend on each other at a position."""
-    kinematics = kinematics_of(problem.equations, dict(problem.conditions.given))
-    m, n = len(kinematics.constraints), len(problem.equations.coordinates)
-    if not m or kinematics.has_states:
-        return ""
-    values = dict(zip(problem.conditions.parameters, problem.p, strict=True))
-    p = np.array([values[name] for name in kinematics.parameters])
-    with np.errstate(all="ignore"):
-        A = kinematics.velocity(problem.t, q[:n], p)[0][
-            :m
-        ]  # as it is: a gradient that nearly vanishes is told too
-    if not np.isfinite(A).all():
-        return ""
-    s = np.linalg.svd(A, compute_uv=False)
-    if kinematics.rank > len(s) or s[kinematics.rank - 1] > _NEARLY * s[0]:
-        return ""
-    return (
-        ". The constraints nearly depend on each other there, so that no finite forces of theirs balance a load in "
-        "that direction, as one across a straight chain of bars"
-    )
-
-
-_NEARLY = 1e-2
-"""The ratio of singular values up to which constraints nearly depend on each other."""
+        raise SimulationError(not_isolated(problem, solution[0], direction, _WHERE))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from symbody.errors import SymbodyError, WorksheetError
+from symbody.errors import WorksheetError
 from symbody.symbolic import (
     Expr,
     free_symbols,
@@ -15,6 +15,7 @@ from symbody.symbolic import (
     time_function,
     to_sympy,
 )
+from symbody.worksheet.mathematics.sympy_refusal import SYMPY_REFUSALS
 from symbody.worksheet.values.naming import symbol
 
 __all__ = ["closed_solution"]
@@ -57,7 +58,7 @@ def closed_solution(
         if found is None or found.has(sympy.Integral, sympy.I, x):
             return None
         result = from_sympy(found)
-    except (SymbodyError, ArithmeticError, ValueError, TypeError, NotImplementedError, AttributeError):
+    except SYMPY_REFUSALS:
         return None
     if found.has(sympy.Order) or not _solves(residuals[0], names[0], result):
         return None

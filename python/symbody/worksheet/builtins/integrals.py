@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from symbody.errors import SymbodyError, WorksheetError
+from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, from_sympy, number, to_sympy
 from symbody.worksheet.evaluation.arithmetic import scalar
 from symbody.worksheet.evaluation.entrywise import entrywise
 from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.mathematics.sympy_refusal import SYMPY_REFUSALS
 from symbody.worksheet.values.complex_number import has_i
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.numeric import as_integer
@@ -129,7 +130,7 @@ def _applied(session: Session, name: str, value: Value, place: Value, make: _Mad
         if made in (sympy.oo, -sympy.oo):
             return symbol("infinity") if made == sympy.oo else -symbol("infinity")
         found = from_sympy(made)
-    except (SymbodyError, ArithmeticError, ValueError, TypeError, NotImplementedError, AttributeError):
+    except SYMPY_REFUSALS:
         return plain
     return found.subs({_PLACE: variable}) if isinstance(found, Expr) else plain
 

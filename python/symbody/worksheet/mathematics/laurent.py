@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from symbody.errors import SymbodyError, WorksheetError
+from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, from_sympy, to_sympy
+
+from .sympy_refusal import SYMPY_REFUSALS
 
 __all__ = ["laurent_series"]
 
@@ -24,7 +26,7 @@ def laurent_series(value: Expr, variable: Expr, point: Expr, count: int) -> Expr
     try:
         found = sympy.series(to_sympy(value), to_sympy(variable), to_sympy(point), count)
         made = from_sympy(found.removeO())
-    except (SymbodyError, ArithmeticError, ValueError, TypeError, NotImplementedError) as error:
+    except SYMPY_REFUSALS as error:
         raise WorksheetError(f"series: no series about {variable} = {point} was found: {error}") from error
     if not isinstance(made, Expr):
         raise WorksheetError(f"series: no series about {variable} = {point} was found")
