@@ -28,7 +28,7 @@ impl Graph {
         let f = field.field();
         let split = self.split_in(argument, false, field);
         let start = match field.of_angles() {
-            Some(angles) => f.angle(angles.field().exponent(&self.rest_in(argument, &split, angles))),
+            Some(angles) => f.angle(angles.exponent_of(|angles| self.rest_in(argument, &split, angles))),
             None => f.drawn_angle(Key::new("drawn angle"), &self.rest_in(argument, &split, field)),
         };
         self.rotated(start, &split, f, |id| self.value_in(id, field))
@@ -41,8 +41,8 @@ impl Graph {
             return f.drawn_exponential(&self.value_in(argument, field));
         };
         let split = self.split_in(argument, true, field);
-        let rest = self.rest_in(argument, &split, exponents);
-        let magnitude = f.exponential(exponents.field().exponent(&rest));
+        let magnitude = exponents.exponent_of(|exponents| self.rest_in(argument, &split, exponents));
+        let magnitude = f.exponential(magnitude);
         let start = match self.turn_of_exponential(argument, &split, field) {
             Some(turn) => f.mul(&magnitude, &turn),
             None => magnitude,
@@ -66,17 +66,21 @@ impl Graph {
         out: &mut Vec<(Id, FieldId)>,
     ) {
         let next = if of_exponential { field.of_exponents() } else { field.of_angles() };
-        out.push((argument, next.unwrap_or(field)));
+        out.extend(points_above(next, field).map(|next| (argument, next)));
         if next.is_none() {
             return;
         }
         for (atom, _) in self.split_argument(argument, of_exponential).iter() {
             if let (Atom::Log(_), Some(angles)) = (atom, field.of_angles()) {
-                out.extend([angles, angles.with_turned_logarithms(field)].map(|angles| (argument, angles)));
+                for angles in points_above(Some(angles), field) {
+                    out.extend(
+                        [angles, angles.with_turned_logarithms(field)].map(|angles| (argument, angles)),
+                    );
+                }
             }
             for id in atom.arguments() {
                 out.push((id, field));
-                out.extend(next.map(|next| (id, next)));
+                out.extend(points_above(next, field).map(|next| (id, next)));
             }
         }
     }
@@ -288,6 +292,11 @@ impl Graph {
             _ => (a == b).then_some(1),
         }
     }
+}
+
+/// Where the arguments of functions in a field are evaluated: at the points of the field above it, if there is one.
+pub(super) fn points_above(above: Option<FieldId>, field: FieldId) -> impl Iterator<Item = FieldId> {
+    std::iter::once(above.unwrap_or(field)).chain(above.and_then(FieldId::second))
 }
 
 /// The split of the opposite argument.

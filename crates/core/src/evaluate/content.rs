@@ -20,6 +20,9 @@ use super::integer_point::Rationals;
 /// Larger sums and products have no content.
 const SEARCH: usize = 4096;
 
+/// Numbers of more bits may make values of more digits than two lanes hold.
+const LONG: u64 = 40;
+
 impl Graph {
     /// The content of a node, without the primes that are squares in a field; `None` if it is one.
     pub(super) fn numeric_content(&self, id: Id, f: &Field) -> Option<Content> {
@@ -126,7 +129,10 @@ impl Graph {
         let literals: Vec<Number> =
             numbers.into_iter().map(|number| self.get_number(NumberId(number)).clone()).collect();
         let roots: Vec<Id> = terms.iter().map(|&(_, id)| id).collect();
-        let pairs = self.at_pairs_of_points(&roots);
+        let are_long = literals
+            .iter()
+            .any(|number| number.numerator().bits() > LONG || number.denominator().bits() > LONG);
+        let pairs = self.at_pairs_of_points(&roots, are_long);
         let shared = pairs.iter().flatten().flat_map(|pair| shared_at(pair, terms, &sums));
         let all = literals.iter().cloned().chain(bases).chain(shared).filter(|number| !number.is_zero());
         let primes = coprime_factors(all.map(|number| number.abs()));

@@ -9,7 +9,9 @@ use rustc_hash::FxHashMap;
 
 use crate::graph::{Assumption, Atom, Function, Generator, Graph, Id, Split, View};
 use crate::interrupt::tick;
-use crate::value::{Element, Field, FieldId, Key, Number, Quadratic, fingerprint, prime_factors};
+use crate::value::{
+    Element, Field, FieldId, Key, Number, Quadratic, fingerprint, likely_number, prime_factors,
+};
 
 use super::logarithm_part::Part;
 
@@ -19,6 +21,9 @@ const MOST_NODES: usize = 4096;
 /// At points from this one on, sines, exponentials and their like are integers as variables are: at the others sines
 /// are zero, and so is what they are factors of.
 const DRAWN: u64 = 3;
+
+/// The lanes from whose values a number of many digits is found.
+const LANES_FOR_LONG_NUMBERS: usize = 16;
 
 /// The largest power of two that is recognised.
 const MOST_DOUBLINGS: i64 = 20_000;
@@ -125,8 +130,11 @@ impl<'a> IntegerPoint<'a> {
 
 type Values = FxHashMap<Id, Quadratic>;
 
-/// The values of nodes at an integer point in both hash lanes.
-pub(super) struct Rationals([Values; 2]);
+/// The values of nodes at an integer point in both hash lanes, and in further ones where there are long numbers.
+pub(super) struct Rationals {
+    hash: [Values; 2],
+    others: Vec<(FieldId, Values)>,
+}
 
 impl Rationals {
     /// The value of a node if it is a rational number that is not too large.
@@ -137,11 +145,20 @@ impl Rationals {
     /// The value of a node if it is rational, and any number if it is not.
     pub(super) fn guess(&self, id: Id) -> Option<Number> {
         let element = self.element(id)?;
-        element.to_simple_rational().or_else(|| element.to_rational_of_short_form())
+        let number = element.to_simple_rational().or_else(|| self.long_number(id));
+        number.or_else(|| element.to_rational_of_short_form())
+    }
+
+    /// The value of a node if it is rational, with up to 430 bits above and below the line.
+    fn long_number(&self, id: Id) -> Option<Number> {
+        let values: Option<Vec<_>> =
+            self.others.iter().map(|(field, values)| Some((*field, values.get(&id)?.clone()))).collect();
+        likely_number(values?.into_iter())
     }
 
     fn element(&self, id: Id) -> Option<Element> {
-        Some(fingerprint([self.0[0].get(&id)?, self.0[1].get(&id)?]))
+        let [first, second] = &self.hash;
+        Some(fingerprint([first.get(&id)?, second.get(&id)?]))
     }
 }
 
@@ -155,14 +172,21 @@ impl Graph {
     }
 
     /// The values of nodes and of what is below them at two points of integers, and at two more where functions are drawn.
-    pub(super) fn at_pairs_of_points(&self, roots: &[Id]) -> Option<[[Rationals; 2]; 2]> {
+    pub(super) fn at_pairs_of_points(&self, roots: &[Id], are_long: bool) -> Option<[[Rationals; 2]; 2]> {
         let order = self.short_order(roots)?;
-        let at = |number| self.rationals(&order, IntegerPoint::numbered(number));
+        let at = |number| {
+            let point = IntegerPoint::numbered(number);
+            let lanes = if are_long { LANES_FOR_LONG_NUMBERS } else { 0 };
+            let others = FieldId::others(0).take(lanes);
+            let others = others.map(|field| (field, self.values_at(&order, point, field))).collect();
+            Rationals { others, ..self.rationals(&order, point) }
+        };
         Some([[at(1), at(2)], [at(DRAWN), at(DRAWN + 1)]])
     }
 
     fn rationals(&self, order: &[Id], point: IntegerPoint<'_>) -> Rationals {
-        Rationals(FieldId::HASH.map(|field| self.values_at(order, point, field)))
+        let hash = FieldId::HASH.map(|field| self.values_at(order, point, field));
+        Rationals { hash, others: Vec::new() }
     }
 
     /// The n for which the value of a node is 2^n times as large if generators are larger than at the plain point.

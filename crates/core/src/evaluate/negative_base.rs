@@ -6,7 +6,7 @@
 //! is known to be positive.
 
 use crate::graph::{Atom, Graph, Id, Split};
-use crate::value::{FieldId, Key, Number, Quadratic};
+use crate::value::{FieldId, Key, Quadratic};
 
 /// At how many points it is tried whether the base of a power is negative.
 const TRIALS: u16 = 16;
@@ -20,27 +20,23 @@ impl Graph {
         field: FieldId,
     ) -> Option<Quadratic> {
         let angles = field.of_angles()?;
-        let rest = self.imaginary_rest(argument, split, field)?;
+        if !split.iter().any(|(atom, _)| matches!(atom, Atom::Log(_))) {
+            return None; // imaginary parts are those of logarithms of what is negative
+        }
+        let exponent = angles.exponent_of(|angles| self.imaginary_rest(argument, split, angles, field));
         let f = field.field();
-        Some(f.unit_of_angle(&f.angle(angles.field().exponent(&rest))))
+        Some(f.unit_of_angle(&f.angle(exponent)))
     }
 
-    /// The imaginary part of an argument in the field of angles, without the logarithms that are split off; `None` if it
-    /// holds no logarithms that have imaginary parts, which are those of what is negative.
-    fn imaginary_rest(&self, argument: Id, split: &Split, field: FieldId) -> Option<Quadratic> {
-        let bases: Vec<(Id, &Number)> = split
-            .iter()
-            .filter_map(|(atom, factor)| match atom {
-                Atom::Log(base) => Some((*base, factor)),
-                _ => None,
-            })
-            .collect();
-        let angles = field.of_angles().filter(|_| !bases.is_empty())?;
+    /// The imaginary part of an argument in the field of angles, without the logarithms that are split off.
+    fn imaginary_rest(&self, argument: Id, split: &Split, angles: FieldId, field: FieldId) -> Quadratic {
         let a = angles.field();
-        let negative = bases.iter().filter(|(base, _)| self.is_negative_in(*base, field));
-        Some(negative.fold(self.imaginary_in(argument, angles, field), |rest, (_, factor)| {
+        let negative = split
+            .iter()
+            .filter(|(atom, _)| matches!(atom, Atom::Log(base) if self.is_negative_in(*base, field)));
+        negative.fold(self.imaginary_in(argument, angles, field), |rest, (_, factor)| {
             a.sub(&rest, &a.mul(&a.number(factor), &self.value_in(Id::PI, angles)))
-        }))
+        })
     }
 
     /// The imaginary part that an argument has by logarithms of what is negative in a field.
@@ -54,7 +50,8 @@ impl Graph {
         split
             .iter()
             .filter_map(|(atom, _)| self.where_negative(atom))
-            .any(|field| self.imaginary_rest(argument, split, field).is_some_and(|rest| !rest.is_zero()))
+            .filter_map(|field| Some((field.of_angles()?, field)))
+            .any(|(angles, field)| !self.imaginary_rest(argument, split, angles, field).is_zero())
     }
 
     /// Whether the value of an argument depends on the logarithm that an atom is, if that may be one of what is negative.
@@ -89,14 +86,14 @@ impl Graph {
             let a = above.field();
             a.sub(&self.value_in(exponent, above), &a.number(&number))
         };
-        let e = exponents.field();
-        let magnitude = e.exponent(&e.mul(&rest(exponents), &self.logarithm_in(base, exponents)));
+        let product = |above: FieldId, factor: Quadratic| above.field().mul(&rest(above), &factor);
+        let magnitude =
+            exponents.exponent_of(|exponents| product(exponents, self.logarithm_in(base, exponents)));
         let power = f.mul(&self.power_in(base, &number, field), &f.exponential(magnitude));
         if self.logarithm_parts(base).is_some() || !self.is_negative_in(base, field) {
             return power;
         }
-        let a = angles.field();
-        let turn = f.angle(a.exponent(&a.mul(&rest(angles), &self.value_in(Id::PI, angles))));
+        let turn = f.angle(angles.exponent_of(|angles| product(angles, self.value_in(Id::PI, angles))));
         f.mul(&power, &f.unit_of_angle(&turn))
     }
 }

@@ -11,6 +11,8 @@ use crate::value::{
     Element, Field, FieldId, Key, LARGEST_SQUARE, Number, Quadratic, fingerprint, in_hash_lane, prime_factors,
 };
 
+use super::argument::points_above;
+
 type Point = (Quadratic, Quadratic);
 
 impl Graph {
@@ -147,9 +149,12 @@ impl Graph {
             View::Function(Function::Power, args) => {
                 let (base, exponent) = (argument(args, 0), argument(args, 1));
                 out.push((base, field));
-                let above = [field.of_angles(), field.of_exponents()];
-                out.extend(above.map(|above| (exponent, above.unwrap_or(field))));
-                self.push_needed_by_logarithm(base, field.of_exponents().unwrap_or(field), out);
+                for above in [field.of_angles(), field.of_exponents()] {
+                    out.extend(points_above(above, field).map(|above| (exponent, above)));
+                }
+                for exponents in points_above(field.of_exponents(), field) {
+                    self.push_needed_by_logarithm(base, exponents, out);
+                }
             }
             View::Function(Function::Log, args) => {
                 self.push_needed_by_logarithm(argument(args, 0), field, out);

@@ -283,8 +283,7 @@ pub(super) fn draw_symbol(field: FieldId, name: &str, assumption: Assumption) ->
     let key = Key::new("symbol").text(name).word(assumption as u64);
     match (assumption, field.of_exponents()) {
         (Assumption::Positive, Some(exponents)) => {
-            let logarithm = draw_logarithm(exponents, name);
-            field.field().exponential(exponents.field().exponent(&logarithm))
+            field.field().exponential(exponents.exponent_of(|exponents| draw_logarithm(exponents, name)))
         }
         (Assumption::Positive, None) => field.draw_positive(&key),
         (Assumption::None, _) => field.draw_complex(&key),

@@ -12,7 +12,7 @@
 //!
 //! | field | is | angles in | exponents in |
 //! |---|---|---|---|
-//! | p | -1 mod 110880, so that the angles 2 pi k/110880 are exact and sqrt 2, 3, 5, 7, 11 agree with them | A1 | B1 |
+//! | p | -1 mod 1441440, so that the angles 2 pi k/1441440 are exact and sqrt 2, 3, 5, 7, 11, 13 agree with them | A1 | B1 |
 //! | B1 | (p - 1)/2: all positive elements are members of this group, so every root of them is one, too | A1 | B2 |
 //! | B2 | (B1 - 1)/2 | A1 | B3 |
 //! | B3 | a factor of B2 - 1 | | |
@@ -53,6 +53,12 @@ const TURNED_BY: u32 = 12;
 
 /// The bit of points at which complex symbols lie elsewhere.
 const MOVED: u16 = 1 << (TURNED_BY - 1);
+
+/// The bit of second points, see [`FieldId::exponent_of`].
+const SECOND: u16 = 1 << (TURNED_BY - 2);
+
+/// The bit of second points of fields whose logarithms are turned by a field that is not at its second point.
+const TURNED_BY_FIRST: u16 = 1 << (TURNED_BY - 3);
 
 impl FieldId {
     /// The first fields of the lanes that fingerprints show.
@@ -100,7 +106,29 @@ impl FieldId {
 
     /// The first field of the lane, at the same point: signs are those of the values there.
     pub(crate) fn of_signs(self) -> Self {
-        Self { index: self.index - self.index % FIELDS_OF_A_LANE_WORD, ..self.unturned() }
+        let index = self.index - self.index % FIELDS_OF_A_LANE_WORD;
+        Self { index, point: self.unturned().point & !SECOND }
+    }
+
+    /// The same field at the second point at which arguments are evaluated, if they are: in all lanes but the hash lanes.
+    pub(crate) fn second(self) -> Option<Self> {
+        let is_first = self.point & SECOND == 0;
+        let is_other = self.index as usize / FIELDS_OF_A_LANE >= Self::HASH.len();
+        (is_first && is_other).then_some(Self { point: self.point | SECOND, ..self })
+    }
+
+    /// The exponent of a generator of a group that an argument is, from its values in this field of exponents or angles.
+    ///
+    /// A root of a square is a modulus with a sign of its own in each field. If an argument holds one and is known up to its
+    /// sign alone, its cosine would be known, and the derivative of this cosine would not. So arguments have values
+    /// at two points of the field, where the signs of such roots differ, and the exponent is a sum of both.
+    pub(crate) fn exponent_of(self, value: impl Fn(Self) -> Quadratic) -> u64 {
+        let f = self.field();
+        let first = value(self);
+        f.exponent(&match self.second() {
+            Some(second) => f.add(&first, &f.mul(&f.draw(&Key::new("second point")), &value(second))),
+            None => first,
+        })
     }
 
     /// The coordinate of the random point that is drawn for a key.
@@ -151,19 +179,23 @@ impl FieldId {
     /// difference to the values without that is the imaginary part, if log u is log |u| + i pi for a negative u.
     pub(crate) fn with_turned_logarithms(self, by: Self) -> Self {
         let place = by.index % FIELDS_OF_A_LANE_WORD;
-        Self { point: self.unturned().point | (place + 1) << TURNED_BY, ..self }
+        let differs = (self.point ^ by.point) & SECOND != 0;
+        let which = if differs { TURNED_BY_FIRST } else { 0 };
+        Self { point: self.unturned().point | which | (place + 1) << TURNED_BY, ..self }
     }
 
     /// The field that tells which logarithms are larger by pi here.
     pub(crate) fn turned_by(self) -> Option<Self> {
         let place = (self.point >> TURNED_BY).checked_sub(1)?;
         let lane = self.index - self.index % FIELDS_OF_A_LANE_WORD;
-        Some(Self { index: lane + place, ..self.unturned() })
+        let unturned = self.unturned().point;
+        let point = if self.point & TURNED_BY_FIRST == 0 { unturned } else { unturned & !SECOND };
+        Some(Self { index: lane + place, point })
     }
 
     /// The same point without larger logarithms.
     pub(crate) fn unturned(self) -> Self {
-        Self { point: self.point & ((1 << TURNED_BY) - 1), ..self }
+        Self { point: self.point & ((1 << TURNED_BY) - 1) & !TURNED_BY_FIRST, ..self }
     }
 
     fn prime(self) -> u64 {
