@@ -62,7 +62,7 @@ impl Graph {
         if factors.iter().any(|&(id, e)| id == Id::ZERO && self.get_number(e).is_negative()) {
             return Err(self.zero_divisor(&factors));
         }
-        if let Some(known) = self.known_product(&factors) {
+        if let Some(known) = self.known_product(&factors).or_else(|| self.quotient_of_equals(&factors)) {
             return Ok(known);
         }
         let associated =
@@ -76,6 +76,21 @@ impl Graph {
         self.merge_moduli(&mut collector)?;
         let product = self.finish_product(collector);
         Ok(if self.keeps_value(&factors, product) { product } else { self.plain_product(&factors) })
+    }
+
+    /// A quotient of equal or opposite nodes: it is 1 or -1, also if both are zero for some signs, as x + |x| is.
+    fn quotient_of_equals(&mut self, factors: &[Factor]) -> Option<Id> {
+        let &[(a, one), (b, other)] = factors else { return None };
+        let is_quotient = [(one, other), (other, one)].contains(&(NumberId::ONE, NumberId::MINUS_ONE));
+        let has_signs = [a, b].iter().all(|&id| self.flags(id).has(Flags::BRANCH));
+        if !is_quotient || !has_signs {
+            return None;
+        }
+        let is_opposite = !self.same(a, b);
+        if is_opposite && !self.opposite_values(a, b) {
+            return None;
+        }
+        Some(if is_opposite { self.neg(Id::ONE) } else { Id::ONE })
     }
 
     /// Whether the rules that made a product have kept the value: those of roots inside roots, which may be complex in

@@ -117,7 +117,8 @@ impl Graph {
         if let Some(known) = self.lanes.borrow().exponent(exponent, None) {
             return known.clone();
         }
-        let number = self.at_integers(exponent, IntegerPoint::PLAIN).unwrap_or_else(|| Number::integer(0));
+        let number =
+            self.at_integers(exponent, self.plain_point(exponent)).unwrap_or_else(|| Number::integer(0));
         self.lanes.borrow_mut().insert_exponent(exponent, None, number.clone());
         number
     }
@@ -218,8 +219,9 @@ impl Graph {
         if let Some(known) = self.lanes.borrow().split(argument, of_exponential, None) {
             return known;
         }
+        let point = self.plain_point(argument);
         let factors = self.atoms(argument, of_exponential).into_iter().filter_map(|atom| {
-            let factor = self.factor_in(argument, &atom, IntegerPoint::PLAIN);
+            let factor = self.factor_in(argument, &atom, point);
             if let Atom::Log(_) = atom {
                 let factor = factor.unwrap_or_else(|| Number::integer(0));
                 let is_there = !factor.is_zero() || self.depends_on_logarithm(argument, &atom);
@@ -316,4 +318,31 @@ fn half_angle(
     let cos = f.mul(&scale, &root(square));
     let sin = f.div(&f.half(&point.1), &cos);
     (cos, sin)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::error::Error;
+    use crate::graph::Assumption;
+
+    /// cosh(sqrt(u v)/sqrt(u)) for u = b + 1, whose sign no lane knows, and cosh(sqrt(v)).
+    #[test]
+    fn an_even_function_does_not_hide_the_sign_of_a_root() -> Result<(), Error> {
+        let g = &mut Graph::new();
+        let (b, v) = (g.symbol("b", Assumption::Positive), g.symbol("v", Assumption::Real));
+        let u = g.add(b, Id::ONE);
+        let half = Number::rational(1, 2);
+        let product = g.mul(u, v)?;
+        let (both, one) = (g.pow_number(product, &half)?, g.pow_number(u, &half.neg())?);
+        let root = g.pow_number(v, &half)?;
+        let argument = g.mul(both, one)?;
+        let [cosh, other] = [g.apply(Function::Cosh, &[argument])?, g.apply(Function::Cosh, &[root])?];
+        assert_eq!(g.value(cosh), g.value(other));
+        assert!(!g.same(cosh, other));
+        let opposite = g.neg(argument);
+        let even = g.apply(Function::Cosh, &[opposite])?;
+        assert!(g.same(cosh, even));
+        Ok(())
+    }
 }

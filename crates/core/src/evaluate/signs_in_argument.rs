@@ -65,6 +65,16 @@ impl Graph {
         self.atoms(argument, of_exponential).into_iter().filter_map(at_signs).collect()
     }
 
+    /// The point of integers for what all lanes share. The sign of an integer with a large prime factor may differ between
+    /// the lanes from whose values a number is found, so signs are those of one lane if they can be.
+    pub(super) fn plain_point(&self, id: Id) -> IntegerPoint<'static> {
+        if self.has_signs_alone(id) {
+            IntegerPoint::with_signs_of(FieldId::HASH[0])
+        } else {
+            IntegerPoint::PLAIN
+        }
+    }
+
     /// Whether a node holds signs, but no roots that have signs: a root at a point of integers has none of a lane.
     fn has_signs_alone(&self, id: Id) -> bool {
         if !self.flags(id).has(Flags::BRANCH) {
@@ -82,5 +92,33 @@ impl Graph {
         });
         self.lanes.borrow_mut().insert_has_signs_alone(id, !has_roots);
         !has_roots
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::error::Error;
+    use crate::graph::{Assumption, Function};
+
+    #[test]
+    fn the_factor_of_an_atom_is_a_sign_whatever_is_inside() -> Result<(), Error> {
+        let g = &mut Graph::new();
+        let y = g.symbol("y", Assumption::Real);
+        let atan = g.apply(Function::Atan, &[y])?;
+        for name in ["x", "u", "v", "w", "q", "z", "stranger", "alien"] {
+            let symbol = g.symbol(name, Assumption::Real);
+            for (factor, summand) in [(2, -1), (2, -7), (7, -11), (14, 5), (14, 1)] {
+                let (factor, summand) = (g.number_id(&Number::integer(factor)), Number::integer(summand));
+                let (multiple, summand) = (g.scale(factor, symbol), g.number(&summand));
+                let sum = g.add(multiple, summand);
+                let sign = g.apply(Function::Sign, &[sum])?;
+                let argument = g.mul(sign, atan)?;
+                let factors: Vec<Number> =
+                    g.split_argument(argument, false).iter().map(|(_, factor)| factor.abs()).collect();
+                assert_eq!(factors, [Number::integer(1)], "{name}");
+            }
+        }
+        Ok(())
     }
 }
