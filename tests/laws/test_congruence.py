@@ -54,8 +54,6 @@ def test_a_modulus_whose_rest_is_known_in_the_form_of_a_quotient_ends() -> None:
         pytest.param(100, 4566, id="the content of what has a pole at the point of q-adic integers"),
         pytest.param(102, 4056, id="the reciprocal of a power of x with the exponent -1/299"),
         pytest.param(106, 613, id="the tangent of an angle that a pole of the tangent hides in"),
-        pytest.param(105, 1927, id="a multiple of pi/13 that a substitution makes"),
-        pytest.param(200, 513, id="a multiple of pi/91 at the point of integers"),
         pytest.param(303, 4888, id="a content of 168 bits that a sum hides"),
     ],
 )

@@ -133,16 +133,6 @@ EQUALITIES: tuple[Equality, ...] = (
         ("tan(sign(x)*atan(y))", "sign(x)*y"),
         ("tan(sign(14*x - 7)*atan(y))", "sign(2*x - 1)*y"),
     ),
-    *known(
-        "multiples of pi whose denominators divide 720720 are exact",
-        ("cos(2*pi/13)", "2*cos(pi/13)**2 - 1"),
-        ("cos(x - 19*pi/13)", "1 - 2*sin(x/2 - 19*pi/26)**2"),
-        ("sin(pi/7 + 6*pi/91)", "sin(19*pi/91)"),
-    ),
-    *missed(
-        "multiples of pi with other primes in the denominator are drawn",
-        ("cos(24*pi/17)", "2*cos(12*pi/17)**2 - 1"),
-    ),
     *missed(
         "the root of a square that its form does not show has a sign of its own in each field of arguments",
         ("cos(a*sqrt((b + 1)**2*x)/((b + 1)*sqrt(x)))", "cos(a)"),
@@ -218,7 +208,6 @@ EQUALITIES: tuple[Equality, ...] = (
         ("sqrt(3 + 2*sqrt(2))", "1 + sqrt(2)"),
         ("sqrt(6 - 2*sqrt(5))", "sqrt(5) - 1"),
         ("sin(pi/5)", "sqrt(10 - 2*sqrt(5))/4"),
-        ("2*cos(2*pi/13) + 2*cos(6*pi/13) + 2*cos(8*pi/13)", "(sqrt(13) - 1)/2"),
         ("cos(pi/8)", "sqrt(2 + sqrt(2))/2"),
     ),
     *known(

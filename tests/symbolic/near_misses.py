@@ -13,10 +13,10 @@ from itertools import pairwise
 
 from tests.symbolic.true_identities import Pair
 
-P, Q = 5731772964862744799, 5769354732605624159  # the primes of the two fingerprint words
-ANGLES = (795284294159, 4002493848239)  # orders of the groups of atomic angles, factors of P + 1 and Q + 1
+P, Q = 7591768160842071359, 5769354732605624159  # the primes of the two fingerprint words
+ANGLES = (1801798093919, 4002493848239)  # orders of the groups of atomic angles, factors of P + 1 and Q + 1
 EXPONENTS = (
-    2865886482431372399,
+    3795884080421035679,
     2884677366302812079,
 )  # orders of the groups of exponentials, of P - 1 and Q - 1
 
@@ -109,7 +109,6 @@ MULTIPLES = (
     120,
     1000,
     110880,
-    1441440,
     10**6,
     10**9,
     2**31,
@@ -149,7 +148,7 @@ def multiples_off_by_one() -> Iterator[Pair]:
 
 
 def angles_modulo_the_circle() -> Iterator[Pair]:
-    for n in (P + 1, Q + 1, (P + 1) // 2, 1441440, *ANGLES, 6 * ANGLES[0], 1441440 * ANGLES[1]):
+    for n in (P + 1, Q + 1, (P + 1) // 2, 110880, *ANGLES, 6 * ANGLES[0], 110880 * ANGLES[1]):
         yield f"sin({n}*x)", "0"
         yield f"cos({n}*x)", "1"
         yield f"cos({n}*x)", "-1"
@@ -165,7 +164,7 @@ def angles_modulo_the_circle() -> Iterator[Pair]:
         yield f"(x + y)**{n}", "1"
         yield f"x**(-{n})", "1"
         yield f"a**({n}/2)", "1"
-    for n in (1441441, 1441440, 720720, 10**6 + 3, P, P + 1, *ANGLES):
+    for n in (110881, 110880, 55440, 10**6 + 3, P, P + 1, *ANGLES):
         yield f"sin(x + 2*pi/{n})", "sin(x)"
         yield f"cos(2*pi/{n})", "1"
         yield f"sin(x/{n})", "0"

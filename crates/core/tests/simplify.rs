@@ -288,7 +288,7 @@ fn three_bars_in_a_plane_with_relative_angles() -> Result<()> {
     let entry = m.mass(energy, "q1", "q1")?;
     assert_eq!(
         m.simplified(entry)?,
-        "m*(l1**2 + l2**2 + l3**2 + 2*l1*l2*cos(q2) + 2*l3*(l1*cos(q2 + q3) + l2*cos(q3)))"
+        "m*(l1**2 + l2**2 + l3**2 + 2*l1*(l2*cos(q2) + l3*cos(q2 + q3)) + 2*l2*l3*cos(q3))"
     );
     Ok(())
 }

@@ -36,7 +36,7 @@ void pendulum_equations(const double c[7], const double t, const double q[1], co
     const double v1 = lambda*sin(t);
 
     /* positions: 1 addition, 3 multiplications, 2 functions */
-    f[0] = k4*(cos(theta)*v1 - g*sin(theta));
+    f[0] = k4*(v1*cos(theta) - g*sin(theta));
 
     /* entries that need no computation */
     M[0] = k5;
@@ -61,9 +61,9 @@ void pendulum_mechanical_energy(const double c[7], const double t, const double 
     const double v2 = v1*sin(theta);
     const double v2_squared = v2*v2;
     const double v3 = v1*cos_theta;
-    const double v4 = k6*(l*cos_theta);
+    const double v4 = l*cos_theta*k6;
 
     /* velocities: 3 additions, 4 multiplications */
-    const double v5 = l*theta_dot + v3;
+    const double v5 = v3 + l*theta_dot;
     *energy = 0.5*(m*(v2_squared + v5*v5)) - v4;
 }

@@ -90,7 +90,7 @@ contains
         v1 = lambda*sin(t)
 
         ! positions: 1 addition, 3 multiplications, 2 functions
-        f(1) = k5*(cos(theta)*v1 - g*sin(theta))
+        f(1) = k5*(v1*cos(theta) - g*sin(theta))
 
         ! entries that need no computation
         M(1, 1) = k6
@@ -125,10 +125,10 @@ contains
         v2 = v1*sin(theta)
         v2_squared = v2*v2
         v3 = v1*cos_theta
-        v4 = k7*(l*cos_theta)
+        v4 = l*cos_theta*k7
 
         ! velocities: 3 additions, 4 multiplications
-        v5 = l*theta_dot + v3
+        v5 = v3 + l*theta_dot
         energy = 0.5_dp*(m*(v2_squared + v5*v5)) - v4
     end subroutine mechanical_energy
 

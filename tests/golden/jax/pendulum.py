@@ -97,7 +97,7 @@ def equations(c, t, q, u):
     v1 = lambda_*jnp.sin(t)
 
     # positions: 1 addition, 3 multiplications, 2 functions
-    f[0] = k4*(jnp.cos(theta)*v1 - g*jnp.sin(theta))
+    f[0] = k4*(v1*jnp.cos(theta) - g*jnp.sin(theta))
 
     # entries that need no computation
     M[0] = k5
@@ -129,9 +129,9 @@ def mechanical_energy(c, t, q, u):
     v2 = v1*jnp.sin(theta)
     v2_squared = v2*v2
     v3 = v1*cos_theta
-    v4 = k6*(l*cos_theta)
+    v4 = l*cos_theta*k6
 
     # velocities: 3 additions, 4 multiplications
-    v5 = l*theta_dot + v3
+    v5 = v3 + l*theta_dot
     energy = 0.5*(m*(v2_squared + v5*v5)) - v4
     return energy

@@ -74,7 +74,7 @@ pub fn equations(c: &[f64; 7], t: f64, q: &[f64; 1], u: &[f64; 1], M: &mut [[f64
     let v1 = lambda*f64::sin(t);
 
     // positions: 1 addition, 3 multiplications, 2 functions
-    f[0] = k4*(f64::cos(theta)*v1 - g*f64::sin(theta));
+    f[0] = k4*(v1*f64::cos(theta) - g*f64::sin(theta));
 
     // entries that need no computation
     M[0][0] = k5;
@@ -103,9 +103,9 @@ pub fn mechanical_energy(c: &[f64; 7], t: f64, q: &[f64; 1], u: &[f64; 1], energ
     let v2 = v1*f64::sin(theta);
     let v2_squared = v2*v2;
     let v3 = v1*cos_theta;
-    let v4 = k6*(l*cos_theta);
+    let v4 = l*cos_theta*k6;
 
     // velocities: 3 additions, 4 multiplications
-    let v5 = l*theta_dot + v3;
+    let v5 = v3 + l*theta_dot;
     *energy = 0.5*(m*(v2_squared + v5*v5)) - v4;
 }

@@ -38,15 +38,14 @@ pub(super) fn point(prime: &Prime, t: u64) -> Point {
 /// The angle of one part in `order` of a turn, where `order` divides p + 1.
 ///
 /// Among the angles of this order it is one for which a quarter turn has the sine 1, and for which the square roots of
-/// 2, 3, 5, 7, 11 and 13 that it gives are positive: sqrt 2 = 2 cos(pi/4), sqrt 3 = 2 cos(pi/6), sqrt 5 = 4 cos(pi/5) - 1,
-/// and Gauss's sums, those of (k/q) sin(2 pi k/q) for q = 7 and 11, and that of (k/13) cos(2 pi k/13). So are cos(pi/8) and
-/// sin(pi/5).
+/// 2, 3, 5, 7 and 11 that it gives are positive: sqrt 2 = 2 cos(pi/4), sqrt 3 = 2 cos(pi/6), sqrt 5 = 4 cos(pi/5) - 1,
+/// and for q = 7 and 11 Gauss's sum of (k/q) sin(2 pi k/q). So are cos(pi/8) and sin(pi/5).
 pub(super) fn turn_over(prime: &Prime, order: u64) -> Point {
     let cofactor = prime.p.div_ceil(order); // (p + 1)/order
     let mut t = prime.add(prime.one, prime.one);
     loop {
         let candidate = times(prime, point(prime, t), cofactor);
-        let is_full = [2, 3, 5, 7, 11, 13]
+        let is_full = [2, 3, 5, 7, 11]
             .iter()
             .all(|q| order % q != 0 || times(prime, candidate, order / q) != identity(prime));
         if is_full {
@@ -58,7 +57,7 @@ pub(super) fn turn_over(prime: &Prime, order: u64) -> Point {
 
 /// The first multiple of an angle that has full order and agrees with the positive roots.
 fn oriented(prime: &Prime, angle: Point, order: u64) -> Point {
-    let is_unit = |k: u64| [2, 3, 5, 7, 11, 13].iter().all(|q| order % q != 0 || k % q != 0);
+    let is_unit = |k: u64| [2, 3, 5, 7, 11].iter().all(|q| order % q != 0 || k % q != 0);
     (1..order)
         .filter(|&k| is_unit(k))
         .map(|k| times(prime, angle, k))
@@ -71,9 +70,8 @@ fn agrees_with_roots(prime: &Prime, angle: Point, order: u64) -> bool {
     let double = |x: u64| prime.add(x, x);
     let gauss = |q: u64, squares: &[u64]| {
         (1..q).fold(0, |sum, k| {
-            let (cos, sin) = at(q, k);
-            let part = if q % 4 == 1 { cos } else { sin };
-            if squares.contains(&k) { prime.add(sum, part) } else { prime.sub(sum, part) }
+            let (_, sine) = at(q, k);
+            if squares.contains(&k) { prime.add(sum, sine) } else { prime.sub(sum, sine) }
         })
     };
     let has = |parts: u64| order % parts == 0;
@@ -85,5 +83,4 @@ fn agrees_with_roots(prime: &Prime, angle: Point, order: u64) -> bool {
         && (!has(20) || prime.is_square(double(at(10, 1).1)))
         && (!has(28) || prime.is_square(gauss(7, &[1, 2, 4])))
         && (!has(44) || prime.is_square(gauss(11, &[1, 3, 4, 5, 9])))
-        && (!has(13) || prime.is_square(gauss(13, &[1, 3, 4, 9, 10, 12])))
 }

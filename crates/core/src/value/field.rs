@@ -13,7 +13,7 @@ use super::prime::{Prime, fraction_modulo};
 use super::quadratic::{Closure, Quadratic};
 
 /// The exact angles are multiples of 2 pi over this number, as far as it divides p + 1.
-pub(super) const TORSION: u64 = 1_441_440;
+pub(super) const TORSION: u64 = 110_880;
 
 /// A field with its groups of angles and exponentials.
 pub(crate) struct Field {

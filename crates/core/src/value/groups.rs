@@ -38,5 +38,5 @@ pub(super) fn units_on_circle(prime: &Prime, (order, step): (u64, Point)) -> Vec
         let (cos, sin) = candidates.into_iter().find(agrees).expect("the circle is a cyclic group");
         (q, held, Quadratic::Wide([cos, sin].into()))
     };
-    [3, 5, 7, 11, 13].map(unit).into()
+    [3, 5, 7, 11].map(unit).into()
 }

@@ -12,7 +12,7 @@
 //!
 //! | field | is | angles in | exponents in |
 //! |---|---|---|---|
-//! | p | -1 mod 1441440, so that the angles 2 pi k/1441440 are exact and sqrt 2, 3, 5, 7, 11, 13 agree with them | A1 | B1 |
+//! | p | -1 mod 110880, so that the angles 2 pi k/110880 are exact and sqrt 2, 3, 5, 7, 11 agree with them | A1 | B1 |
 //! | B1 | (p - 1)/2: all positive elements are members of this group, so every root of them is one, too | A1 | B2 |
 //! | B2 | (B1 - 1)/2 | A1 | B3 |
 //! | B3 | a factor of B2 - 1 | | |

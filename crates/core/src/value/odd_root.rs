@@ -1,6 +1,6 @@
 //! Roots of odd degree of what is not real, by its polar form.
 //!
-//! The elements of a field other than zero form a cyclic group. Its order is h m, where h has the primes 2, 3, 5, 7, 11 and 13
+//! The elements of a field other than zero form a cyclic group. Its order is h m, where h has the primes 2, 3, 5, 7 and 11
 //! and m has others. An element is therefore r e^(i theta) with an exact angle, a multiple of 2 pi/h, and an r that has one
 //! root of each degree that shares no factor with m. The root of degree d is r^(1/d) e^(i theta/d) with the theta above -pi
 //! and up to pi: its power d is the element. So are principal roots of units, and those of real numbers times units.
@@ -15,7 +15,7 @@ use super::number::Number;
 use super::quadratic::{Generator, Quadratic};
 
 /// The primes of exact angles.
-const PRIMES: [u64; 5] = [3, 5, 7, 11, 13];
+const PRIMES: [u64; 4] = [3, 5, 7, 11];
 
 /// Roots in fields of larger degree are drawn.
 const LARGEST_DEGREE: usize = 18;

@@ -19,7 +19,7 @@ function [M, f] = equations(c, t, q, u)
     v1 = lambda*sin(t);
 
     % positions: 1 addition, 3 multiplications, 2 functions
-    f(1) = k5*(cos(theta)*v1 - g*sin(theta));
+    f(1) = k5*(v1*cos(theta) - g*sin(theta));
 
     % entries that need no computation
     M(1, 1) = k6;

@@ -22,9 +22,9 @@ function energy = mechanical_energy(c, t, q, u)
     v2 = v1*sin(theta);
     v2_squared = v2*v2;
     v3 = v1*cos_theta;
-    v4 = k7*(l*cos_theta);
+    v4 = l*cos_theta*k7;
 
     % velocities: 3 additions, 4 multiplications
-    v5 = l*theta_dot + v3;
+    v5 = v3 + l*theta_dot;
     energy = 0.5*(m*(v2_squared + v5*v5)) - v4;
 end
