@@ -252,9 +252,9 @@ def matrix_form(
 
 
 def with_names(form: MatrixForm, page: Page) -> MatrixForm:
-    """Return the matrices with the names of forces along lines that a page of the same equations has."""
+    """Return the matrices with the loads of a page of the same equations, and its names of forces along lines."""
     loads = _column([balance.loads for balance in page.balances])
-    return replace(form, named=page.named, named_loads=loads) if page.named else form
+    return replace(form, named=page.named, named_loads=loads) if page.named else replace(form, loads=loads)
 
 
 def _of_given(
