@@ -14,12 +14,13 @@ from symbody.errors import ModelNotice
 from symbody.multibody import System, Variables
 from symbody.symbolic import Expr, Matrix, diff, free_symbols, latex, number, zeros
 from symbody.symbolic.expression.latex_layout import aligned, bmatrix, displayed
+from symbody.symbolic.expression.text_layout import LINE, lines
 
 from .balance import Balance
 from .causes import generalized_forces
 from .page import Page
 from .reader_of import reader_of
-from .row import LINE, lines, printed
+from .row import printed
 from .short_names import Definition, in_order_of_use, shortened
 
 _TWO_DIGITS = 10
