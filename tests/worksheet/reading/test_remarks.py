@@ -39,6 +39,7 @@ CASES = [
     ("f := sin(q)(sine of q);", ["SyntaxMistake"], []),
     ("y := x1 + the offset\n x2; B := 3;", ["Assignment"] * 2, ["the offset"]),
     ("y := x1 + the offset;", ["SyntaxMistake"], []),
+    ("!ls\nB := 3;", ["SyntaxMistake", "Assignment"], []),
     # It isn't one where it is complete, or where the next line completes it.
     ("show(AB); crank;", ["Evaluation", "Evaluation"], []),
     ("show(AB); B := [x,\ny];", TWO, []),
