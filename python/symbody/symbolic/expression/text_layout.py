@@ -13,8 +13,8 @@ LINE = 110
 """The most characters of a line of text."""
 _STEP = "    "
 _TOKEN = re.compile(
-    r"(?P<equals> = )|(?P<sign> [+-] )|(?P<kept>\*\*\(|\[)|(?P<factor>\*\()|(?P<argument>(?<=\w)[(\[])|(?P<open>\()"
-    r"|(?P<close>[)\]])|[^\s()\[\]*]+|."
+    r"(?P<equals> = )|(?P<sign> [+-] )|(?P<kept>\*\*\(|\[)|(?P<factor>[*/]\()|(?P<argument>(?<=\w)[(\[])|(?P<open>\()"
+    r"|(?P<close>[)\]])|[^\s()\[\]*/]+|."
 )
 
 
