@@ -77,13 +77,15 @@ class Names:
         symbols: names of Maple that the program declares as symbols or as functions of time, by their identifiers.
         outer: the names around a function.
         master: the variable that holds the moving master frame; nothing without it.
-        small: small variables, by those that are marked.
+        small: small variables by those that are marked; less the value from which they deviate.
         arguments: inside a function, the name of the arguments that ``args`` and ``nargs`` mean.
         as_differences: whether equations that a statement gives are to be solved.
         solved: names in calls of ``solve``: their equations are differences.
         tyres: the tyres of the program, by their variables.
         used: identifiers that had values before a ``restart``; as symbols, they are declared again.
         late: lines of such declarations, which stand before the statement.
+        reserved: identifiers of the worksheet.
+        added: identifiers that only the program has.
     """
 
     values: dict[str, Any] = field(default_factory=_imported)
@@ -98,6 +100,15 @@ class Names:
     tyres: dict[str, Any] = field(default_factory=dict)
     used: set[str] = field(default_factory=set)
     late: list[str] = field(default_factory=list)
+    reserved: frozenset[str] = frozenset()
+    added: set[str] = field(default_factory=set)
+
+    def own(self, name: str) -> str:
+        """Return an identifier for what only the program has a name for."""
+        while name in self.reserved:
+            name += "_"
+        self.added.add(name)
+        return name
 
     def text(self, name: str) -> str:
         """Return the identifier of a name, which is declared if it has no value."""
@@ -120,11 +131,16 @@ class Names:
         else:
             self.symbols[text] = name
 
+    def plain(self, text: str) -> Expr:
+        """Return the symbol, or the function of time, that an identifier is declared as."""
+        name = self.symbols[text]
+        return time_function(name) if name in self.functions else symbol(name)
+
     def declaration(self, name: str) -> str:
         """Return what makes a symbol, or a function of time; some names of Maple are none in Python."""
         is_function = name in self.functions
         if not name.isidentifier():
-            return f"sb.symbolic.{'time_function' if is_function else 'symbol'}({name!r})"
+            return f'sb.symbolic.{"time_function" if is_function else "symbol"}("{name}")'
         return f'sb.functions_of_time("{name}")' if is_function else f'sb.symbols("{name}")'
 
     def restart(self) -> None:
@@ -167,6 +183,8 @@ class Names:
             self.tyres,
             self.used,
             self.late,
+            self.reserved,
+            self.added,
         )
 
     def value(self, text: str) -> Any:

@@ -15,6 +15,7 @@ from symbody.multibody import Body, Force, Torque
 from symbody.symbolic import Expr, Matrix
 from symbody.worksheet.convert.expressions import PythonText
 from symbody.worksheet.convert.files import FILES
+from symbody.worksheet.convert.linear_models import linear_lines
 from symbody.worksheet.convert.modes import mode_lines
 from symbody.worksheet.convert.names import Names, NoText, identifier
 from symbody.worksheet.convert.operations import grouped
@@ -93,7 +94,8 @@ def _assignment(
 ) -> list[str]:
     names = {target.name for target in targets if isinstance(target, syntax.Name)}
     text.as_differences = text.names.as_differences = bool(names & text.names.solved)
-    lines = mode_lines(text, value)
+    target = target_text(text, targets[0]) if isinstance(targets[0], syntax.Name) else ""
+    lines = mode_lines(text, value, target)
     if lines is not None:
         return lines
     if isinstance(value, syntax.Procedure):
@@ -104,6 +106,9 @@ def _assignment(
         pairs = zip(targets, value.items, strict=True)
         return list(chain.from_iterable(_one(text, target, item) for target, item in pairs))
     found = [target_text(text, target) for target in targets]
+    linear = linear_lines(text, found, value)
+    if linear is not None:
+        return linear
     tables = list(chain.from_iterable(_table_of(text, target) for target in targets))
     written = text.text(value)
     items = _tuple_items(written)

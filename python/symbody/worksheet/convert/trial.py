@@ -35,7 +35,7 @@ def prepare(program: Draft, statement: syntax.Statement, *, keeps: bool) -> None
             program.code = lines_of(statement, text, keeps=keeps)
     except NoText as error:
         program.reason = str(error)
-    except (SymbodyError, ValueError, TypeError, AttributeError, LookupError) as error:
+    except (SymbodyError, ValueError, TypeError, AttributeError, LookupError, SyntaxError) as error:
         program.reason = repr(error)
     program.keeps = keeps
 
