@@ -214,8 +214,8 @@ def test_a_value_that_comes_later_reaches_what_was_made_before() -> None:
 
 def test_what_has_no_text_is_written_as_its_value(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)  # the sheet draws
-    text = program("y := numer((a + x)/b);\nplot(y, b = 0..1);\n", "values")
-    assert "# values of line 1: y := numer((a + x)/b);\ny = a + x\n" in text
+    text = program("y := evalc(a + x);\nplot(y, b = 0..1);\n", "values")
+    assert "# values of line 1: y := evalc(a + x);\ny = a + x\n" in text
     assert "# left out, line 2: plot(y, b = 0..1);" in text
     a, x = sb.symbols("a x")
     assert run(text)["y"] == a + x

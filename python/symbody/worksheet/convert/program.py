@@ -106,6 +106,7 @@ def _text(program: Draft, title: str) -> str:
 def _add(program: Draft, statement: syntax.Statement, *, keeps: bool) -> bool:
     """Add a statement; return whether the sheet goes on."""
     before = dict(program.interpreter.session.assigned)
+    program.before = list(program.interpreter.session.last)
     loads = is_loading(statement)
     if not loads:
         prepare(program, statement, keeps=keeps)

@@ -32,7 +32,7 @@ def small_lines(text: Writer, sets: tuple[syntax.Expression, ...]) -> list[str]:
     changes |= {mark: names.small[mark] for mark in leaving.values()}
     older = _made_before(names, changes)
     texts = {name: _marked(name, about) for name, about in entering.items()}
-    texts |= {name: names.declaration(names.symbols[name]) for name in leaving}
+    texts |= {name: names.declared(name) for name in leaving}
     _keep(names, entering, [*deviating.values(), *leaving.values()])
     changed = _changed(names.own("marks"), texts, older) if older and texts else _named(entering, texts)
     return [*lines, *changed]
@@ -50,7 +50,7 @@ def _keep(names: Names, entering: Mapping[str, str], leaving: Sequence[Expr]) ->
 def _taken_back(names: Names, name: str, mark: Expr) -> list[str]:
     """Return the lines after which a small deviation is a variable that isn't small."""
     plain = names.plain(name)
-    lines = [f"{name} = {names.declaration(names.symbols[name])}"]
+    lines = [f"{name} = {names.declared(name)}"]
     older = _made_before(names, {mark: names.small[mark]})
     if older:
         about = grouped(scalar_text(plain - names.small[mark], names), SUM + 1)

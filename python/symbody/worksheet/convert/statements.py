@@ -214,7 +214,7 @@ def _is_display(item: syntax.Expression) -> bool:
     match item:
         case syntax.Infix(operator="=", left=syntax.Delayed()):
             return True
-        case syntax.Call(function=syntax.Name(name="show" | "print" | "printf")):
+        case syntax.Call(function=syntax.Name(name="show" | "print" | "lprint" | "printf")):
             return True
     return False
 
@@ -235,10 +235,12 @@ def _shown_item(text: PythonText, item: syntax.Expression, *, shown: bool, keeps
         case syntax.Call(function=syntax.Name(name="show"), arguments=(what, *options)):
             text.shown.clear()  # what show returns is what it prints
             return _show(text, what, synthetic=bool(options), keeps=keeps)
-        case syntax.Call(function=syntax.Name(name="print"), arguments=arguments):
+        case syntax.Call(function=syntax.Name(name="print" | "lprint"), arguments=arguments):
             return [f"print({items(text, arguments)})"]
         case syntax.Call(function=syntax.Name(name="printf"), arguments=(syntax.Text(text=form), *rest)):
             return [_printed(text, form, rest)]
+        case syntax.Call(function=syntax.Name(name="assign"), arguments=(what,)):
+            return _assigned(text, what)
         case syntax.Call(function=syntax.Name(name="unassign"), arguments=arguments):
             found = (_one(text, each.body, each) for each in arguments if isinstance(each, syntax.Delayed))
             return list(chain.from_iterable(found))
@@ -249,6 +251,21 @@ def _shown_item(text: PythonText, item: syntax.Expression, *, shown: bool, keeps
             raise
         return []  # without an effect, nobody sees the value
     return _value_lines(text, item, written, shown=shown, keeps=keeps)
+
+
+def _assigned(text: PythonText, what: syntax.Expression) -> list[str]:
+    """Return the lines of ``assign(solution)``: each unknown gets its value."""
+    match what:
+        case syntax.Infix(operator="=", left=syntax.Name(name=name), right=right):
+            return [f"{identifier(name)} = {text.text(right)}"]
+    written = text.text(what)
+    found = text.value(written)
+    if not isinstance(found, dict):
+        raise NoText("assign")
+    known = {text.names.plain(name): name for name in text.names.symbols}
+    if not all(variable in known for variable in found):
+        raise NoText("assign")
+    return [f"{known[variable]} = {grouped(written)}[{known[variable]}]" for variable in found]
 
 
 def _value_lines(
