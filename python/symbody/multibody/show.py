@@ -14,6 +14,7 @@ from symbody.geometry import Frame, Point, Vector
 from symbody.geometry.given.argument import checked
 from symbody.symbolic import Expr, Matrix, cost, free_symbols, time_derivative
 from symbody.symbolic.calculus.reader import Reader
+from symbody.symbolic.calculus.shown_form import shown_form
 from symbody.symbolic.given.arguments import brief, counted
 
 from .body import Body
@@ -86,6 +87,10 @@ def _described(thing: Shown, style: _Style) -> str:
         return thing.description()
     if isinstance(thing, System):
         return _system(thing, style)
+    if isinstance(thing, Expr):
+        return str(shown_form(thing))
+    if isinstance(thing, Matrix):
+        return str(thing.map(shown_form))
     name = getattr(thing, "name", "")
     fields = _fields(thing, style)
     if not fields:

@@ -14,12 +14,13 @@ from symbody.errors import ModelNotice
 from symbody.multibody import System, Variables
 from symbody.symbolic import Expr, Matrix, diff, free_symbols, latex, number, zeros
 from symbody.symbolic.expression.latex_layout import aligned, bmatrix, displayed
+from symbody.symbolic.expression.text_layout import LINE, lines
 
 from .balance import Balance
 from .causes import generalized_forces
 from .page import Page
 from .reader_of import reader_of
-from .row import LINE, lines, printed
+from .row import printed
 from .short_names import Definition, in_order_of_use, shortened
 
 _TWO_DIGITS = 10
@@ -251,9 +252,9 @@ def matrix_form(
 
 
 def with_names(form: MatrixForm, page: Page) -> MatrixForm:
-    """Return the matrices with the names of forces along lines that a page of the same equations has."""
+    """Return the matrices with the loads of a page of the same equations, and its names of forces along lines."""
     loads = _column([balance.loads for balance in page.balances])
-    return replace(form, named=page.named, named_loads=loads) if page.named else form
+    return replace(form, named=page.named, named_loads=loads) if page.named else replace(form, loads=loads)
 
 
 def _of_given(

@@ -110,8 +110,14 @@ def derived(value: Any, operation: Rewrite, place: str) -> Any:
     return _Pass(place, ways).run(value, operation)
 
 
-def in_latex(value: Any, place: str) -> str:
-    """Return a container in LaTeX; names are typeset differently in all of its entries."""
+def in_latex(value: Any, place: str, form: Callable[[Expr], Expr]) -> str:
+    """Return a container in LaTeX; names are typeset differently in all of its entries.
+
+    Args:
+        value: the container.
+        place: what is named in messages.
+        form: which gives the form that is shown of an expression.
+    """
     leaves: list[Expr] = []
 
     def collect(part: Any, path: str) -> None:
@@ -133,7 +139,7 @@ def in_latex(value: Any, place: str) -> str:
     if entry is not None and entry.layout is None and hasattr(value, "latex"):
         return str(value.latex())
     collect(value, "")
-    definitions, texts = _core.listing(leaves, "latex")
+    definitions, texts = _core.listing(list(map(form, leaves)), "latex")
     remaining = iter(texts)
 
     def laid_out(part: Any) -> str:
