@@ -35,6 +35,12 @@ def rounded() -> object:
     )
 
 
+def nut_in_space() -> object:
+    """Let a screw close a loop in which its axis turns."""
+    joints = [sb.revolute("A", ground, a), sb.revolute("B", a, b, axis="X"), sb.revolute("C", b, c, axis="Y")]
+    return sb.assemble([*joints, sb.screw("S", c, ground, pitch=0.002)])
+
+
 def doubled() -> object:
     """Take the reaction of the second hinge of a door."""
     hinges = [sb.revolute("P", ground, a), sb.revolute("Q", ground, a, at=(0, 0, 1), to=(0, 0, 1))]
@@ -73,6 +79,16 @@ NOTICES: list[tuple[Callable[[], object], list[str]]] = [
                 "assemble: revolute D closes its loop but for rounding: D.z, D.about x, D.about y stay within "
                 "9.9e-10 at all positions, and as constraints they allow no motion, or contradict others; give "
                 "exact dimensions, or leave out what is so small by assemble(joints, tolerance=1e-09)"
+            )
+        ],
+    ),
+    (
+        nut_in_space,
+        [
+            (
+                "assemble: screw S closes a loop in space, which determines its angle only up to whole turns, of "
+                "0.004*pi along the axis each; the position that is found is the one nearest to the guess: let another "
+                "joint close the loop by loop=True, or choose this one by loop=True and give a guess of its position"
             )
         ],
     ),

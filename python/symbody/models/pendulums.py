@@ -72,7 +72,7 @@ def cart_pole(n: int = 1, *, point_masses: bool = False) -> ClassicSystem:
     >>> newton_euler(cart_pole().system)
     Equations(2 equations of motion, 0 constraints, coordinates x, theta1)
     >>> newton_euler(cart_pole(2, point_masses=True).system).mass_matrix[1, 2]
-    l1*l2*m2*cos(theta1 - theta2)
+    l1*l2*m2*sin(theta1)*sin(theta2) + l1*l2*m2*cos(theta1)*cos(theta2)
     """
     check_count("cart_pole", n)
     if point_masses:
