@@ -9,6 +9,7 @@ from symbody.symbolic._core import Expr
 
 from .common_part import common_parameters
 from .derivative import diff
+from .fractions_outside import with_fractions_outside
 from .reading import is_divisor, nodes_of, parts_of
 from .rewrite import short_form
 
@@ -37,7 +38,7 @@ def by_parameters(expression: Expr, parameters: Sequence[Expr], form: Callable[[
             (factor, _core.number(1)),
         )
         joined[known] = joined.get(known, _core.number(0)) + ratio * parameter
-    terms = [total * factor for factor, total in joined.items()]
+    terms = [with_fractions_outside(total * factor) for factor, total in joined.items()]
     found = _core.sum_of(terms)
     return _with_number_outside(terms, found) if found == expression else None
 

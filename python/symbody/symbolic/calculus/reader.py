@@ -13,6 +13,7 @@ from .by_parameters import by_lengths, by_parameters
 from .cost import cost
 from .derivative import substitute
 from .difference import by_differences, with_differences
+from .fractions_outside import with_fractions_outside
 from .reading import is_divisor, levels, multiples_of_angles, nodes_of, parts_of, reading
 from .rewrite import factor_terms, simplify, textbook_form
 from .squares import squared_sums, with_squares
@@ -126,7 +127,7 @@ def _with_factor_outside(form: Expr) -> Expr:
     """Return a sum of products with the factor outside that all of them have: ``m*(x**2/y**2 + 1)``."""
     if form.kind != "sum" or any(_has_brackets(term) for term in parts_of(form, "sum")):
         return form
-    other = factor_terms(form)
+    other = with_fractions_outside(factor_terms(form))
     shared = [part for part in parts_of(other, "product") if part.kind not in {"number", "sum"}]
     return other if shared and _length(other) <= _length(form) + 1 else form
 
