@@ -66,13 +66,13 @@ impl Graph {
         out: &mut Vec<(Id, FieldId)>,
     ) {
         let next = if of_exponential { field.of_exponents() } else { field.of_angles() };
-        out.extend(points_above(next, field).map(|next| (argument, next)));
+        out.extend(field.points_above(next).map(|next| (argument, next)));
         if next.is_none() {
             return;
         }
         for (atom, _) in self.split_argument(argument, of_exponential).iter() {
             if let (Atom::Log(_), Some(angles)) = (atom, field.of_angles()) {
-                for angles in points_above(Some(angles), field) {
+                for angles in field.points_above(Some(angles)) {
                     out.extend(
                         [angles, angles.with_turned_logarithms(field)].map(|angles| (argument, angles)),
                     );
@@ -80,7 +80,7 @@ impl Graph {
             }
             for id in atom.arguments() {
                 out.push((id, field));
-                out.extend(points_above(next, field).map(|next| (id, next)));
+                out.extend(field.points_above(next).map(|next| (id, next)));
             }
         }
     }
@@ -294,11 +294,6 @@ impl Graph {
             _ => (a == b).then_some(1),
         }
     }
-}
-
-/// Where the arguments of functions in a field are evaluated: at the points of the field above it, if there is one.
-pub(super) fn points_above(above: Option<FieldId>, field: FieldId) -> impl Iterator<Item = FieldId> {
-    std::iter::once(above.unwrap_or(field)).chain(above.and_then(FieldId::second))
 }
 
 /// The split of the opposite argument.

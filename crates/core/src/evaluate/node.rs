@@ -11,8 +11,6 @@ use crate::value::{
     Element, Field, FieldId, Key, LARGEST_SQUARE, Number, Quadratic, fingerprint, in_hash_lane, prime_factors,
 };
 
-use super::argument::points_above;
-
 type Point = (Quadratic, Quadratic);
 
 impl Graph {
@@ -150,9 +148,9 @@ impl Graph {
                 let (base, exponent) = (argument(args, 0), argument(args, 1));
                 out.push((base, field));
                 for above in [field.of_angles(), field.of_exponents()] {
-                    out.extend(points_above(above, field).map(|above| (exponent, above)));
+                    out.extend(field.points_above(above).map(|above| (exponent, above)));
                 }
-                for exponents in points_above(field.of_exponents(), field) {
+                for exponents in field.points_above(field.of_exponents()) {
                     self.push_needed_by_logarithm(base, exponents, out);
                 }
             }

@@ -110,8 +110,13 @@ impl FieldId {
         Self { index, point: self.unturned().point & !SECOND }
     }
 
+    /// Where the arguments of functions are evaluated: at the points of a field above this one, if there is one.
+    pub(crate) fn points_above(self, above: Option<Self>) -> impl Iterator<Item = Self> {
+        std::iter::once(above.unwrap_or(self)).chain(above.and_then(Self::second))
+    }
+
     /// The same field at the second point at which arguments are evaluated, if they are: in all lanes but the hash lanes.
-    pub(crate) fn second(self) -> Option<Self> {
+    fn second(self) -> Option<Self> {
         let is_first = self.point & SECOND == 0;
         let is_other = self.index as usize / FIELDS_OF_A_LANE >= Self::HASH.len();
         (is_first && is_other).then_some(Self { point: self.point | SECOND, ..self })
