@@ -7,7 +7,14 @@ from functools import cached_property
 
 from symbody.multibody import Variables
 from symbody.symbolic import Expr
-from symbody.symbolic.expression.latex_layout import ARTICLE, aligned, broken, displayed
+from symbody.symbolic.expression.latex_layout import (
+    ARTICLE,
+    aligned,
+    broken,
+    displayed,
+    in_pages,
+    one_formula,
+)
 
 from .balance import Balance
 from .page import lines_of
@@ -48,10 +55,10 @@ class EquationPage:
         """Return the equation in LaTeX, after the quantities that have names; it is broken at terms."""
         definitions, (left, right) = self._row("latex")
         rows = [row for name, value in definitions for row in broken(f"{name} &= ", value, ARTICLE)]
-        return aligned([*rows, *broken("&", f"{left} = {right}", ARTICLE)])
+        return in_pages(aligned([*rows, *broken("&", f"{left} = {right}", ARTICLE)]))
 
     def _repr_latex_(self) -> str:
-        return displayed(self.latex())
+        return displayed(one_formula(self.latex()))
 
     def _row(self, notation: str) -> tuple[list[Definition], list[str]]:
         count, balance = len(self.balance.left), self.balance

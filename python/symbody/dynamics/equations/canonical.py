@@ -21,7 +21,7 @@ from symbody.symbolic import (
     without_idle_symbols,
 )
 from symbody.symbolic.expression.container import Container, contains, substituted
-from symbody.symbolic.expression.latex_layout import displayed
+from symbody.symbolic.expression.latex_layout import displayed, one_formula
 
 from .constraint_force import with_multipliers
 from .equations import Assembly, Derived, Equations
@@ -129,7 +129,7 @@ class CanonicalEquations:
         """The equations in LaTeX if they are short enough to be read below a cell."""
         if cost([self.hamiltonian, *self.rates.values()]).total > _AT_ONCE:
             return None
-        return None if self.description().count("\n") > _READABLE else displayed(self.latex())
+        return None if self.description().count("\n") > _READABLE else displayed(one_formula(self.latex()))
 
     def _repr_latex_(self) -> str | None:
         return self._latex_of_notebook

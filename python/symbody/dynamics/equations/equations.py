@@ -33,7 +33,7 @@ from symbody.symbolic import (
     without_idle_symbols,
 )
 from symbody.symbolic.expression.container import Container, contains, substituted
-from symbody.symbolic.expression.latex_layout import displayed
+from symbody.symbolic.expression.latex_layout import displayed, in_pages, one_formula
 from symbody.symbolic.given.arguments import brief, counted
 from symbody.symbolic.numeric.program import program_of
 
@@ -347,14 +347,15 @@ class Equations:
         r"""Return the equations and constraints in LaTeX, as a textbook prints them.
 
         Long ones are broken at terms, so that they are as wide as a page of the class `article`. What is higher than a
-        page needs `align*` in the place of `aligned`, outside of a formula, after ``\allowdisplaybreaks``. Of
-        equations that are too long, the sizes are returned; ``latex(equations.equation_of(q))`` is one of them.
+        page is the environment ``align*``, which stands outside of formulas and is broken between pages; what isn't is
+        ``aligned``, within a formula. Of equations that are too long, the sizes are returned;
+        ``latex(equations.equation_of(q))`` is one of them.
 
         Args:
             whole: whether equations of at most 1000 operations are written out, however many pages they fill.
         """
         if self.is_readable or (whole and is_readable(self.residuals)):
-            return self._printed_page.latex()
+            return in_pages(self._printed_page.latex())
         return summary_in_latex(self.system, self.residuals)
 
     def matrix_form(self, *, christoffel: bool = False) -> MatrixForm:
@@ -388,7 +389,7 @@ class Equations:
             or self.description().count("\n") > _READABLE
         ):
             return None
-        return displayed(self.latex())
+        return displayed(one_formula(self.latex()))
 
     def _repr_latex_(self) -> str | None:
         return self._latex_of_notebook
