@@ -111,6 +111,11 @@ twins = System(twin, (), functions_of_time("s1 s2"))
 
 MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     (
+        errors.ModelError,
+        lambda: reaction(newton_euler(twins), [twin[0], twin[0]]),
+        "reaction: the body twin is given twice; give it once",
+    ),
+    (
         errors.JointError,
         lambda: four_bar.joint("D").coordinate,
         (

@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 
 from symbody import ModelNotice, lambdify, magic_formula, symbols, tire_file
-from symbody.errors import LoadError
 
 SETS: dict[str, Any] = json.loads((Path(__file__).parent / "magic_formula.json").read_text(encoding="utf-8"))
 FITTYP = {"5.2": 6, "6.1": 61}
@@ -111,67 +110,16 @@ def test_terms_of_set_6_2() -> None:
 
 
 START = "[MODEL]\nFITTYP = 61\nFNOMIN = 4000\nUNLOADED_RADIUS = 0.3\n"
-MISTAKES = [
-    (
-        "FNOMIN = 4000",
-        "tire_file a.tir: no FITTYP, which tells the version of the Magic Formula; expected one of 5, 6, ",
-    ),
-    (
-        "[MODEL]\nFITTYP = 2",
-        "tire_file a.tir, line 2: FITTYP = 2; expected one of 5, 6, 21, 51, 52, 60, 61, 62: the Mag",
-    ),
-    (
-        f"{START}PCX1 1.3",
-        "tire_file a.tir, line 5: 'PCX1 1.3'; expected NAME = value, a [SECTION], or a comment that ",
-    ),
-    (f"{START}PCX1 = 1,3", "tire_file a.tir, line 5: PCX1 = '1,3'; expected a number"),
-    (
-        f"{START}FNOMIN = 5000",
-        "tire_file a.tir, line 5: FNOMIN = 5000, after 4000 in line 3; expected one value",
-    ),
-    (
-        f"{START}PCX1 = 1.3",
-        "tire_file a.tir: magic_formula: PDX1, PKX1 missing; expected the nominal load, the unloade",
-    ),
-    (
-        "[UNITS]\nLENGTH = 'yard'",
-        "tire_file a.tir: the unit of length is 'yard'; expected one of meter, metre, m, mm, ",
-    ),
-    (
-        "[UNITS]\nANGLE = 'degree'",
-        "tire_file a.tir: the unit of angle is 'degree'; expected one of radians, radian, ",
-    ),
-]
-
-
-@pytest.mark.parametrize(("text", "message"), MISTAKES)
-def test_messages(text: str, message: str, tmp_path: Path) -> None:
-    path = tmp_path / "a.tir"
-    path.write_text(text, encoding="utf-8")
-    with pytest.raises(LoadError) as caught:
-        tire_file(path).law()
-    assert str(caught.value).startswith(message)
-
-
-def test_missing_files_and_names(tmp_path: Path) -> None:
-    path = tmp_path / "a.tir"
-    with pytest.raises(
-        LoadError, match=r"tire_file a.tir: No such file or directory \(.*a.tir\); expected a tyre"
-    ):
-        tire_file(path)
-    with pytest.raises(LoadError, match=r"tire_file: path = None; expected the path of a tyre property file"):
-        tire_file(None)  # type: ignore[arg-type]
-    path.write_text(f"{START}[LATERAL_COEFFICIENTS]\nPCY1 = 1.3\nPDYX = 1", encoding="utf-8")
-    with pytest.warns(
-        ModelNotice, match=r"tire_file a.tir: PDYX \(line 7\) means nothing to the law and is left out"
-    ):
-        file = tire_file(path)
-    with pytest.raises(LoadError, match=r"tire_file a.tir: no 'FNOMI'; it has FNOMIN"):
-        file["FNOMI"]
 
 
 def test_unknown_coefficients_are_told_in_any_section_but_those_of_the_carcass(tmp_path: Path) -> None:
     path = tmp_path / "a.tir"
     path.write_text(f"{START}PXX9 = 3\nPCY12 = 1\n[VERTICAL]\nPFZ1 = 0.7\n", encoding="utf-8")
-    with pytest.warns(ModelNotice, match=r"tire_file a.tir: PXX9 \(line 5\), PCY12 \(line 6\) mean nothing"):
+    with pytest.warns(ModelNotice) as caught:
         assert tire_file(path)["PFZ1"] == 0.7
+    assert [str(each.message) for each in caught] == [
+        (
+            "tire_file a.tir: PXX9 (line 5), PCY12 (line 6) mean nothing to the law and are left out of it; expected "
+            "names such as PCY1"
+        )
+    ]
