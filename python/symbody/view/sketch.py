@@ -100,7 +100,7 @@ class _Projection:
         height = extent[1] * self.scale + 2 * MARGIN
         self.origin = np.array([WIDTH, height]) / 2 - self.scale * (low + high) / 2
         marks = tuple(_spread(self._marks()))
-        return Sketch(_width(marks) if "actions" in self.content else WIDTH, round(float(height), 2), marks)
+        return Sketch(_width(marks), _height(marks, float(height)), marks)
 
     def _marks(self) -> list[Mark]:
         solids = sorted(self._solids(), key=lambda each: each[0])
@@ -329,8 +329,18 @@ def _is_free(place: Place, width: float, taken: Sequence[Place], heads: Sequence
 
 
 def _width(marks: Sequence[Mark]) -> float:
-    """Return the width that holds all names: those of forces are longer than the margin."""
-    return max([WIDTH, *(mark.at[0] + 8 * len(mark.text) + 10 for mark in marks if isinstance(mark, Label))])
+    """Return the width that holds all names, some of which are longer than the margin."""
+    ends = (mark.at[0] + _LETTER * len(mark.text) + 10 for mark in marks if isinstance(mark, Label))
+    return max([WIDTH, *ends])
+
+
+def _height(marks: Sequence[Mark], height: float) -> float:
+    """Return the height that holds all names, some of which are moved down."""
+    return round(max([height, *(mark.at[1] + 6 for mark in marks if isinstance(mark, Label))]), 2)
+
+
+_LETTER = 8
+"""The width of a letter at most, in points."""
 
 
 def _faces(part: Mapping[str, Any]) -> list[Array]:

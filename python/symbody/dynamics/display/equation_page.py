@@ -64,7 +64,8 @@ class EquationPage:
         count, balance = len(self.balance.left), self.balance
         named = [side for pair in self.named for side in pair]
         shared, texts = printed([*balance.left, *balance.right, *named], notation, self.system)
-        sides = [written(texts[:count]), written(texts[count : len(texts) - len(named)])]
+        right = written(texts[count : len(texts) - len(named)], is_ordered=len(balance.constraints) > 1)
+        sides = [written(texts[:count]), right]
         names = texts[len(texts) - len(named) :]
         given = in_order_of_use([*shared, *zip(names[::2], names[1::2], strict=True)])
         return shortened(sides, (), _used(given, sides), notation)

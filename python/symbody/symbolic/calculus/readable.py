@@ -13,6 +13,7 @@ from symbody.symbolic.given.arguments import expression_or_container
 
 from .by_rates import by_rates
 from .cost import cost
+from .over_divisors import over_divisors
 from .reading import awkward_terms, multiples_of_angles, nodes_of, reading
 from .rewrite import expand, expand_trig, short_form, simplify, textbook_form
 from .standard_names import standard_names
@@ -57,35 +58,81 @@ def readable(expression: Any) -> Any:
 
 
 def _most_readable(expression: Expr) -> Expr:
-    """Return the form that reads shortest; of equals, the first one."""
+    """Return the form that reads shortest; from that of a short expression, no shorter one is found."""
+    for _ in range(_ROUNDS if cost(expression).total <= _SHORT else 1):
+        found = _more_readable(expression)
+        if found.same_form(expression):
+            break
+        expression = found
+    return expression
+
+
+_ROUNDS, _SHORT = 4, 30
+"""How often a form is looked for, at most, and the operations up to which it is: each is found from the one before."""
+
+
+def _more_readable(expression: Expr) -> Expr:
+    """Return the form that reads shortest of those that are tried; of equals, the first one."""
     form = short_form(expression)
     if form.is_variable or form.is_number or len(str(form)) > _LONG:
         return form
-    simplest = _simplest(expression)
-    found = _best((form, *_flat(simplest), *_forms(expression, form)), expression)
+    terms = expand(expression) if _terms(expression) <= _TERMS else expression
+    simplest, *others = _from_terms(terms)
+    found = _best((form, *others, *_further(expression, form, terms)), expression)
     more = 0 if awkward_terms(found) else _FLAT
     is_shorter = len(str(simplest)) + more < len(str(found)) and multiples_of_angles(
         simplest
     ) <= multiples_of_angles(expression)
-    return simplest if is_shorter else found
+    return _over_divisors(simplest if is_shorter else found)
 
 
-def _forms(expression: Expr, form: Expr) -> Iterator[Expr]:
-    """Yield further forms: of the given expression in standard names, and of its form that was found first."""
+def _over_divisors(form: Expr) -> Expr:
+    """Return a form with the terms of one divisor over it, unless that is longer: entries of a matrix are alike so."""
+    found = over_divisors(form)
+    is_as_good = len(str(found)) <= len(str(form)) and awkward_terms(found) <= awkward_terms(form)
+    return found if is_as_good and found == form else form
+
+
+def _further(expression: Expr, form: Expr, terms: Expr) -> Iterator[Expr]:
+    """Yield further forms: of what is awkward the terms, and forms that are found from the terms of the first form."""
     if awkward_terms(form):
         yield textbook_form(expression)
-        if _terms(expression) <= _TERMS:
-            yield expand(expression)
-    if form != expression:
-        yield from _flat(_simplest(form))
-    if cost(expression).total > _READ:
+        yield terms
+    if not form.same_form(expression) and _terms(form) <= _TERMS and not expand(form).same_form(terms):
+        yield from _flat(simplify(expand(form)))
+    if cost(expression).total <= _READ:
+        names = standard_names([], [expression])
+        found = by_rates(names.standard(expression), _coefficient)
+        if found is not None:
+            yield names.original(found)
+
+
+def _from_terms(terms: Expr) -> tuple[Expr, ...]:
+    """Return forms that are found from the terms of an expression, the simplest one first.
+
+    What was found before is kept: the terms of a form are those of the expression as a rule.
+    """
+    known = _KNOWN.get(terms.id)
+    if known is None:
+        if len(_KNOWN) >= _MOST:
+            _KNOWN.clear()
+        known = _KNOWN[terms.id] = tuple(_forms(terms))
+    return known
+
+
+_KNOWN: dict[int, tuple[Expr, ...]] = {}
+"""Forms by the node of the terms: what is found doesn't depend on what else was looked for."""
+_MOST = 500
+"""The expressions whose forms are kept."""
+
+
+def _forms(terms: Expr) -> Iterator[Expr]:
+    yield from _flat(simplify(terms))
+    if cost(terms).total > _READ:
         return
-    names = standard_names([], [expression])
-    standard = names.standard(expression)
-    yield from map(names.original, _flat(_simplest(standard)))
-    found = by_rates(standard, _coefficient)
-    if found is not None:
-        yield names.original(found)
+    names = standard_names([], [terms])
+    standard = names.standard(terms)
+    yield from map(names.original, _flat(simplify(standard)))
 
 
 def _simplest(expression: Expr, most: int = _TERMS) -> Expr:
@@ -105,9 +152,13 @@ def _coefficient(expression: Expr) -> Expr:
 
 
 def _best(forms: Iterable[Expr], given: Expr) -> Expr:
-    """Return the form that reads best, of those that have the value of the given expression."""
+    """Return the form that reads best, of those that have the value of the given expression; of equals the first."""
     angles = multiples_of_angles(given)
-    return min((form for form in forms if form == given), key=lambda form: reading(form, angles))
+    best, least = given, reading(given, angles)
+    for form in forms:
+        if len(str(form)) < least and form == given and (length := reading(form, angles)) < least:
+            best, least = form, length
+    return best
 
 
 def _terms(expression: Expr) -> int:

@@ -1,0 +1,90 @@
+"""Signs of angles and the order of terms: one rule, whatever the names."""
+
+from __future__ import annotations
+
+import itertools
+import re
+
+import pytest
+
+from symbody import (
+    Body,
+    Expr,
+    Matrix,
+    System,
+    Vector,
+    cos,
+    describe,
+    functions_of_time,
+    ground,
+    newton_euler,
+    readable,
+    rotate,
+    sin,
+    symbols,
+    translate,
+)
+from symbody.models import full_car, slider_crank
+
+g, R, r, m, a, b, u, k = symbols("g R r m a b u k")
+GRAVITY = Vector(ground, 0, -g, 0)
+
+
+@pytest.mark.parametrize("names", [*itertools.permutations(["hip", "knee", "ankle"])], ids=" ".join)
+def test_a_difference_of_angles_begins_with_the_first_coordinate(names: tuple[str, ...]) -> None:
+    angles, frame, bodies = functions_of_time([*names]), ground, []
+    for place, angle in enumerate(angles):
+        before = angles[place - 1] if place else 0
+        frame = frame * rotate("Z", angle - before) * translate(0, -symbols(f"l{place}"), 0)
+        bodies.append(Body(frame, symbols(f"m{place}")))
+    text = describe(newton_euler(System(bodies, coordinates=angles, gravity=GRAVITY)))
+    found = re.findall(r"(?:sin|cos)\((\w+) - (\w+)\)", text)
+    assert len(found) == 12
+    assert all(names.index(first) < names.index(second) for first, second in found)
+
+
+def test_no_argument_of_a_sine_begins_with_a_minus_sign() -> None:
+    q = functions_of_time("q")
+    disc = Body(rotate("Z", R * q / (R - r)) * translate(0, r - R, 0), m)
+    text = describe(newton_euler(System([disc], coordinates=[q], gravity=GRAVITY)))
+    assert "sin(R*q/(R - r))" in text
+    assert "(-" not in text
+    for given in (sin(-2 * q), cos(-a * q), sin(-q / a) + b):
+        assert "(-" not in str(given)
+
+
+def test_multipliers_stand_in_their_order_after_given_forces() -> None:
+    text = " ".join(describe(newton_euler(slider_crank().system)).split())
+    assert "= -F*sin(p) + sin(p)*lambda1 - cos(p)*lambda2" in text
+    assert "= a*sin(q)*lambda1 - a*cos(q)*lambda2" in text
+
+
+def test_a_weight_that_a_given_force_carries_is_on_no_side() -> None:
+    """Tyres of the car are preloaded by the weight of their wheels."""
+    text = describe(newton_euler(full_car().system))
+    for row in re.split(r"\n    (?=\S)", text):
+        left, equals, right = " ".join(row.split()).rpartition(" = ")
+        assert not (equals and "g*mu" in left and "g*mu" in right)
+
+
+DIVISORS: dict[Expr, str] = {
+    b * a / u - m * u - a**2 / u: "(a*b - a**2)/u - m*u",
+    a / u - b / u: "(a - b)/u",
+}
+
+
+@pytest.mark.parametrize("given", DIVISORS, ids=str)
+def test_terms_of_one_divisor_stand_over_it(given: Expr) -> None:
+    form = readable(given)
+    assert form == given
+    assert str(form).count("/u") == 1
+    assert str(readable(Matrix([[given]]))[0, 0]) == str(form)
+
+
+FIXED = [a * b**2 / 2 + b**2 / r**2 + m, a * sin(u) * cos(k) + a * cos(u) * sin(k) + b * a**2 / r]
+
+
+@pytest.mark.parametrize("given", FIXED, ids=str)
+def test_what_is_readable_stays_as_it_is(given: Expr) -> None:
+    form = readable(given)
+    assert str(readable(form)) == str(form)
