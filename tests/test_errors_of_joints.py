@@ -40,6 +40,7 @@ from symbody import (
     rotate,
     screw,
     simulate,
+    spherical,
     symbols,
     t,
     time_derivative,
@@ -127,6 +128,14 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         errors.JointError,
         lambda: revolute("J", ground, a, limits=(1, 1)),
         f"revolute J: limits from 1 to 1, {FIXED}",
+    ),
+    (
+        errors.JointError,
+        lambda: spherical("J", ground, a, limits={"cone": (None, 30)}),
+        (
+            "spherical J: limits of cone hold 30; expected an angle between two axes, from 0 to pi, in rad, such as "
+            "(None, 0.5)"
+        ),
     ),
     (
         errors.JointError,

@@ -82,6 +82,35 @@ MISTAKES: list[tuple[Callable[[], object], str]] = [
         "tire_file a.tir: No such file or directory (nowhere/a.tir); expected a tyre property file",
     ),
     (
+        read("[UNITS]\nVELOCITY = 'kph'\n"),
+        (
+            "tire_file a.tir: VELOCITY = 'kph' in the section UNITS; expected units of length, force, mass, time, "
+            "angle, pressure, by which all sizes of the file are measured"
+        ),
+    ),
+    (
+        read("[UNITS]\nPRESSURE = 'banana'\n"),
+        (
+            "tire_file a.tir: the unit of pressure is 'banana'; expected one of pascal, pa, kpa, kilopascal, mpa, "
+            "megapascal, bar, psi"
+        ),
+    ),
+    (
+        read(f"{SLICK}TYRESIDE = 'TOP'"),
+        "tire_file a.tir, line 8: TYRESIDE = 'TOP'; expected 'left', 'right' or 'symmetric'",
+    ),
+    (
+        read(SLICK, lambda file: file.law(side="top")),
+        "tire_file a.tir: side = 'top'; expected 'left' or 'right'",
+    ),
+    (
+        read(SLICK, lambda file: file.law(side="left")),
+        (
+            "tire_file a.tir: side = 'left', but the file has no TYRESIDE; expected law(), and law().mirrored for the "
+            "tyres of the other side"
+        ),
+    ),
+    (
         lambda: tire_file(None),
         "tire_file: path = None; expected the path of a tyre property file, such as 'front.tir'",
     ),  # type: ignore[arg-type]

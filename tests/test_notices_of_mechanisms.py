@@ -141,6 +141,15 @@ NOTICES: list[tuple[Callable[[], object], list[str]]] = [
         ],
     ),
     (
+        lambda: sb.magic_formula(TIRE | {"NOMPRES": 220, "PPX1": -0.3}, pressure=250_000),
+        [
+            (
+                "magic_formula: pressure = 250000 is 1.14e+03 times NOMPRES = 220, far from the pressures for which "
+                "coefficients are measured; expected both in one unit"
+            )
+        ],
+    ),
+    (
         lambda: sb.magic_formula(LATERAL | {"PKY6": -0.9}),
         [
             (

@@ -68,7 +68,7 @@ def test_a_weight_that_a_given_force_carries_is_on_no_side() -> None:
 
 
 DIVISORS: dict[Expr, str] = {
-    b * a / u - m * u - a**2 / u: "(a*b - a**2)/u - m*u",
+    b * a / u - m * u - g * k / u: "(a*b - g*k)/u - m*u",
     a / u - b / u: "(a - b)/u",
 }
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import warnings
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +12,7 @@ import numpy as np
 import pytest
 
 from symbody import ModelNotice, lambdify, magic_formula, symbols, tire_file
+from symbody.errors import LoadError
 
 SETS: dict[str, Any] = json.loads((Path(__file__).parent / "magic_formula.json").read_text(encoding="utf-8"))
 FITTYP = {"5.2": 6, "6.1": 61}
@@ -123,3 +125,46 @@ def test_unknown_coefficients_are_told_in_any_section_but_those_of_the_carcass(t
             "names such as PCY1"
         )
     ]
+
+
+def test_a_unit_of_pressure_stands_for_force_and_length(tmp_path: Path) -> None:
+    path = tmp_path / "a.tir"
+    path.write_text(f"[UNITS]\nLENGTH = 'mm'\nPRESSURE = 'bar'\n{START}NOMPRES = 2.2\n", encoding="utf-8")
+    assert tire_file(path)["NOMPRES"] == pytest.approx(2.2e5, rel=1e-12)
+    path.write_text(f"[UNITS]\nLENGTH = 'mm'\n{START}NOMPRES = 0.22\n", encoding="utf-8")
+    assert tire_file(path)["NOMPRES"] == pytest.approx(2.2e5, rel=1e-12)
+
+
+@pytest.mark.parametrize("version", ["5.2", "6.1"])
+def test_a_tyre_on_the_other_side_is_the_image_in_the_plane_of_the_wheel(
+    version: str, tmp_path: Path
+) -> None:
+    """Conicity and ply steer pull a car whose four tyres come from one side, and cancel if two of them are mirrored."""
+    path = tmp_path / "a.tir"
+    path.write_text(text_of(SETS[f"set {version}"], "SI"), encoding="latin-1")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ModelNotice)
+        left, right = (tire_file(path).law(side=side) for side in ("left", "right"))
+    one, other = left(4000, 0.02, 0.05, 0.03, speed=16), right(4000, 0.02, -0.05, -0.03, speed=16)
+    values = [[each.evaluate({}) for each in force] for force in (one, other)]
+    assert values[1] == pytest.approx([v * s for v, s in zip(values[0], (1, -1, -1, 1, -1), strict=True)])
+    straight = [law(4000, speed=16).lateral.evaluate({}) for law in (left, right)]
+    assert straight[0] == pytest.approx(-straight[1])
+    assert abs(straight[0]) > 1
+
+
+def test_a_tyre_without_longitudinal_coefficients_has_an_aligning_moment() -> None:
+    """Lateral tests alone: the moment is that of a tyre with longitudinal coefficients in pure lateral slip."""
+    lateral = {"FNOMIN": 4000, "UNLOADED_RADIUS": 0.313, "PCY1": 1.3, "PDY1": 0.99, "PKY1": -15, "PKY2": 1.7}
+    trail = {"QBZ1": 8, "QCZ1": 1.1, "QDZ1": 0.1}
+    along = {"PCX1": 1.6, "PDX1": 1.1, "PKX1": 22}
+    expected = magic_formula(lateral | trail | along)(4000, 0, 0.05).aligning.evaluate({})
+    for without in ({}, {"PCX1": 0}, {"PCX1": 0, "PDX1": 1.1, "PKX1": 22}):
+        law = magic_formula(lateral | trail | without)
+        for kappa in (0, 0.05, symbols("kappa")):
+            found = law(4000, kappa, 0.05).aligning
+            assert found.evaluate({symbols("kappa"): 0.02}) == pytest.approx(expected, rel=1e-12)
+    for part, missing in ((along, "PCX1"), (lateral, "PCY1")):
+        some = {**lateral, **part}
+        with pytest.raises(LoadError, match=f"magic_formula: {missing} missing; expected the nominal load"):
+            magic_formula({name: value for name, value in some.items() if name != missing})

@@ -60,7 +60,7 @@ def readable(expression: Any) -> Any:
 def _most_readable(expression: Expr) -> Expr:
     """Return the form that reads shortest; from that of a short expression, no shorter one is found."""
     for _ in range(_ROUNDS if cost(expression).total <= _SHORT else 1):
-        found = _more_readable(expression)
+        found = _over_divisors(_more_readable(expression))
         if found.same_form(expression):
             break
         expression = found
@@ -71,68 +71,48 @@ _ROUNDS, _SHORT = 4, 30
 """How often a form is looked for, at most, and the operations up to which it is: each is found from the one before."""
 
 
-def _more_readable(expression: Expr) -> Expr:
-    """Return the form that reads shortest of those that are tried; of equals, the first one."""
-    form = short_form(expression)
-    if form.is_variable or form.is_number or len(str(form)) > _LONG:
-        return form
-    terms = expand(expression) if _terms(expression) <= _TERMS else expression
-    simplest, *others = _from_terms(terms)
-    found = _best((form, *others, *_further(expression, form, terms)), expression)
-    more = 0 if awkward_terms(found) else _FLAT
-    is_shorter = len(str(simplest)) + more < len(str(found)) and multiples_of_angles(
-        simplest
-    ) <= multiples_of_angles(expression)
-    return _over_divisors(simplest if is_shorter else found)
-
-
 def _over_divisors(form: Expr) -> Expr:
     """Return a form with the terms of one divisor over it, unless that is longer: entries of a matrix are alike so."""
     found = over_divisors(form)
-    is_as_good = len(str(found)) <= len(str(form)) and awkward_terms(found) <= awkward_terms(form)
-    return found if is_as_good and found == form else form
+    return found if len(str(found)) <= len(str(form)) and found == form else form
 
 
-def _further(expression: Expr, form: Expr, terms: Expr) -> Iterator[Expr]:
-    """Yield further forms: of what is awkward the terms, and forms that are found from the terms of the first form."""
+def _more_readable(expression: Expr) -> Expr:
+    """Return the form that reads shortest in standard names, unless another one is shorter in the names of the user."""
+    form = short_form(expression)
+    if form.is_variable or form.is_number or len(str(form)) > _LONG:
+        return form
+    names = standard_names([], [expression])
+    standard = names.standard(expression)
+    found = _best((names.original(_shortest(standard)), form), expression)
+    return _unless_longer(found, _simplest(expression))
+
+
+def _shortest(expression: Expr) -> Expr:
+    """Return the form that reads shortest; of equals, the first one."""
+    form, simplest = short_form(expression), _simplest(expression)
+    found = _best((form, *_flat(simplest), *_forms(expression, form)), expression)
+    return _unless_longer(found, simplest)
+
+
+def _unless_longer(found: Expr, simplest: Expr) -> Expr:
+    """Return a form, or the simplest one if that is shorter and has no more multiples of angles."""
+    more = 0 if awkward_terms(found) else _FLAT
+    is_shorter = len(str(simplest)) + more < len(str(found))
+    return simplest if is_shorter and multiples_of_angles(simplest) <= multiples_of_angles(found) else found
+
+
+def _forms(expression: Expr, form: Expr) -> Iterator[Expr]:
+    """Yield further forms: of the given expression, and of its form that was found first."""
     if awkward_terms(form):
         yield textbook_form(expression)
-        yield terms
-    if not form.same_form(expression) and _terms(form) <= _TERMS and not expand(form).same_form(terms):
-        yield from _flat(simplify(expand(form)))
-    if cost(expression).total <= _READ:
-        names = standard_names([], [expression])
-        found = by_rates(names.standard(expression), _coefficient)
-        if found is not None:
-            yield names.original(found)
-
-
-def _from_terms(terms: Expr) -> tuple[Expr, ...]:
-    """Return forms that are found from the terms of an expression, the simplest one first.
-
-    What was found before is kept: the terms of a form are those of the expression as a rule.
-    """
-    known = _KNOWN.get(terms.id)
-    if known is None:
-        if len(_KNOWN) >= _MOST:
-            _KNOWN.clear()
-        known = _KNOWN[terms.id] = tuple(_forms(terms))
-    return known
-
-
-_KNOWN: dict[int, tuple[Expr, ...]] = {}
-"""Forms by the node of the terms: what is found doesn't depend on what else was looked for."""
-_MOST = 500
-"""The expressions whose forms are kept."""
-
-
-def _forms(terms: Expr) -> Iterator[Expr]:
-    yield from _flat(simplify(terms))
-    if cost(terms).total > _READ:
-        return
-    names = standard_names([], [terms])
-    standard = names.standard(terms)
-    yield from map(names.original, _flat(simplify(standard)))
+        if _terms(expression) <= _TERMS:
+            yield expand(expression)
+    if form != expression:
+        yield from _flat(_simplest(form))
+    found = by_rates(expression, _coefficient) if cost(expression).total <= _READ else None
+    if found is not None:
+        yield found
 
 
 def _simplest(expression: Expr, most: int = _TERMS) -> Expr:
