@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 
 from symbody.geometry import Frame
 from symbody.symbolic import Expr, Matrix
+from symbody.worksheet.convert.frames import axis
 from symbody.worksheet.convert.names import NoText
 from symbody.worksheet.convert.operations import COMPARISON, POWER, SUM, grouped, product, quotient
 from symbody.worksheet.convert.writer import Writer
@@ -88,6 +89,8 @@ def _equation(to: Writer, node: syntax.Infix) -> str:
     """Return ``{x: value}`` for what gives a variable a value, and ``left - right`` for another equation."""
     left, right = to.text(node.left), to.text(node.right)
     found = to.value(left)
+    if to.names.as_pairs:
+        return f"({left}, {right})"
     is_known = isinstance(found, Expr) and (found.is_variable or found.kind == "application")
     if is_known and not to.as_differences:
         return f"{{{left}: {right}}}"
@@ -100,7 +103,11 @@ def condition(to: Writer, node: syntax.Expression) -> str:
     """Return a condition: an equation is a comparison there."""
     match node:
         case syntax.Infix(operator="=", left=left, right=right):
-            return f"{to.text(left)} == {to.text(right)}"
+            sides = (
+                axis(to, each) if isinstance(each, syntax.Delayed) else to.text(each)
+                for each in (left, right)
+            )
+            return " == ".join(sides)
         case syntax.Infix(operator="and" | "or" as operator, left=left, right=right):
             return f"{grouped(condition(to, left))} {operator} {grouped(condition(to, right))}"
         case syntax.Prefix(operator="not", operand=operand):

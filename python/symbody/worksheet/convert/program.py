@@ -18,7 +18,7 @@ from symbody.worksheet.convert.expressions import PythonText
 from symbody.worksheet.convert.layout import laid_out
 from symbody.worksheet.convert.names import Names, identifier
 from symbody.worksheet.convert.procedures import Procedures
-from symbody.worksheet.convert.sheet_names import functions_of_time, solved_names
+from symbody.worksheet.convert.sheet_names import functions_of_time, sided_names, solved_names
 from symbody.worksheet.convert.statement_kinds import OF_MODES, is_loading, is_restart
 from symbody.worksheet.convert.statements import mentions
 from symbody.worksheet.convert.trial import as_code, prepare
@@ -62,6 +62,7 @@ def converted(cells: Sequence[Cell], title: str, session: Session | None = None)
     names = Names(
         functions=set(functions_of_time(cells)),
         solved=set(solved_names(cells)),
+        sided=set(sided_names(cells)),
         reserved=frozenset(map(identifier, names_in_code(cells))),
     )
     program = Draft(tuple(cells), Interpreter(session), names, PythonText(names), Procedures(names))

@@ -11,7 +11,7 @@ from symbody.worksheet.reading import statements
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.sheet.source import Cell
 
-__all__ = ["functions_of_time", "names_in", "solved_names"]
+__all__ = ["functions_of_time", "names_in", "sided_names", "solved_names"]
 
 
 def functions_of_time(cells: Sequence[Cell]) -> Iterator[str]:
@@ -25,18 +25,33 @@ def solved_names(cells: Sequence[Cell]) -> Iterator[str]:
     """Return the names in the first arguments of calls of solve."""
     for cell in cells:
         for item in statements(cell):
-            yield from _solved_in(item)
+            yield from (name for node in _given(item, {"solve"}) for name in names_in(node))
 
 
-def _solved_in(node: Any) -> Iterator[str]:
+def sided_names(cells: Sequence[Cell]) -> Iterator[str]:
+    """Return the names whose sides are asked for, by lhs and rhs."""
+    for cell in cells:
+        for item in statements(cell):
+            for node in _given(item, {"lhs", "rhs"}):
+                whole = node.whole if isinstance(node, syntax.Selection) else node
+                if isinstance(whole, syntax.Name):
+                    yield whole.name
+
+
+def _given(node: Any, commands: set[str]) -> Iterator[syntax.Expression]:
+    """Return the first arguments of calls of commands, also of those for each entry of a list."""
     if isinstance(node, tuple):
         for each in node:
-            yield from _solved_in(each)
-    elif isinstance(node, syntax.Call) and node.arguments and getattr(node.function, "name", "") == "solve":
-        yield from names_in(node.arguments[0])
+            yield from _given(each, commands)
+    elif isinstance(node, syntax.Call) and node.arguments and _word(node.function) in commands:
+        yield node.arguments[0]
     elif is_dataclass(node):
         for each in fields(node):
-            yield from _solved_in(getattr(node, each.name))
+            yield from _given(getattr(node, each.name), commands)
+
+
+def _word(node: syntax.Expression) -> str:
+    return _word(node.function) if isinstance(node, syntax.Elementwise) else str(getattr(node, "name", ""))
 
 
 def names_in(node: Any) -> Iterator[str]:
