@@ -14,6 +14,7 @@ from symbody.symbolic import Expr, Matrix
 from symbody.worksheet.convert.names import NoText, identifier
 from symbody.worksheet.convert.operations import SUM, grouped
 from symbody.worksheet.convert.operators import condition
+from symbody.worksheet.convert.scalar_text import scalar_text
 from symbody.worksheet.convert.selections import key
 from symbody.worksheet.convert.sequences import comprehension, items
 from symbody.worksheet.convert.sheet_names import names_in
@@ -174,9 +175,14 @@ def _side(index: int) -> Call:
         found = text.value(whole)
         if isinstance(found, tuple) and len(found) == 2:
             return f"{grouped(whole)}[{index}]"
-        if not isinstance(found, dict):
+        if not isinstance(found, dict) or len(found) != 1:
             raise NoText("lhs" if index == 0 else "rhs")
-        return f"next(iter({whole}.{'keys' if index == 0 else 'values'}()))"
+        (key,) = found
+        return (
+            scalar_text(key, text.names)
+            if index == 0
+            else f"{grouped(whole)}[{scalar_text(key, text.names)}]"
+        )
 
     return write
 

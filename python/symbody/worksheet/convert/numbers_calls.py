@@ -7,7 +7,7 @@ from typing import TypeAlias
 
 from symbody.symbolic import Expr
 from symbody.worksheet.convert.names import NoText
-from symbody.worksheet.convert.operations import SUM, grouped
+from symbody.worksheet.convert.operations import SUM, grouped, plain_decimal
 from symbody.worksheet.convert.spectrum_calls import all_roots
 from symbody.worksheet.convert.substitutions import differences
 from symbody.worksheet.convert.writer import Arguments, Writer
@@ -82,7 +82,8 @@ def number_text(text: Writer, node: syntax.Expression) -> str:
         return written
     if not isinstance(found, Expr) or not found.is_constant:
         raise NoText("number")
-    return f"float({written})"
+    plain = plain_decimal(written)
+    return plain if plain != written else f"float({written})"
 
 
 def _motion(text: Writer, arguments: Arguments) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import fields, is_dataclass
 from typing import Any
@@ -11,7 +12,7 @@ from symbody.worksheet.reading import statements
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.sheet.source import Cell
 
-__all__ = ["functions_of_time", "names_in", "sided_names", "solved_names"]
+__all__ = ["functions_of_time", "names_in", "sided_names", "solved_names", "substituted_names"]
 
 
 def functions_of_time(cells: Sequence[Cell]) -> Iterator[str]:
@@ -36,6 +37,43 @@ def sided_names(cells: Sequence[Cell]) -> Iterator[str]:
                 whole = node.whole if isinstance(node, syntax.Selection) else node
                 if isinstance(whole, syntax.Name):
                     yield whole.name
+
+
+def substituted_names(cells: Sequence[Cell]) -> Iterator[str]:
+    """Return the names that are used as arguments of subs and eval alone, where they say what is put in."""
+    used, put_in = Counter[str](), Counter[str]()
+    for cell in cells:
+        for item in statements(cell):
+            used.update(names_in(item))
+            put_in.update(_put_in(item))
+            if isinstance(item, syntax.Assignment):
+                put_in.update(each.name for each in item.targets if isinstance(each, syntax.Name))
+    yield from (name for name, count in used.items() if put_in[name] == count)
+
+
+def _put_in(node: Any) -> Iterator[str]:
+    """Return the names that subs and eval put in."""
+    if isinstance(node, tuple):
+        for each in node:
+            yield from _put_in(each)
+    elif is_dataclass(node):
+        match node:
+            case syntax.Call(function=syntax.Name(name="subs"), arguments=(*changes, _)):
+                yield from (name for each in changes for name in _opened(each))
+            case syntax.Call(function=syntax.Name(name="eval"), arguments=(_, syntax.Name(name=name))):
+                yield name
+        for each in fields(node):
+            yield from _put_in(getattr(node, each.name))
+
+
+def _opened(node: syntax.Expression) -> Iterator[str]:
+    """Return the name that a change is, or whose items are changes, ``op(L)``."""
+    match node:
+        case (
+            syntax.Name(name=name)
+            | syntax.Call(function=syntax.Name(name="op"), arguments=(syntax.Name(name=name),))
+        ):
+            yield name
 
 
 def _given(node: Any, commands: set[str]) -> Iterator[syntax.Expression]:

@@ -28,6 +28,8 @@ def _eigenvalues(text: Writer, arguments: Arguments) -> str:
     else:
         product = whole[0]
     matrix = text.value(product)
+    if isinstance(matrix, np.ndarray):
+        return f"np.linalg.eigvals({product})"
     if not isinstance(matrix, Matrix):
         raise NoText("Eigenvalues")
     if all(each.is_constant for each in matrix.entries):
@@ -38,6 +40,9 @@ def _eigenvalues(text: Writer, arguments: Arguments) -> str:
 def all_roots(text: Writer, residual: str, variable: str, *, real: bool) -> str:
     """Return the roots of a polynomial, all or the real ones in their order."""
     found, x = text.value(residual), text.value(variable)
+    if isinstance(found, Expr) and found.free_symbols != {x}:
+        residual = f"sb.simplify({residual})"
+        found = text.value(residual)
     if not isinstance(found, Expr) or not isinstance(x, Expr) or found.free_symbols != {x}:
         raise NoText("fsolve")
     coefficients = f"sympy.Poly(sb.to_sympy({residual}), sb.to_sympy({variable})).all_coeffs()"

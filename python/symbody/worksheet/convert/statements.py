@@ -24,6 +24,7 @@ from symbody.worksheet.convert.operators import condition
 from symbody.worksheet.convert.picture_calls import PICTURES
 from symbody.worksheet.convert.selections import index, key
 from symbody.worksheet.convert.sequences import items
+from symbody.worksheet.convert.substitutions import value_entries
 from symbody.worksheet.convert.tyres import tyre_lines
 from symbody.worksheet.sheet import syntax
 
@@ -149,9 +150,15 @@ def _one(text: PythonText, target: syntax.Expression, value: syntax.Expression) 
             return [f"{identifier(name)} = {text.text(value)}"]
         case _, syntax.Call(function=syntax.Name(name="make_TIRE"), arguments=arguments):
             return [*_table_of(text, target), *tyre_lines(text, target_text(text, target), arguments)]
+    if isinstance(target, syntax.Name) and target.name in text.names.values_of:
+        given = value_entries(text, value)
+        if given:
+            return [f"{identifier(target.name)} = {given}"]
     changed = _entry_of_matrix(text, target, value)
     if changed:
         return changed
+    if target_text(text, target) == text.text(value):
+        return []  # as ``e := eval(e)``
     lines = _table_of(text, target)
     return [*lines, f"{target_text(text, target)} = {text.text(value)}"]
 
