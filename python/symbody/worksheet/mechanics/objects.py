@@ -268,7 +268,7 @@ class Reader:
     def _place(self, table: Table, name: str) -> Point:
         """Return the point at which a force acts. One that was saved without its point has only its name."""
         value = get(table, "applied") or table
-        if isinstance(self.session.resolve(value), Expr):
+        if isinstance(self.session.resolve(value), Expr | Reference):
             raise WorksheetError(
                 f"{self.where}: the force {name or '?'} is applied at {self.session.text(value)[:40]}, which has no "
                 "value; expected a point: save it with the force, or assign it first"
