@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, Generic, TypeVar
 
 from symbody.deferred import cached_property
 from symbody.dynamics.display.abridged import PAGES, abridged, pages_of
@@ -41,6 +41,8 @@ from .baumgarte import Damping, stabilized_beside
 from .constraint_bias import by_jacobian, by_second_rate, is_shorter_by_jacobian
 from .constraint_force import constraint_jacobian
 from .output import Outputs
+
+Known = TypeVar("Known")
 
 
 @dataclass(frozen=True)
@@ -122,7 +124,7 @@ class Equations:
 
     Attributes:
         system: the system to which they belong; of equations that were given without bodies, their variables.
-        residuals: n expressions, ``M u' - forcing - phi_q^T lambda``, which are zero along a motion.
+        derive: derives the residuals when they are first needed; the mass matrix and the bias don't need them.
         assemble: derives the mass matrix and the bias when they are first needed; the residuals don't need them.
         energy: the energy of equations that were given without bodies, if it is known.
 
@@ -137,9 +139,14 @@ class Equations:
     """
 
     system: Variables
-    residuals: tuple[Expr, ...]
+    derive: Callable[[Any], tuple[Expr, ...]]
     assemble: Callable[[Any], Assembly]
     energy: Expr | None = None
+
+    @cached_property
+    def residuals(self) -> tuple[Expr, ...]:
+        """The n expressions ``M u' - forcing - phi_q^T lambda``, which are zero along a motion."""
+        return self.derive(self.system)
 
     @property
     def coordinates(self) -> tuple[Expr, ...]:
@@ -274,7 +281,7 @@ class Equations:
         return program_of(self, name=name, outputs=outputs, baumgarte=baumgarte, method=method)
 
     def __repr__(self) -> str:
-        n, m, names = len(self.residuals), len(self.constraints), ", ".join(map(str, self.system.driving))
+        n, m, names = len(self.speeds), len(self.constraints), ", ".join(map(str, self.system.driving))
         alone = "coordinates" if len(self.system.driving) != 1 else "coordinate"
         kind = "speeds and coordinates" if self.system.quasi_velocities else alone
         kind = "momenta" if self.system.momenta else kind
@@ -406,14 +413,14 @@ _AT_ONCE = 500
 
 
 @dataclass(frozen=True)
-class Derived:
-    """An assembly that is known already."""
+class Derived(Generic[Known]):
+    """Residuals, or an assembly, that are known already."""
 
-    assembly: Assembly
+    known: Known
 
-    def __call__(self, system: object) -> Assembly:
+    def __call__(self, system: object) -> Known:
         del system
-        return self.assembly
+        return self.known
 
 
 def _parts(equations: Equations) -> tuple[object, ...]:
@@ -424,7 +431,7 @@ def _parts(equations: Equations) -> tuple[object, ...]:
 def _rebuilt(equations: Equations, parts: Sequence[Any]) -> Equations:
     """Return the equations in another form; they belong to the same system."""
     residuals, constraints, mass_matrix, bias, rates = parts
-    made = replace(equations, residuals=residuals, assemble=Derived(Assembly(mass_matrix, bias)))
+    made = replace(equations, derive=Derived(residuals), assemble=Derived(Assembly(mass_matrix, bias)))
     # the values that the cached properties would find
     vars(made)["constraints"] = constraints
     vars(made)["state_rates"] = dict(zip(equations.state_rates, rates, strict=True))
