@@ -60,7 +60,8 @@ def without_idle_symbols(expressions: Sequence[Expr]) -> tuple[Expr, ...]:
     forms = with_numbers_for_idle_symbols(expressions)
     with derivation(fresh=True):  # which makes one node of what has become equal, but keeps longer forms
         values = _core.without_idle_symbols(expressions, deriving=True)
-    return _without_factors(values if cost(values).total < cost(forms).total else forms)
+    with derivation(fresh=True):  # so that no derivation in which the forms are first needed changes them
+        return _without_factors(values if cost(values).total < cost(forms).total else forms)
 
 
 def _without_factors(expressions: tuple[Expr, ...]) -> tuple[Expr, ...]:
