@@ -123,6 +123,81 @@ def test_short_equations_have_no_names() -> None:
     assert ":=" not in describe(newton_euler(System([bob], [band], [x, y])))
 
 
+def free_masses(names: str, parameters: str, *, is_damped: bool) -> System:
+    """Return two masses in a vertical plane: the first hangs on the ground by a spring, the second on the first."""
+    first, second = functions_of_time(names)[:2], functions_of_time(names)[2:]
+    k1, k2, a1, a2, c1 = symbols(parameters)
+    upper, lower = (
+        Body(translate(*place, 0), mass)
+        for place, mass in zip((first, second), symbols("m1 m2"), strict=True)
+    )
+    hanging = spring(
+        upper.center_of_mass,
+        Point(ground, 0, 0, 0),
+        k1,
+        free_length=a1,
+        damping=c1 if is_damped else 0,
+        on=upper,
+    )
+    joint = spring(lower.center_of_mass, upper.center_of_mass, k2, free_length=a2, on=lower, reaction=upper)
+    return System([upper, lower], [hanging, joint], [*first, *second], gravity=Vector(ground, 0, -g, 0))
+
+
+@pytest.mark.parametrize("is_damped", [False, True])
+def test_free_masses_on_springs_with_free_lengths(is_damped: bool) -> None:
+    """Books write `k2*(x2 - x1)*(1 - a2/l2)`: 214 and 270 characters with the definitions of l1 and l2."""
+    forms = []
+    for names, parameters in (("x1 y1 x2 y2", "k1 k2 a1 a2 c1"), ("u v w z", "p q a b c")):
+        equations = newton_euler(free_masses(names, parameters, is_damped=is_damped))
+        defined, rows = in_symbols(equations)
+        assert {"l1", "l2"} <= {*defined}
+        assert [*equations.residuals] == rows
+        forms.append(re.sub(r"\b[a-z]\d?\b", "_", describe(equations).partition("\n")[2]))
+    assert len(re.sub(r"\s", "", forms[0])) <= 1.1 * (270 if is_damped else 214)
+    assert forms[0] == forms[1]
+
+
+@pytest.mark.parametrize("count", [1, 2, 3])
+def test_each_spring_is_a_term_of_its_own(count: int) -> None:
+    """`k*y*(1 - l0/l1)`: what springs of one stiffness have in common is not taken out; one short root has no name."""
+    mass = Body(translate(x, y, 0), m)
+    ends = [Point(ground, *place, 0) for place in ((-a, 0), (a, 0), (0, a))[:count]]
+    bands = [spring(mass.center_of_mass, end, k, free_length=l0, on=mass) for end in ends]
+    equations = newton_euler(System([mass], bands, [x, y]))
+    text = describe(equations)
+    assert text.count(" k*") == 2 * count
+    assert text.count(":= sqrt(") == (count if count > 1 else 0)
+    assert in_symbols(equations)[1] == [*equations.residuals]
+
+
+def test_a_damper_between_free_points_has_the_rate_of_its_length() -> None:
+    """`c*x*l'/l`, and no term for each speed."""
+    mass = Body(translate(x, y, 0), m)
+    damper = spring(mass.center_of_mass, Point(ground, 0, 0, 0), 0, damping=c, on=mass)
+    equations = newton_euler(System([mass], [damper], [x, y]))
+    assert "m*x'' + c*x*l'/l = 0" in describe(equations)
+    assert in_symbols(equations)[1] == [*equations.residuals]
+
+
+@pytest.mark.parametrize("has_damper", [False, True])
+def test_a_length_has_one_form(has_damper: bool) -> None:
+    """A spring on a bob that swings from a slider: the matrix form has the same terms as the rows."""
+    bob = Body(Point(translate(x, 0, 0) * rotate("Z", theta), 0, -a, 0), m)
+    band = spring(
+        bob.center_of_mass,
+        Point(ground, 0, 0, 0),
+        k,
+        free_length=l0,
+        damping=c if has_damper else 0,
+        on=bob,
+        name="band",
+    )
+    equations = newton_euler(System([bob], [band], [x, theta]))
+    roots = set(re.findall(r"sqrt\(.*?\)\)", describe(equations) + equations.matrix_form().description()))
+    assert len(roots) <= 1
+    assert in_symbols(equations)[1] == [*equations.residuals]
+
+
 def test_a_long_root_that_stands_twice_has_a_name() -> None:
     """Two pendulums side by side, joined by a spring with a free length."""
     first, second = functions_of_time("q1 q2")

@@ -82,7 +82,7 @@ def test_a_short_formula_stays_on_its_line() -> None:
 
 
 def test_long_factors_are_broken_in_their_brackets() -> None:
-    assert lines(r"a \left(b + c \left(d + e\right)\right) - f", 8) == [
+    assert lines(r"a \left(b + c \left(d + e\right)\right) - f", 10) == [
         r"a \bigl(b",
         r"+ c \left(d + e\right)\bigr)",
         "- f",

@@ -214,8 +214,8 @@ def test_a_value_that_comes_later_reaches_what_was_made_before() -> None:
 
 def test_what_has_no_text_is_written_as_its_value(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)  # the sheet draws
-    text = program("y := numer((a + x)/b);\nplot(y, b = 0..1);\n", "values")
-    assert "# values of line 1: y := numer((a + x)/b);\ny = a + x\n" in text
+    text = program("y := evalc(a + x);\nplot(y, b = 0..1);\n", "values")
+    assert "# values of line 1: y := evalc(a + x);\ny = a + x\n" in text
     assert "# left out, line 2: plot(y, b = 0..1);" in text
     a, x = sb.symbols("a x")
     assert run(text)["y"] == a + x
@@ -321,3 +321,49 @@ def test_integrals_and_matrices_are_those_of_sympy() -> None:
     assert (values["J"], values["p"]) == (m * L**2 / 12, s**2 - 5 * s - 2)
     assert values["R"] == sb.Matrix([[1, 2], [0, 0]])
     assert (values["a"], values["q"]) == (b + c + d, [c, b])
+
+
+def test_linear_models_keep_the_model() -> None:
+    text = program(
+        "with(MBSymba_r6): _gravity := make_VECTOR(ground,0,-g,0): linear_modeling({theta(t),x(t)}): "
+        "T := translate(x(t),0,0)*rotate('Z',theta(t)): B := make_BODY(make_POINT(T,0,-L,0),m,0,0,J): "
+        "l := lagrange_equations({B},[x(t),theta(t)]): X, eq := first_order(l,[x(t),theta(t)],t): "
+        "A, Bm := state_space(eq,t,X,[f(t)]): q := lagrange_equations({B},theta(t)): linear_modeling({}): "
+        "K := kinetic_energy(B):",
+        "cart",
+    )
+    assert "parse" not in text
+    assert "speeds = {sb.diff(x, sb.t): x_dot, sb.diff(theta, sb.t): theta_dot}\n" in text
+    assert "rates = sb.solve(eq, sb.diff(X, sb.t)).values()\nA = sb.jacobian(rates, X)\n" in text
+    values, (x, theta), (m, L, J, g) = run(text), sb.functions_of_time("x theta"), sb.symbols("m L J g")
+    by_hand = [[0, 0, 1, 0], [0, 0, 0, 1], [0, -g * L * m / J, 0, 0], [0, 0, 0, 0]]
+    by_hand[2][1], by_hand[3][1] = g * L**2 * m / J, -g * L * m / J
+    assert values["A"] == sb.Matrix(by_hand)
+    speed = sb.diff(x, sb.t) + L * sb.cos(theta) * sb.diff(theta, sb.t)
+    across = L * sb.sin(theta) * sb.diff(theta, sb.t)
+    assert values["K"] == (m * (speed**2 + across**2) + J * sb.diff(theta, sb.t) ** 2) / 2
+
+
+def test_small_deviations_are_from_other_variables() -> None:
+    text = program(
+        "with(MBSymba_r6): T := rotate('Z',phi(t)): linear_modeling({psi(t) = phi(t)}): "
+        "v := linearize(sin(psi(t))): linear_modeling({phi(t)}): w := linearize(sin(phi(t)) + cos(psi(t))):",
+        "deviations",
+    )
+    assert "psi = phi + sb.small(psi)\nv = sb.taylor(sb.sin(psi))\n" in text
+    values, (phi, psi) = run(text), sb.functions_of_time("phi psi")
+    assert values["v"].subs({sb.small(phi): phi}) == sb.sin(phi) + (psi - phi) * sb.cos(phi)
+    assert values["T"].matrix == sb.rotate("Z", sb.small(phi)).matrix
+
+
+def test_tracking_equations_are_those_of_the_pose() -> None:
+    text = program(
+        "with(MBSymba_r6): tr := use_moving_frame(V, v(t), 0, 0, 0, r(t), translate(x(t),y(t),0)*rotate('Z',psi(t))): "
+        "s := solve(tr, [diff(x(t),t), diff(y(t),t), diff(psi(t),t)]):",
+        "track",
+    )
+    assert "parse" not in text
+    v, r, x, psi = sb.functions_of_time("v r x psi")
+    ((solved,)) = run(text)["s"]
+    assert solved[sb.diff(x, sb.t)] == sb.symbols("V") * sb.cos(psi) - v * sb.sin(psi)
+    assert solved[sb.diff(psi, sb.t)] == r

@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from symbody.symbolic import Expr
+from symbody.symbolic.expression.text_layout import LINE
 from symbody.symbolic.given.arguments import counted
 
 from .equation_page import EquationPage
 from .page import Page, lines_of, shorter
 from .reader_of import reader_of
-from .row import LINE, printed
+from .row import printed
 from .summary import total
 
 PAGES = 100

@@ -1,8 +1,4 @@
-"""Forces along lines by names: ``F1 = k (l1 - l0) + c l1'`` stands in the equation of q as ``F1 dl1/dq``.
-
-The generalised force of a force F that pulls along a line of length l is ``Q_i = -F dl'/du_i``; multiplied by l, the
-slopes have no roots [Shabana 2013, Dynamics of Multibody Systems, sec. 3.5].
-"""
+"""Forces along lines, and the names that a page may give to them and to the lengths of their lines."""
 
 from __future__ import annotations
 
@@ -13,8 +9,7 @@ from itertools import chain, count
 from symbody.geometry import Vector, project
 from symbody.multibody import Element, System
 from symbody.multibody.element.element import is_along_line
-from symbody.symbolic import Expr, jacobian, number, sqrt, symbol, time_derivative, time_function
-from symbody.symbolic.calculus.reader import Reader
+from symbody.symbolic import Expr, jacobian, symbol, time_derivative, time_function
 
 _LENGTHS, _FORCES = ("l", "d", "L", "b"), ("F", "f", "S", "P")
 """The letters that are tried: a name must not look like one of the model's."""
@@ -46,26 +41,19 @@ class NamedLine:
 
     def slopes(self, system: System) -> tuple[Expr, ...]:
         """Return ``l dl'/du``, one for each speed."""
+        return jacobian([self.stretching(system)], system.speeds).entries
+
+    def stretching(self, system: System) -> Expr:
+        """Return ``l l'`` by the speeds, the scalar product of the vector between the ends and its rate."""
         quantities = self.element.quantities
-        (stretching,) = system.by_speeds((quantities["length"] * quantities["rate"],))
-        return jacobian([stretching], system.speeds).entries
+        return system.by_speeds((quantities["length"] * quantities["rate"],))[0]
 
-    def definitions(self, reader: Reader) -> tuple[tuple[Expr, Expr], ...]:
-        """Return the names and what they stand for, in the order in which they are read."""
-        length = (self.length, _by_places(self.element, reader))
-        return (length,) if self.law == self.force else (length, (self.force, self.law))
-
-
-def _by_places(element: Element, reader: Reader) -> Expr:
-    """Return the length by the differences of places along the axes of ground, if that form is shorter."""
-    length, force = element.quantities["length"], element.quantities["force"]
-    vector = element.actions[0].vector
-    line = Vector(vector.frame, *(component * length / force for component in vector.components))
-    root = sqrt(
-        sum((reader(each) ** 2 for each in project(line, vector.frame.ancestor).components), start=number(0))
-    )
-    forms = [form for form in (reader(length), root, length) if form == length]
-    return min(forms, key=reader.length)
+    def places(self) -> tuple[Expr, ...]:
+        """Return the vector between the ends, along the axes of ground."""
+        length, force = self.element.quantities["length"], self.element.quantities["force"]
+        vector = self.element.actions[0].vector
+        line = Vector(vector.frame, *(component * length / force for component in vector.components))
+        return project(line, vector.frame.ancestor).components
 
 
 def named_lines(system: System) -> tuple[NamedLine, ...]:

@@ -2,96 +2,141 @@
 
 from __future__ import annotations
 
-import re
-from collections import Counter
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import partial
+from itertools import chain
 
+from symbody.deferred import cached_property
 from symbody.multibody import Action, System
 from symbody.symbolic import Expr, Matrix, number
 from symbody.symbolic.calculus.reader import Reader
 
-from .balance import balances
+from .balance import Balance, balances
 from .causes import generalized_forces
 from .degree import by_christoffel, without
 from .line import NamedLine, named_lines
+from .line_terms import ByForce, ByLength, InFull, LineTerms, has_root
 from .page import Page
 from .reader_of import reader_of
 from .short_names import LONG
+
+Lines = tuple[NamedLine, ...]
+Rest = tuple[tuple[Balance, ...], Matrix]
+"""The rows of equations, and their mass matrix in its form for the reader."""
 
 
 def with_lines_if_shorter(
     page: Page, residuals: Sequence[Expr], bias: Sequence[Expr], jacobian: Matrix
 ) -> Page:
-    """Return the page with names of forces along lines if it is shorter.
+    """Return the page on which forces along lines are written by their laws, and have names, if it is shorter so.
 
-    Equations of a few lines have none, unless a long root, the length of a line, stands in them more than once.
-    """
-    text = page.description()
-    length = len(text)
-    is_tried = length >= LONG or _repeats_a_root(text)
-    other = _page_with_lines(page, residuals, bias, jacobian) if is_tried else None
-    return page if other is None or len(other.description()) >= length else other
-
-
-def _repeats_a_root(text: str) -> bool:
-    """Return whether a long root stands in a text more than once.
-
-    >>> _repeats_a_root("(sqrt(a) + sqrt(b))/sqrt(a)")
-    False
-    """
-    _, *parts = " ".join(text.split()).split("sqrt(")
-    roots = Counter(part[:_ROOT] for part in parts if len(part) > _ROOT and ")" not in _outside(part[:_ROOT]))
-    return any(count > 1 for count in roots.values())
-
-
-def _outside(text: str) -> str:
-    """Return what is left of a text without its brackets and what they enclose.
-
-    >>> _outside("a*(b + sin(c)) - d)/e")
-    'a* - d)/e'
-    """
-    while (shorter := _BRACKETS.sub("", text)) != text:
-        text = shorter
-    return text
-
-
-_BRACKETS = re.compile(r"\([^()]*\)")
-_ROOT = 30
-"""The characters below a root that make it long."""
-
-
-def _page_with_lines(
-    page: Page, residuals: Sequence[Expr], bias: Sequence[Expr], jacobian: Matrix
-) -> Page | None:
-    """Return a page in whose equations forces along lines have names; None if there are none, or not these alone.
+    Equations of a few lines have names only where these save a fifth of the loads, or a tenth for several lengths.
 
     Args:
-        page: the page without names.
+        page: the page on which these forces are written as other loads are.
         residuals: the equations, expressions that are zero.
         bias: the residuals at zero accelerations and multipliers.
         jacobian: phi_q, m x n.
     """
-    system, matrix = page.system, page.mass_matrix
-    lines = named_lines(system) if isinstance(system, System) else ()
-    if not isinstance(system, System) or not lines:
-        return None
-    slopes = [line.slopes(system) for line in lines]
-    pulls = [_pull(lines, [slope[i] for slope in slopes]) for i in range(len(bias))]
-    rest = [entry - pull for entry, pull in zip(bias, pulls, strict=True)]
-    actions = _other_actions(system, lines)
-    short = _short_bias(system, matrix, rest, lines, actions)
-    if short is None:
-        return None
-    others = [residual - pull for residual, pull in zip(residuals, pulls, strict=True)]
-    rows, matrix = balances(system, others, matrix, short, jacobian, actions)
-    reader = reader_of(system)
-    named = [
-        replace(row, loads=(*row.loads, *_terms(lines, [slope[i] for slope in slopes], reader)))
-        for i, row in enumerate(rows)
-    ]
-    definitions = tuple(pair for line in lines for pair in line.definitions(reader))
-    return replace(page, balances=tuple(named), named=definitions)
+    equations = _Equations(page, residuals, bias, jacobian)
+    size = partial(_size, reader=reader_of(page.system))
+    is_long = len(page.description()) >= LONG
+    if not is_long:
+        by_law = equations.written(InFull)
+        page = by_law if size(by_law) <= _EQUAL * size(page) else page
+    named = min((equations.written(way) for way in (ByForce, ByLength)), key=size)
+    if is_long:
+        return min(page, named, key=lambda each: len(each.description()))
+    return named if size(named) <= (_WORTH if equations.has_one_line else _OF_SEVERAL) * size(page) else page
+
+
+_EQUAL = 1.1
+"""The size of loads by their laws, at most, in relation to other forms, whose terms belong to no spring."""
+_WORTH, _OF_SEVERAL = 0.8, 0.9
+"""The size of the loads with a name of one length, and of several lengths, at most, in relation to that without."""
+
+
+def _size(page: Page, reader: Reader) -> int:
+    """Return the characters of the loads and of what their names stand for, by standard names."""
+    loads = (term for balance in page.balances for term in balance.loads)
+    named = (len(str(name)) + len(_DEFINED) + reader.length(value) for name, value in page.named)
+    return sum(map(reader.length, loads)) + sum(named)
+
+
+_DEFINED = "     := "
+"""What stands around a name where it is defined, with the end of the line."""
+
+
+@dataclass(frozen=True)
+class _Equations:
+    """Equations, and the page on which forces along lines are written as other loads are.
+
+    Attributes:
+        page: the page.
+        residuals: the equations, expressions that are zero.
+        bias: the residuals at zero accelerations and multipliers.
+        jacobian: phi_q, m x n.
+    """
+
+    page: Page
+    residuals: Sequence[Expr]
+    bias: Sequence[Expr]
+    jacobian: Matrix
+
+    def written(self, way: type[LineTerms]) -> Page:
+        """Return the page with forces along lines in a way; the given page if it doesn't tell them apart."""
+        system, reader = self.page.system, self._reader
+        lines, rest = self._with_roots if way is InFull else self._all
+        if rest is None or not isinstance(system, System):
+            return self.page
+        (rows, matrix), slopes, writer = rest, [line.slopes(system) for line in lines], way(system, reader)
+        written = []
+        for i, row in enumerate(rows):
+            terms = [writer.terms(line, slope[i]) for line, slope in zip(lines, slopes, strict=True)]
+            written.append(replace(row, loads=(*row.loads, *chain.from_iterable(terms))))
+        named = tuple(pair for line in lines for pair in writer.definitions(line))
+        return replace(self.page, balances=tuple(written), mass_matrix=matrix, named=named)
+
+    @property
+    def has_one_line(self) -> bool:
+        """Whether there is only one force along a line."""
+        return len(self._all[0]) == 1
+
+    @cached_property
+    def _reader(self) -> Reader:
+        return reader_of(self.page.system)
+
+    @cached_property
+    def _all(self) -> tuple[Lines, Rest | None]:
+        """All forces along lines, and what is left without them."""
+        system = self.page.system
+        lines = named_lines(system) if isinstance(system, System) else ()
+        return lines, self._without(lines)
+
+    @cached_property
+    def _with_roots(self) -> tuple[Lines, Rest | None]:
+        """The springs and dampers whose lengths are roots, and what is left without them."""
+        lines, rest = self._all
+        rooted = tuple(
+            line for line in lines if "stiffness" in line.element.law and has_root(line, self._reader)
+        )
+        return rooted, rest if rooted == lines else self._without(rooted)
+
+    def _without(self, lines: Lines) -> Rest | None:
+        """Return the rows without forces along lines, and M; None if there are none, or they can't be told apart."""
+        system, matrix = self.page.system, self.page.mass_matrix
+        if not isinstance(system, System) or not lines:
+            return None
+        slopes = [line.slopes(system) for line in lines]
+        pulls = [_pull(lines, [slope[i] for slope in slopes]) for i in range(len(self.bias))]
+        rest = [entry - pull for entry, pull in zip(self.bias, pulls, strict=True)]
+        actions = _other_actions(system, lines)
+        short = _short_bias(system, matrix, rest, lines, actions)
+        if short is None:
+            return None
+        others = [residual - pull for residual, pull in zip(self.residuals, pulls, strict=True)]
+        return balances(system, others, matrix, short, self.jacobian, actions)
 
 
 def _pull(lines: Sequence[NamedLine], slopes: Sequence[Expr]) -> Expr:
@@ -101,15 +146,6 @@ def _pull(lines: Sequence[NamedLine], slopes: Sequence[Expr]) -> Expr:
         quantities = line.element.quantities
         total += quantities["force"] * slope / quantities["length"]
     return total
-
-
-def _terms(lines: Sequence[NamedLine], slopes: Sequence[Expr], reader: Reader) -> list[Expr]:
-    """Return the same by names."""
-    return [
-        line.force * reader(slope) / line.length
-        for line, slope in zip(lines, slopes, strict=True)
-        if not slope.is_zero
-    ]
 
 
 def _other_actions(system: System, lines: Sequence[NamedLine]) -> tuple[Action, ...]:

@@ -14,12 +14,14 @@ from symbody.errors import ModelNotice
 from symbody.multibody import System, Variables
 from symbody.symbolic import Expr, Matrix, diff, free_symbols, latex, number, zeros
 from symbody.symbolic.expression.latex_layout import aligned, bmatrix, displayed
+from symbody.symbolic.expression.text_layout import LINE, lines
+from symbody.symbolic.given.arguments import brief
 
 from .balance import Balance
 from .causes import generalized_forces
 from .page import Page
 from .reader_of import reader_of
-from .row import LINE, lines, printed
+from .row import printed
 from .short_names import Definition, in_order_of_use, shortened
 
 _TWO_DIGITS = 10
@@ -75,6 +77,9 @@ class MatrixForm:
         definitions, rows = shortened(*self._rows())
         made = [*self._named_causes(), *(f"{name} := {value}" for name, value in definitions), *rows]
         return "\n".join([self._equation(), *(line for text in made for line in _indented(text))])
+
+    def __repr__(self) -> str:
+        return f"MatrixForm({self._equation()}, coordinates {brief(', '.join(map(str, self.system.coordinates)))})"
 
     def _rows(self) -> tuple[list[str], tuple[()], list[Definition]]:
         """Return the rows of text without short names, and the quantities that have names."""
@@ -251,9 +256,9 @@ def matrix_form(
 
 
 def with_names(form: MatrixForm, page: Page) -> MatrixForm:
-    """Return the matrices with the names of forces along lines that a page of the same equations has."""
+    """Return the matrices with the loads of a page of the same equations, and its names of forces along lines."""
     loads = _column([balance.loads for balance in page.balances])
-    return replace(form, named=page.named, named_loads=loads) if page.named else form
+    return replace(form, named=page.named, named_loads=loads) if page.named else replace(form, loads=loads)
 
 
 def _of_given(

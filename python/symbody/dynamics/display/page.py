@@ -10,10 +10,11 @@ from symbody.multibody import Variables
 from symbody.symbolic import Expr, Matrix, cost, listing
 from symbody.symbolic.calculus.reader import Reader
 from symbody.symbolic.expression.latex_layout import ARTICLE, aligned, broken
+from symbody.symbolic.expression.text_layout import LINE, lines
 
 from .balance import Balance
 from .reader_of import reader_of
-from .row import LINE, lines, printed, written
+from .row import printed, written
 from .short_names import Definition, in_order_of_use, shortened
 
 _INDENT = "    "

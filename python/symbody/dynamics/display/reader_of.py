@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from symbody.multibody import System, Variables
-from symbody.symbolic import Expr
+from symbody.symbolic import Expr, cost, free_symbols
 from symbody.symbolic.calculus.reader import Reader
 from symbody.symbolic.calculus.standard_names import standard_names
 from symbody.symbolic.expression.container import expressions_in
@@ -18,9 +18,24 @@ def reader_of(system: Variables, expressions: Sequence[Expr] = ()) -> Reader:
 
     Args:
         system: the system.
-        expressions: those of equations that have no bodies, in which further parameters stand.
+        expressions: those of the equations; without bodies, further parameters stand in them.
     """
     unknowns = (*system.coordinates, *system.quasi_velocities, *system.states)
     if not isinstance(system, System):
         return Reader(standard_names(unknowns, [*system.others, *expressions]))
-    return Reader(standard_names(unknowns, expressions_in(system, "show")), differences(system))
+    return Reader(
+        standard_names(unknowns, expressions_in(system, "show")),
+        differences(system),
+        _inertias(system) if cost(expressions).total <= _BY_BODIES else (),
+    )
+
+
+_BY_BODIES = 400
+"""Operations of equations up to which forms with a term for each body are looked for."""
+
+
+def _inertias(system: System) -> frozenset[Expr]:
+    """Return the parameters of the masses and moments of inertia."""
+    return free_symbols(
+        [value for body in system.bodies for value in (body.mass, *body.moments, *body.products)]
+    )

@@ -1,4 +1,4 @@
-"""Sums of printed terms, and their lines."""
+"""Sums of printed terms."""
 
 from __future__ import annotations
 
@@ -12,8 +12,6 @@ from .difference import are_lengths, signs
 
 Listing = tuple[list[tuple[str, str]], list[str]]
 """Named quantities and printed terms."""
-LINE = 110
-"""The most characters of a line of text."""
 
 
 def printed(terms: Iterable[Expr], notation: str, system: Variables) -> Listing:
@@ -92,56 +90,3 @@ def written(terms: Iterable[str]) -> str:
         )
         or "0"
     )
-
-
-def lines(text: str, line: int = LINE) -> list[str]:
-    """Return a formula in pieces that are no longer than a line, if that is possible: it is broken before signs.
-
-    A term that is too long is broken inside its brackets, and at last inside the arguments of its functions.
-
-    >>> lines("a*(b + c) + d - e", 9)
-    ['a*(b + c)', '+ d - e']
-    >>> lines("a*b + c*d = 0", 9)
-    ['a*b', '+ c*d = 0']
-    """
-    pieces: list[str] = []
-    *terms, last = _terms(text, line)
-    if terms and last.startswith("= ") and len(terms[-1]) + 1 + len(last) <= line:
-        last = f"{terms.pop()} {last}"  # no right side stands alone
-    for term in (*terms, last):
-        if pieces and len(pieces[-1]) + 1 + len(term) <= line:
-            pieces[-1] = f"{pieces[-1]} {term}"
-        else:
-            pieces.append(term)
-    return pieces
-
-
-def _terms(text: str, line: int, depth: int = 0) -> list[str]:
-    """Return the terms of a sum, each with its sign, also of sums in so many levels of brackets."""
-    terms, start, level = list[str](), 0, 0
-    opened = list[int]()
-    for place, letter in enumerate(text):
-        if letter == "(":
-            is_argument = place > 0 and (text[place - 1].isalnum() or text[place - 1] == "_")
-            opened.append(_DEEPEST + 1 if is_argument else 1)
-            level += opened[-1]
-        elif letter == ")" and opened:
-            level -= opened.pop()
-        sign = text[place : place + 3] in {" + ", " - ", " = "}
-        if sign and level <= depth:
-            terms.append(text[start:place])
-            start = place + 1
-    terms.append(text[start:])
-    if depth < _LAST and any(len(term) > line for term in terms):
-        return [piece for term in terms for piece in (_shortened(term, line, depth))]
-    return terms
-
-
-def _shortened(term: str, line: int, depth: int) -> Sequence[str]:
-    return [term] if len(term) <= line else _terms(term, line, depth + 1)
-
-
-_DEEPEST = 4
-"""The levels of brackets that are broken before arguments of functions are."""
-_LAST = 2 * _DEEPEST + 1
-"""The levels that are broken at most, where one of an argument counts as many."""

@@ -150,7 +150,8 @@ def _with_waves(texts: Sequence[str], style: _Notation) -> tuple[list[Definition
     for kind, angle in sorted(waves, key=lambda wave: _key(*wave)):
         name = _name(kind, angle, style, plain)
         is_word = {part["stem"] for part in _parts(angle, style)} != {plain}
-        is_often = waves[kind, angle] >= (_OFTEN_WORD if is_word else _OFTEN)
+        often = waves[kind, angle] if is_word else max(waves[each, angle] for each in ("sin", "cos"))
+        is_often = often >= (_OFTEN_WORD if is_word else _OFTEN)  # no line has both c1 and sin(q1)
         if is_often and name is not None and name not in names.values() and not occurs(name, texts):
             names[kind, angle] = name
             definitions.append((name, _wave(kind, angle, style)))

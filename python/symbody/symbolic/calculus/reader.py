@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
 from symbody.symbolic._core import Expr
 from symbody.symbolic.expression.functions import sign
 from symbody.symbolic.expression.traverse import post_order
 
+from .by_parameters import by_lengths, by_parameters
 from .cost import cost
 from .derivative import substitute
 from .difference import by_differences, with_differences
-from .rewrite import simplify, textbook_form
+from .fractions_outside import with_fractions_outside
+from .reading import is_divisor, levels, multiples_of_angles, nodes_of, parts_of, reading
+from .rewrite import factor_terms, simplify, textbook_form
+from .squares import squared_sums, with_squares
 from .standard_names import AS_GIVEN, StandardNames
 
 _LARGE = 100
@@ -22,6 +26,13 @@ _TOTAL = 1800
 _SMALL = 12
 _EXPANDED = 40
 """Operations up to which `textbook_form` looks for the form from the expanded expression, too."""
+_OF_BODIES, _SHORT = 60, 35
+"""Operations up to which, and characters from which on, a form with a term for each body is looked for."""
+_DIVIDED, _SAME = 0.95, 1.2
+"""The length of a form with a term for each body, at most, in relation to another one; and if a known form has the
+square of one of its sums, such as the distance of a mass from an axis, which stays the same in all equations."""
+_FLAT = 1.25
+"""The length of a form with a term for each length, at most, in relation to one with brackets in brackets."""
 _RATIOS = (Fraction(-1), Fraction(2), Fraction(-2), Fraction(1, 2), Fraction(-1, 2))
 """What a known form may be multiplied by, as the same term occurs with other numbers."""
 
@@ -34,10 +45,17 @@ class Reader:
     other names give the same terms.
     """
 
-    def __init__(self, names: StandardNames = AS_GIVEN, differences: Sequence[Expr] = ()) -> None:
+    def __init__(
+        self,
+        names: StandardNames = AS_GIVEN,
+        differences: Sequence[Expr] = (),
+        inertias: Iterable[Expr] = (),
+    ) -> None:
         self._names = names
+        self._inertias = sorted(map(names.standard, inertias), key=str)
         self._differences = tuple(map(names.standard, differences))
         self._known: dict[Expr, Expr] = {}
+        self._distances: set[Expr] = set()
         self._read = 0
 
     def __call__(self, expression: Expr) -> Expr:
@@ -79,12 +97,59 @@ class Reader:
         form = textbook_form(expression)
         if operations > _EXPANDED >= cost(form).total:
             form = textbook_form(form)  # which is short enough now for all rules
-        form = _by_signs(form)
+        form = _with_factor_outside(self._by_bodies(expression, _by_signs(form), operations))
         shorter, used = by_differences(expression, self._differences)
         if used:
             other = with_differences(textbook_form(shorter), used)
-            return other if other == expression and _length(other) <= _length(form) else form
+            return _best((other, form), expression)
         return form
+
+    def _by_bodies(self, expression: Expr, form: Expr, operations: int) -> Expr:
+        """Return the form with a term for each body, if it is shorter: a square of a distance, and no part of it."""
+        if operations > _OF_BODIES or _length(form) < _SHORT:
+            return form
+        angles = multiples_of_angles(expression)
+        best = _best((with_squares(form), form), expression)
+        other = by_parameters(expression, self._inertias, _shortest_factor)
+        flat = by_lengths(expression, self._inertias, _shortest_factor)
+        if other is not None:
+            nodes = nodes_of(other)
+            is_same = flat is None and self._distances & set(nodes) and not any(map(is_divisor, nodes))
+            most = (_SAME if is_same else _DIVIDED) * reading(best, angles)
+            best = other if reading(other, angles) <= most else best
+        is_flatter = flat is not None and levels(flat) < levels(best)
+        best = flat if flat is not None and is_flatter and _length(flat) <= _FLAT * _length(best) else best
+        self._distances |= squared_sums(best)
+        return best
+
+
+def _with_factor_outside(form: Expr) -> Expr:
+    """Return a sum of products with the factor outside that all of them have: ``m*(x**2/y**2 + 1)``."""
+    if form.kind != "sum" or any(_has_brackets(term) for term in parts_of(form, "sum")):
+        return form
+    other = with_fractions_outside(factor_terms(form))
+    shared = [part for part in parts_of(other, "product") if part.kind not in {"number", "sum"}]
+    return other if shared and _length(other) <= _length(form) + 1 else form
+
+
+def _has_brackets(term: Expr) -> bool:
+    """Return whether a term has a sum in it, other than a sum of parameters as a factor."""
+    factors = parts_of(term, "product")
+    sums = [factor for factor in factors if factor.kind == "sum"]
+    within = [part for factor in factors for part in (factor.args if factor in sums else (factor,))]
+    is_moving = any(leaf.kind == "time_function" for factor in sums for leaf in factor.free_symbols)
+    return is_moving or any(node.kind == "sum" for part in within for node in nodes_of(part))
+
+
+def _shortest_factor(expression: Expr) -> Expr:
+    """Return the form of what a mass multiplies; the derivative of a square is short as it is."""
+    return _best((with_squares(textbook_form(expression)), expression), expression)
+
+
+def _best(forms: Iterable[Expr], value: Expr) -> Expr:
+    """Return the form of a value that reads best, of equals the first one."""
+    angles = multiples_of_angles(value)
+    return min((form for form in forms if form == value), key=lambda form: reading(form, angles))
 
 
 def _by_signs(form: Expr) -> Expr:

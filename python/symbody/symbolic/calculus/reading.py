@@ -42,33 +42,50 @@ def _numbers(angle: Expr) -> list[Expr]:
     ]
 
 
+def levels(form: Expr) -> int:
+    """Return the levels of brackets of a form: of sums within sums, other than those of parameters alone.
+
+    >>> from symbody import functions_of_time, symbols
+    >>> (x, y), a, b = functions_of_time("x y"), *symbols("a b")
+    >>> levels(x * (b + y * (a + x))), levels(x * b + y * (a + b))
+    (2, 1)
+    """
+    found = dict[int, int]()
+    for node in nodes_of(form):
+        inner = [found[arg.id] - (arg.kind == node.kind == "sum" and found[arg.id] > 0) for arg in node.args]
+        is_level = node.kind == "sum" and any(leaf.kind == "time_function" for leaf in node.free_symbols)
+        found[node.id] = max(inner, default=0) + is_level
+    return found[form.id]
+
+
 def awkward_terms(expression: Expr) -> int:
     """Return how many terms of sums have a factor that occurs again in its brackets, or quotients in a quotient."""
     terms = {
-        term.id: term for node in nodes_of(expression) if node.kind == "sum" for term in _parts(node, "sum")
+        term.id: term for node in nodes_of(expression) if node.kind == "sum" for term in parts_of(node, "sum")
     }
     nested = sum(map(_is_nested, terms.values()))
     return nested + sum(map(_is_compound, nodes_of(expression)))
 
 
 def _is_nested(term: Expr) -> bool:
-    bases = {_base(factor) for factor in _parts(term, "product") if not factor.is_number}
+    bases = {_base(factor) for factor in parts_of(term, "product") if not factor.is_number}
     return any(bases & {_base(factor) for factor in factors} for factors in _products_in(term))
 
 
 def _is_compound(node: Expr) -> bool:
-    is_quotient = any(map(_is_divisor, _parts(node, "product")))
-    return is_quotient and any(any(map(_is_divisor, factors)) for factors in _products_in(node))
+    is_quotient = any(map(is_divisor, parts_of(node, "product")))
+    return is_quotient and any(any(map(is_divisor, factors)) for factors in _products_in(node))
 
 
 def _products_in(product: Expr) -> Iterator[list[Expr]]:
     """Yield the factors of each term of the sums that are factors of a product."""
-    for factor in _parts(product, "product"):
+    for factor in parts_of(product, "product"):
         if factor.kind == "sum":
-            yield from (_parts(term, "product") for term in _parts(factor, "sum"))
+            yield from (parts_of(term, "product") for term in parts_of(factor, "sum"))
 
 
-def _is_divisor(factor: Expr) -> bool:
+def is_divisor(factor: Expr) -> bool:
+    """Return whether a node is a power with a negative exponent."""
     return factor.kind == "power" and str(factor.args[1]).startswith("-")
 
 
@@ -77,8 +94,8 @@ def _base(factor: Expr) -> Expr:
     return factor.args[0] if is_root else factor
 
 
-def _parts(node: Expr, kind: str) -> list[Expr]:
+def parts_of(node: Expr, kind: str) -> list[Expr]:
     """Return the terms of a sum, or the factors of a product, that is nested in the graph."""
     if node.kind != kind:
         return [node]
-    return [part for arg in node.args for part in _parts(arg, kind)]
+    return [part for arg in node.args for part in parts_of(arg, kind)]

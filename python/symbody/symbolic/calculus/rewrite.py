@@ -16,6 +16,8 @@ from symbody.symbolic.expression.container import Kind, Rewrite, is_container, r
 from symbody.symbolic.expression.leaves import ExprLike
 from symbody.symbolic.given.arguments import expression_or_container
 
+from .collected import with_needed_coefficients
+
 __all__ = ["coeff", "collect", "combine_trig", "expand", "expand_trig", "factor_terms", "simplify"]
 
 
@@ -66,6 +68,8 @@ def collect(expression: Kind, variables: Expr | Sequence[ExprLike]) -> Kind: ...
 def collect(expression: Any, variables: Expr | Sequence[ExprLike]) -> Any:
     """Write an expression as a polynomial in one or several variables; the first one is outermost.
 
+    The coefficients hold no symbols on which they don't depend.
+
     >>> from symbody import collect, symbols
     >>> x, a, b = symbols("x a b")
     >>> collect(a * x + b * x + a, [x])
@@ -73,11 +77,12 @@ def collect(expression: Any, variables: Expr | Sequence[ExprLike]) -> Any:
     """
     if is_container(expression):
         return rewritten(expression, _each(partial(_collected, variables)), "collect")
-    return _core.collect(expression, variables)
+    return _collected(variables, expression)
 
 
 def _collected(variables: Expr | Sequence[ExprLike], expression: Expr) -> Expr:
-    return _core.collect(expression, variables)
+    listed = [variables] if isinstance(variables, Expr) else [*map(_core.number, variables)]
+    return with_needed_coefficients(_core.collect(expression, variables), listed)
 
 
 def coeff(expression: ExprLike, variable: ExprLike, n: int = 1) -> Expr:

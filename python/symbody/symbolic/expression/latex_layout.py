@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 
+from .line_break import Role, Token, rows, terms_of
+
 __all__ = [
     "ARTICLE",
     "LINE",
@@ -106,8 +108,8 @@ def with_definitions(definitions: Sequence[tuple[str, str]], formula: str) -> st
 def lines(formula: str, line: int = LINE, start: int = 0) -> list[str]:
     """Return a formula in pieces that are no longer than a line, if that is possible: it is broken before signs.
 
-    A term that is too long is broken inside its brackets, and a fraction is written as a factor before its numerator.
-    Roots and arguments of functions are kept whole.
+    A term that is too long is broken inside its brackets or before them, and a fraction is written as a factor before
+    its numerator. Roots and arguments of functions are kept whole.
 
     Args:
         formula: the formula.
@@ -117,88 +119,84 @@ def lines(formula: str, line: int = LINE, start: int = 0) -> list[str]:
     >>> lines("a (b + c) + d - e", 6)
     ['a (b + c)', '+ d - e']
     """
-    pieces, last = list[str](), 0
-    terms = [piece for whole in _terms(formula, 0) for piece in _shortened(whole, line - start)]
-    if len(terms) > 1 and terms[-1].startswith("= ") and width(f"{terms[-2]} {terms[-1]}") <= line - start:
-        terms[-2:] = [f"{terms[-2]} {terms[-1]}"]  # no right side stands alone
-    for term in terms:
-        last += width(term)
-        if pieces and last <= line - start * (len(pieces) == 1):
-            pieces[-1] = f"{pieces[-1]} {term}"
-        else:
-            pieces.append(term)
-            last = width(term)
-    return pieces
+    return [text for _, text in _lines(formula, line, start)]
 
 
 def broken(start: str, formula: str, line: int = LINE) -> list[str]:
     """Return the rows of a formula: the first one after `start`, further ones indented."""
-    first, *others = lines(formula, line, width(start))
-    return [start + first, *(rf"&\quad {{}} {other}" for other in others)]
+    (_, first), *others = _lines(formula, line, width(start))
+    return [start + first, *(rf"&{_QUAD * (1 + indent)}{{}} {other}" for indent, other in others)]
+
+
+_QUAD = r"\quad "
+_STEP = 2
+"""The width of `_QUAD` in characters."""
+
+
+def _lines(formula: str, line: int, start: int) -> list[tuple[int, str]]:
+    """Return the lines of a formula, each with the levels by which it is indented."""
+    tokens = [Token("", start), *_tokens(_without_long_fractions(formula, line - start))]
+    return [(row.indent, _typeset(row.tokens)) for row in rows(tokens, line, _STEP)]
+
+
+def _tokens(formula: str) -> list[Token]:
+    """Return the tokens of a formula; brackets without a size are those of arguments, which are kept whole."""
+    found = _TOKEN.findall(formula)
+    made = list[Token]()
+    for place, token in enumerate(found):
+        before, after = found[place - 1] if place else "", found[place + 1] if place + 1 < len(found) else ""
+        made.append(Token(token, _width(token), _role(before, token, after)))
+    return made
+
+
+def _role(before: str, token: str, after: str) -> Role:
+    if token == r"\left":
+        if after != "(" or (before and not before.isspace()):
+            return "kept"
+        return "factor" if before else "open"
+    if token == "{" or token.startswith(r"\begin") or (token == "(" and before not in _SIZES):
+        return "kept"
+    if token in {"}", r"\right"} or token.startswith(r"\end") or (token == ")" and before not in _SIZES):
+        return "close"
+    if token in {"+", "-", "="} and before.isspace() and after.isspace():
+        return "equals" if token == "=" else "sign"
+    return ""
+
+
+def _typeset(tokens: Sequence[Token]) -> str:
+    r"""Return a line; brackets that are not closed on it have a fixed size, as ``\left(`` needs its ``\right)``."""
+    texts = [token.text for token in tokens]
+    opened = list[int]()
+    for place, token in enumerate(tokens):
+        if token.text == r"\left":
+            opened.append(place)
+        elif token.text == r"\right":
+            if opened:
+                opened.pop()
+            else:
+                texts[place] = r"\bigr"
+    for place in opened:
+        texts[place] = r"\bigl"
+    return "".join((r"\cdot " if tokens[0].role == "factor" else "", *texts)).strip()
 
 
 def width(formula: str) -> int:
     """Return about how many characters a formula is wide: a fraction counts as both of its parts."""
-    return sum(
-        len(token) - 1 if token[1:] in _UPRIGHT else 1
-        for token in _TOKEN.findall(formula)
-        if not token.isspace() and token not in "{}^_&" and token[1:] not in _UNSEEN
-    )
+    return sum(map(_width, _TOKEN.findall(formula)))
 
 
-def _terms(formula: str, depth: int) -> list[str]:
-    r"""Return the terms of a sum, each with its sign, also of the sums in so many levels of brackets.
-
-    Brackets that are broken have a fixed size, since ``\left(`` and ``\right)`` must stand on one line.
-    """
-    terms, current, kinds, position = list[str](), "", list[str](), 0
-    tokens = _TOKEN.findall(formula)
-    for place, token in enumerate(tokens):
-        following = tokens[place + 1 : place + 2]
-        text = token
-        if token == r"\left":
-            is_factor = place == 0 or tokens[place - 1].isspace()
-            opens = len(kinds) == position < depth and following == ["("] and is_factor
-            kinds.append("round" if opens else "closed")
-            position += opens
-            text = r"\bigl" if opens else token
-        elif token == "{" or token.startswith(r"\begin") or (token == "(" and _is_plain(tokens, place)):
-            kinds.append("closed")
-        elif (
-            token in {"}", r"\right"}
-            or token.startswith(r"\end")
-            or (token == ")" and _is_plain(tokens, place))
-        ):
-            if kinds.pop() == "round":
-                position -= 1
-                text = r"\bigr"
-        elif token in {"+", "-"} and len(kinds) == position and _is_between_terms(tokens, place):
-            terms.append(current.strip())
-            current = ""
-        current += text
-    return [*terms, current.strip()]
+def _width(token: str) -> int:
+    if token.isspace() or token in "{}^_&" or token[1:] in _UNSEEN:
+        return 0
+    return len(token) - 1 if token[1:] in _UPRIGHT else 1
 
 
-def _is_plain(tokens: Sequence[str], place: int) -> bool:
-    """Return whether a bracket is that of a function's arguments, which has no size."""
-    return place > 0 and tokens[place - 1] not in _SIZES
-
-
-def _is_between_terms(tokens: Sequence[str], place: int) -> bool:
-    """Return whether a sign has terms on both sides: it stands between spaces."""
-    return 0 < place < len(tokens) - 1 and tokens[place - 1].isspace() and tokens[place + 1].isspace()
-
-
-def _shortened(term: str, line: int) -> list[str]:
-    """Return a term, or the pieces of one that is too long."""
-    pieces = [term]
-    if width(term) > line:
-        term = _without_long_fraction(term, line)
-    for depth in range(1, _DEEPEST + 1):
-        if max(map(width, pieces)) <= line:
-            break
-        pieces = _terms(term, depth)
-    return pieces
+def _without_long_fractions(formula: str, line: int) -> str:
+    """Return a formula in which the first fraction of each long term is a factor before its numerator."""
+    if width(formula) <= line:
+        return formula
+    terms = ("".join(token.text for token in term) for term in terms_of(_tokens(formula)))
+    return "".join(_without_long_fraction(term, line) if width(term) > line else term for term in terms)
 
 
 def _without_long_fraction(term: str, line: int) -> str:
@@ -212,7 +210,7 @@ def _without_long_fraction(term: str, line: int) -> str:
     is_inside = before.count("{") > before.count("}") or before.count(r"\left") > before.count(r"\right")
     if not found or is_inside or width(numerator) <= line:
         return term
-    if len(_terms(numerator, 0)) > 1:
+    if len(terms_of(_tokens(numerator))) > 1:
         numerator = rf"\left({numerator}\right)"
     denominator, rest = _group(rest.removeprefix("{"))
     return rf"{before}\frac{{1}}{{{denominator}}} {numerator}{rest}"
@@ -226,7 +224,3 @@ def _group(text: str) -> tuple[str, str]:
         if depth == 0:
             return text[: place.start()], text[place.end() :]
     return text, ""
-
-
-_DEEPEST = 4
-"""The levels of brackets that are broken at most."""

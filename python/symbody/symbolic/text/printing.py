@@ -3,22 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any, Protocol, runtime_checkable
+from typing import Any
 
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
-from symbody.symbolic.expression.container import in_latex, is_container
+from symbody.symbolic.calculus.shown_form import shown_form
+from symbody.symbolic.expression.container import Typeset, in_latex, is_container
 from symbody.symbolic.expression.leaves import ExprLike
 from symbody.symbolic.given.arguments import expression_or_container
 
 __all__ = ["latex", "listing", "listing_of_equations", "maple"]
-
-
-@runtime_checkable
-class Typeset(Protocol):
-    """A thing with a formula of its own, such as a linear model or the matrices of equations."""
-
-    def latex(self) -> str: ...
 
 
 def latex(expression: Any) -> str:
@@ -26,7 +20,8 @@ def latex(expression: Any) -> str:
 
     Names are typeset as in a textbook: ``m_1`` is m with the index 1, ``omega0``, ``I__xx`` and ``theta_dot`` have
     Greek letters, indices and dots. Different names in one formula are typeset differently: beside ``m1``, the name
-    ``m_1`` is written as it is.
+    ``m_1`` is written as it is. A form with symbols on which the value doesn't depend is not shown: another one takes
+    its place.
 
     >>> from symbody import functions_of_time, latex, sin, symbols, time_derivative
     >>> theta = functions_of_time("theta")
@@ -36,10 +31,10 @@ def latex(expression: Any) -> str:
     \left(m_{1}, I_{xx}, \omega_{0}, \mathrm{load}\right)
     """
     if is_container(expression):
-        return in_latex(expression, "latex")
+        return in_latex(expression, "latex", shown_form)
     if isinstance(expression, Typeset) and not isinstance(expression, type | Expr):
         return expression.latex()
-    return expression_or_container(expression, "latex").latex()
+    return shown_form(expression_or_container(expression, "latex")).latex()
 
 
 def maple(expression: ExprLike) -> str:

@@ -1,4 +1,4 @@
-"""Integrals and limits, which SymPy finds."""
+"""Integrals, limits, sums and transforms, which SymPy finds."""
 
 from __future__ import annotations
 
@@ -7,15 +7,16 @@ from typing import TypeAlias
 
 from symbody.symbolic import Expr
 from symbody.worksheet.convert.names import NoText
+from symbody.worksheet.convert.operations import grouped
 from symbody.worksheet.convert.writer import Arguments, Writer
 from symbody.worksheet.sheet import syntax
 
-__all__ = ["CALCULUS"]
+__all__ = ["CALCULUS", "for_sympy"]
 
 Call: TypeAlias = Callable[[Writer, Arguments], str]
 
 
-def _for_sympy(text: Writer, node: syntax.Expression) -> str:
+def for_sympy(text: Writer, node: syntax.Expression) -> str:
     """Return an expression as one of SymPy."""
     match node:
         case syntax.Name(name="infinity"):
@@ -29,31 +30,68 @@ def _for_sympy(text: Writer, node: syntax.Expression) -> str:
     return written if isinstance(found, int) else f"sb.to_sympy({written})"
 
 
-def _integral(text: Writer, arguments: Arguments) -> str:
-    """Return ``int(e, x)`` or ``int(e, x = a..b)``."""
-    match arguments:
-        case (
-            value,
-            syntax.Infix(
-                operator="=", left=variable, right=syntax.Infix(operator="..", left=first, right=last)
-            ),
+def _span(text: Writer, node: syntax.Expression) -> str:
+    """Return ``x``, or ``x = a..b`` as the tuple that SymPy takes."""
+    match node:
+        case syntax.Infix(
+            operator="=", left=variable, right=syntax.Infix(operator="..", left=first, right=last)
         ):
-            parts = ", ".join(_for_sympy(text, each) for each in (variable, first, last))
-            return f"sb.from_sympy(sympy.integrate({_for_sympy(text, value)}, ({parts})))"
-        case value, (syntax.Name() | syntax.Call()) as variable:
-            parts = ", ".join(_for_sympy(text, each) for each in (value, variable))
-            return f"sb.from_sympy(sympy.integrate({parts}))"
+            return f"({', '.join(for_sympy(text, each) for each in (variable, first, last))})"
+        case syntax.Name() | syntax.Call():
+            return for_sympy(text, node)
     raise NoText("int")
 
 
-def _limit(text: Writer, arguments: Arguments) -> str:
-    """Return ``limit(e, x = a)``."""
-    match arguments:
-        case value, syntax.Infix(operator="=", left=variable, right=place):
-            parts = ", ".join(_for_sympy(text, each) for each in (value, variable, place))
-            return f"sb.from_sympy(sympy.limit({parts}))"
+def _place(text: Writer, node: syntax.Expression) -> str:
+    """Return ``x = a`` as the two arguments that SymPy takes."""
+    match node:
+        case syntax.Infix(operator="=", left=variable, right=place):
+            return f"{for_sympy(text, variable)}, {for_sympy(text, place)}"
     raise NoText("limit")
 
 
-CALCULUS: Mapping[str, Call] = {"int": _integral, "limit": _limit}
+def _over(function: str, span: Callable[[Writer, syntax.Expression], str] = _span) -> Call:
+    """Return the writer of what is taken over a span, or at a place; it is worked out."""
+
+    def write(text: Writer, arguments: Arguments) -> str:
+        if len(arguments) != 2:
+            raise NoText(function)
+        return f"sb.from_sympy({function}({for_sympy(text, arguments[0])}, {span(text, arguments[1])}))"
+
+    return write
+
+
+def _inert(function: str, span: Callable[[Writer, syntax.Expression], str] = _span) -> Call:
+    """Return the writer of what is not worked out until ``value`` asks for it."""
+    worked_out = _over(function, span)
+    return lambda text, arguments: worked_out(text, arguments).removeprefix("sb.from_sympy(")[:-1]
+
+
+def _worked_out(text: Writer, arguments: Arguments) -> str:
+    """Return ``value(e)``."""
+    written = text.text(arguments[0])
+    found = text.value(written)
+    return f"sb.from_sympy({grouped(written)}.doit())" if hasattr(found, "doit") else written
+
+
+def _transform(form: str) -> Call:
+    """Return the writer of a transform of Laplace."""
+
+    def write(text: Writer, arguments: Arguments) -> str:
+        if len(arguments) != 3:
+            raise NoText("laplace")
+        return f"sb.from_sympy({form.format(*(for_sympy(text, each) for each in arguments))})"
+
+    return write
+
+
+CALCULUS: Mapping[str, Call] = {
+    "int": _over("sympy.integrate"),
+    "limit": _over("sympy.limit", _place),
+    "Int": _inert("sympy.Integral"),
+    "Limit": _inert("sympy.Limit", _place),
+    "Sum": _inert("sympy.Sum"),
+    "value": _worked_out,
+    "laplace": _transform("sympy.laplace_transform({0}, {1}, {2}, noconds=True)"),
+}
 """Writers by the names of commands."""

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from symbody.symbolic import Expr
+from symbody.worksheet.builtins import FORMS, KERNEL, MISSING, PACKAGES
+from symbody.worksheet.commands import mbsymba
 from symbody.worksheet.convert.calculus_calls import CALCULUS
 from symbody.worksheet.convert.files import FILES
 from symbody.worksheet.convert.joint_calls import JOINTS
@@ -13,7 +15,9 @@ from symbody.worksheet.convert.mechanics_calls import MECHANICS
 from symbody.worksheet.convert.name_text import concatenation
 from symbody.worksheet.convert.names import NoText, identifier
 from symbody.worksheet.convert.numbers_calls import NUMBERS
+from symbody.worksheet.convert.operations import grouped
 from symbody.worksheet.convert.picture_calls import PICTURES
+from symbody.worksheet.convert.polynomial_calls import POLYNOMIALS
 from symbody.worksheet.convert.selections import indexed
 from symbody.worksheet.convert.sequences import item
 from symbody.worksheet.convert.writer import Writer
@@ -21,7 +25,7 @@ from symbody.worksheet.sheet import syntax
 
 __all__ = ["arrow", "call"]
 
-_TABLES = (MECHANICS, JOINTS, MAPLE, CALCULUS, MATRICES, LISTS, NUMBERS, PICTURES, FILES)
+_TABLES = (MECHANICS, JOINTS, MAPLE, CALCULUS, POLYNOMIALS, MATRICES, LISTS, NUMBERS, PICTURES, FILES)
 _OPERATORS = {"+", "-", "*", "/", "^", "."}
 
 
@@ -46,6 +50,8 @@ def call(to: Writer, node: syntax.Call) -> str:
     command = next((table[name] for table in _TABLES if name in table), None)
     if command is not None:
         return command(to, arguments)
+    if name not in _KNOWN and name not in to.names.values and arguments:
+        return f'sb.function("{name}")({_arguments(to, arguments)})'  # nobody knows it: it comes back unevaluated
     raise NoText(name)
 
 
@@ -81,6 +87,10 @@ def _call_of_value(to: Writer, node: syntax.Call) -> str:
             return to.text(whole) if is_table else indexed(to, whole, is_function=True)
         case syntax.Concatenation() as whole, (syntax.Name(name="t"),):
             return concatenation(to, whole, is_function=True)
+        case syntax.Call() | syntax.Arrow() as function, arguments:
+            written = to.text(function)
+            if callable(to.value(written)):
+                return f"{grouped(written)}({_arguments(to, arguments)})"
     raise NoText("call")
 
 
@@ -122,6 +132,11 @@ def _called(node: syntax.Expression) -> str:
     return ""
 
 
+_KNOWN = frozenset(
+    (*KERNEL, *FORMS, *MISSING, *mbsymba.COMMANDS, *(each for one in PACKAGES.values() for each in one))
+)
+"""Commands that the worksheet has, and those that are missing."""
+
 _PACKAGES = {
     "LinearAlgebra",
     "linalg",
@@ -134,4 +149,5 @@ _PACKAGES = {
     "FileTools",
     "VectorCalculus",
     "ListTools",
+    "Optimization",
 }

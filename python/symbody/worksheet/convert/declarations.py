@@ -19,11 +19,10 @@ def declarations(names: Names) -> list[str]:
 
 def _declared(names: Names, maker: str) -> Iterator[str]:
     """Return the lines that declare symbols, or functions of time."""
-    functions = names.functions
     pairs = [
         (text, name)
         for text, name in names.symbols.items()
-        if (name in functions) == (maker == "sb.functions_of_time")
+        if names.is_function(text) == (maker == "sb.functions_of_time")
     ]
     plain = [name for text, name in pairs if text == name]
     for begin in range(0, len(plain), _PER_LINE):
@@ -40,9 +39,9 @@ def _indexed(names: Names, pairs: Sequence[tuple[str, str]]) -> Iterator[str]:
         wholes.setdefault(whole if index.isdigit() else name, []).append((text, name))
     for whole, found in wholes.items():
         if len(found) == 1:
-            yield f"{found[0][0]} = {names.declaration(found[0][1])}"
+            yield f"{found[0][0]} = {names.declared(found[0][0])}"
             continue
-        kind = "time_function" if found[0][1] in names.functions else "symbol"
+        kind = "time_function" if names.is_function(found[0][0]) else "symbol"
         numbers = ", ".join(name.removesuffix("]").partition("[")[2] for _, name in found)
         texts = ", ".join(text for text, _ in found)
         yield f'{texts} = (sb.symbolic.{kind}(f"{whole}[{{k}}]") for k in ({numbers}))'

@@ -33,6 +33,7 @@ class Draft:
         keeps: whether the next statement uses the value of this one, by ``%``.
         reason: why the code of the statement at hand is not kept.
         snapshot: the names before the statement.
+        before: the last values before the statement.
         written: how many statements are code.
         values: how many are written as the values that they give.
         left_out: how many are remarks.
@@ -52,6 +53,7 @@ class Draft:
     keeps: bool = False
     reason: str = ""
     snapshot: Any = None
+    before: list[Any] = field(default_factory=list)
     written: int = 0
     values: int = 0
     left_out: int = 0

@@ -40,6 +40,10 @@ def _broken(text: str) -> list[str]:
     if len(text) <= _WIDTH or span is None:
         return [text]
     begin, end = span
+    clauses = list(_clauses(text[begin + 1 : end]))
+    if len(clauses) > 1:
+        inner = [_INDENT + line for clause in clauses for line in _part(clause)]
+        return [text[: begin + 1], *inner, *_tail(text[end:])]
     items = list(_split(text[begin + 1 : end]))
     lines = [text[: begin + 1]]
     for place, item in enumerate(items):
@@ -104,6 +108,17 @@ def _split(text: str) -> Iterator[str]:
             begin = place + 1
     if text[begin:].strip():
         yield text[begin:].strip()
+
+
+def _clauses(text: str) -> Iterator[str]:
+    """Return the clauses of a comprehension, ``each``, ``for each in ...``, ``if ...``; another text is one."""
+    begin = 0
+    for place, depth in _characters(text):
+        is_clause = text.startswith(" for ", place) or (begin > 0 and text.startswith(" if ", place))
+        if depth == 0 and is_clause:
+            yield text[begin:place].strip()
+            begin = place + 1
+    yield text[begin:].strip()
 
 
 def _terms(text: str) -> Iterator[str]:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import TypeAlias
 
 from symbody.symbolic import Expr
-from symbody.worksheet.convert.names import NoText
+from symbody.worksheet.convert.names import NoText, identifier
 from symbody.worksheet.convert.operations import grouped
+from symbody.worksheet.convert.operators import condition
 from symbody.worksheet.convert.sequences import comprehension, items
 from symbody.worksheet.convert.writer import Arguments, Writer
 from symbody.worksheet.sheet import syntax
@@ -43,6 +44,79 @@ def _of_list(form: str) -> Call:
         return form.format(whole)
 
     return write
+
+
+def _paired(text: Writer, arguments: Arguments) -> str:
+    """Return ``zip(f, L, M)``: f of the items of two lists."""
+    function, *lists = arguments
+    if len(lists) != 2:
+        raise NoText("zip")
+    one, other = (text.text(each) for each in lists)
+    firsts = [text.value(f"{grouped(each)}[0]") for each in (one, other)]
+    names = [each.name for each in function.parameters] if isinstance(function, syntax.Arrow) else ["a", "b"]
+    inner = text.names.inner()
+    inner.values |= dict(zip(map(identifier, names), firsts, strict=True))
+    nodes = tuple(syntax.Name(each, place=function.place) for each in names)
+    body = (
+        function.body
+        if isinstance(function, syntax.Arrow)
+        else syntax.Call(function, nodes, place=function.place)
+    )
+    if isinstance(body, syntax.If):
+        raise NoText("zip")
+    return f"[{text.within(inner).text(body)} for {', '.join(map(identifier, names))} in zip({one}, {other})]"
+
+
+def _mapped_second(text: Writer, arguments: Arguments) -> str:
+    """Return ``map2(f, a, L)``: f of a and each item."""
+    function, first, whole = arguments
+    over = text.text(whole)
+    inner = text.names.inner()
+    inner.values["each"] = text.value(f"{grouped(over)}[0]")
+    each = syntax.Name("each", place=function.place)
+    call = syntax.Call(function, (first, each), place=function.place)
+    return f"[{text.within(inner).text(call)} for each in {over}]"
+
+
+_TYPES = {"integer": "int", "list": "list", "string": "str"}
+
+
+def _selected(form: str) -> Call:
+    """Return the writer of the items of a list that obey a condition, or of those that don't."""
+
+    def write(text: Writer, arguments: Arguments) -> str:
+        function, whole, *rest = arguments
+        over = text.text(whole)
+        inner = text.names.inner()
+        inner.values["each"] = text.value(f"{grouped(over)}[0]")
+        if not isinstance(text.value(over), list):
+            raise NoText("select")
+        case = _case(text.within(inner), function, rest)
+        return f"[{form.format(each='each', whole=over, case=case)}]"
+
+    return write
+
+
+def _case(text: Writer, function: syntax.Expression, rest: Sequence[syntax.Expression]) -> str:
+    """Return the condition on ``each``."""
+    each = syntax.Name("each", place=function.place)
+    match function, rest:
+        case syntax.Name(name="type"), (syntax.Name(name=kind),) if kind in _TYPES:
+            return f"isinstance(each, {_TYPES[kind]})"
+        case syntax.Name(name="has"), (what,):
+            return f"each.has({text.text(what)})"
+        case syntax.Arrow(parameters=(parameter,), body=body), () if not isinstance(body, syntax.If):
+            text.names.values[identifier(parameter.name)] = text.names.values["each"]
+            if parameter.name == "each":
+                return condition(text, body)
+            return f"({text.text(function)})(each)"
+    return text.text(syntax.Call(function, (each, *rest), place=function.place))
+
+
+def _found_place(text: Writer, arguments: Arguments) -> str:
+    """Return the place of an item in a list, or zero."""
+    item, whole = (text.text(each) for each in arguments)
+    return f"{grouped(whole)}.index({item}) + 1 if {item} in {whole} else 0"
 
 
 def _of_integers(function: str) -> Call:
@@ -90,8 +164,14 @@ LISTS: Mapping[str, Call] = {
     "Reverse": _of_list("{0}[::-1]"),
     "MakeUnique": _of_list("list(dict.fromkeys({0}))"),
     "sort": _sorted,
-    **dict.fromkeys(("gcd", "igcd"), _of_integers("math.gcd")),
-    **dict.fromkeys(("lcm", "ilcm"), _of_integers("math.lcm")),
+    "igcd": _of_integers("math.gcd"),
+    "ilcm": _of_integers("math.lcm"),
+    "zip": _paired,
+    "map2": _mapped_second,
+    "select": _selected("{each} for each in {whole} if {case}"),
+    "remove": _selected("{each} for each in {whole} if not {case}"),
+    "Search": _found_place,
+    "Flatten": _of_list("np.ravel({0}).tolist()"),
     "binomial": _of_integers("math.comb"),
     "factorial": _of_integers("math.factorial"),
     **dict.fromkeys(("mul", "product"), _product),

@@ -2,19 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import fields, replace
 from typing import Any, TypeAlias
+
+import numpy as np
 
 from symbody.geometry import Frame, Point, Vector
 from symbody.multibody import Body, Force, Torque
 from symbody.symbolic import Expr, Matrix
 from symbody.worksheet.convert.names import NoText, identifier
 from symbody.worksheet.convert.operations import SUM, grouped
+from symbody.worksheet.convert.operators import condition
 from symbody.worksheet.convert.selections import key
 from symbody.worksheet.convert.sequences import comprehension, items
 from symbody.worksheet.convert.sheet_names import names_in
-from symbody.worksheet.convert.substitutions import generated, isolated, simplified, solution, substitution
+from symbody.worksheet.convert.substitutions import (
+    coefficient_matrix,
+    generated,
+    isolated,
+    simplified,
+    solution,
+    substitution,
+)
 from symbody.worksheet.convert.writer import Arguments, Writer
 from symbody.worksheet.sheet import syntax
 
@@ -114,6 +124,32 @@ def _part(text: Writer, arguments: Arguments) -> str:
     return f"{grouped(whole)}[{int(place) - 1}]" if place.isdigit() else f"{grouped(whole)}[{place} - 1]"
 
 
+def _chosen(text: Writer, arguments: Arguments) -> str:
+    """Return ```if`(c, a, b)``."""
+    case, *values = arguments
+    if len(values) != 2:
+        raise NoText("if")
+    yes, no = (text.text(each) for each in values)
+    return f"{yes} if {condition(text, case)} else {no}"
+
+
+def _truth(text: Writer, arguments: Arguments) -> str:
+    """Return ``evalb(a = b)``: whether both sides are equal."""
+    return f"bool({condition(text, arguments[0])})"
+
+
+def _pieces(text: Writer, arguments: Arguments) -> str:
+    """Return ``piecewise(c, a, ..., otherwise)``."""
+    pairs = [f"({text.text(value)}, {condition(text, case)})" for case, value in _cases(arguments)]
+    rest = [text.text(arguments[-1])] if len(arguments) % 2 else []
+    return f"sb.Piecewise({', '.join([*pairs, *(f'otherwise={each}' for each in rest)])})"
+
+
+def _cases(arguments: Arguments) -> Iterator[tuple[syntax.Expression, syntax.Expression]]:
+    """Return conditions with their values."""
+    return zip(arguments[::2], arguments[1::2], strict=False)
+
+
 def _count(text: Writer, arguments: Arguments) -> str:
     whole = text.text(arguments[0])
     if not isinstance(text.value(whole), list | tuple | dict | None):
@@ -149,6 +185,8 @@ def _converted(text: Writer, arguments: Arguments) -> str:
     whole, kind = text.text(arguments[0]), arguments[1]
     word = kind.body if isinstance(kind, syntax.Delayed) else kind
     found = text.value(whole)
+    if isinstance(word, syntax.Name) and word.name in {"polynom", "float"}:
+        return whole if word.name == "polynom" else _in_decimals(text, arguments)
     if isinstance(word, syntax.Name) and word.name in {"list", "set"}:
         if isinstance(found, tuple):
             return f"list({whole})"
@@ -203,21 +241,26 @@ def _evaluated(text: Writer, arguments: Arguments) -> str:
 
 
 def _in_decimals(text: Writer, arguments: Arguments) -> str:
+    """Return ``evalf(e)`` of a constant, or of what holds constants."""
     whole = text.text(arguments[0])
     found = text.value(whole)
-    if isinstance(found, Expr) and found.is_constant:
+    if isinstance(found, int | float | complex | np.ndarray):
+        return whole
+    if _is_constant(found):
         return f"float({whole})"
-    if (
-        isinstance(found, list)
-        and found
-        and all(isinstance(each, Expr) and each.is_constant for each in found)
-    ):
+    if hasattr(found, "evalf"):
+        return f"float({grouped(whole)}.evalf())"
+    if isinstance(found, list | tuple) and found and all(map(_is_constant, found)):
         return f"[float(each) for each in {whole}]"
-    if isinstance(found, dict) and all(
-        isinstance(each, Expr) and each.is_constant for each in found.values()
-    ):
+    if isinstance(found, Matrix) and all(map(_is_constant, found.entries)):
+        return f"np.array({whole}, dtype=float)"
+    if isinstance(found, dict) and all(map(_is_constant, found.values())):
         return f"{{name: float(each) for name, each in {grouped(whole)}.items()}}"
     raise NoText("evalf")
+
+
+def _is_constant(value: object) -> bool:
+    return isinstance(value, int | float) or (isinstance(value, Expr) and value.is_constant)
 
 
 def _shown(text: Writer, arguments: Arguments) -> str:
@@ -360,16 +403,20 @@ MAPLE: Mapping[str, Call] = {
     **dict.fromkeys(("MatrixInverse", "inverse"), _method("inverse")),
     "IdentityMatrix": _plain("sb.identity", 1),
     "evalm": _entrywise,
-    "value": _shown,
     "eval": _evaluated,
     "evalf": _in_decimals,
+    **dict.fromkeys(("if", "ifelse"), _chosen),
+    **dict.fromkeys(("evalb", "is"), _truth),
+    "piecewise": _pieces,
+    "numelems": _count,
     "table": _table,
     "show": _shown,
     "print": _shown,
     "isolate": isolated,
     "unapply": _unapplied,
     "jacobian": _jacobian,
-    **dict.fromkeys(("GenerateMatrix", "genmatrix"), generated),
+    "GenerateMatrix": generated,
+    "genmatrix": coefficient_matrix,
     "cost": _cost,
     "cat": _texts,
 }

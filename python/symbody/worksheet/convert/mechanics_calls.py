@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Callable, Mapping
 from typing import TypeAlias
 
@@ -102,7 +103,10 @@ def _heavy(function: str, *places: int) -> Call:
     """Return the writer of a function to which gravity is given, once the sheet has assigned it."""
 
     def write(text: Writer, arguments: Arguments) -> str:
-        gravity = ", gravity=gravity" if isinstance(text.names.values.get("gravity"), Vector) else ""
+        has_gravity = isinstance(text.names.values.get("gravity"), Vector)
+        if not has_gravity and function == "sb.gravitational_energy":
+            return "0"
+        gravity = ", gravity=gravity" if has_gravity else ""
         return f"{_framed(function, *places)(text, arguments)[:-1]}{gravity})"
 
     return write
@@ -140,7 +144,11 @@ def _velocity(function: str) -> Call:
 
 
 def _lagrange(text: Writer, arguments: Arguments) -> str:
-    return f"sb.lagrange({items(text, arguments[:2])})"
+    """Return Lagrange's expression for a coordinate, or those for a list of coordinates."""
+    energy, unknown = (text.text(each) for each in arguments[:2])
+    if isinstance(text.value(unknown), list):
+        return _lagrange_of(energy, unknown)
+    return f"sb.lagrange({energy}, {unknown})"
 
 
 def _lagrange_of_system(text: Writer, arguments: Arguments) -> str:
@@ -149,23 +157,24 @@ def _lagrange_of_system(text: Writer, arguments: Arguments) -> str:
     found = text.value(objects)
     if not isinstance(found, list):
         raise NoText("lagrange_equations")
+    coordinates = unknown if isinstance(text.value(unknown), list) else f"[{unknown}]"
     bodies = [each for each in found if isinstance(each, Body)]
     gravity = "gravity" if isinstance(text.names.values.get("gravity"), Vector) else ""
     if len(bodies) == len(found):
         weight = f" - sb.gravitational_energy({objects}, {gravity})" if gravity else ""
-        return _lagrange_of(text, f"sb.kinetic_energy({objects}){weight}", unknown)
+        return _lagrange_of(f"sb.kinetic_energy({objects}){weight}", coordinates)
     heavy = f", gravity={gravity}" if gravity else ""
-    coordinates = unknown if isinstance(text.value(unknown), list) else f"[{unknown}]"
     heavy_bodies, loads = _divided(text, objects)
     system = f"sb.System({heavy_bodies}, {loads}, coordinates={coordinates}{heavy})"
     return f"list(sb.lagrange_equations({system}).residuals)"
 
 
-def _lagrange_of(text: Writer, energy: str, unknown: str) -> str:
-    """Return Lagrange's expression for a coordinate, or those for a list of coordinates."""
-    if isinstance(text.value(unknown), list):
-        return f"[sb.lagrange({energy}, each) for each in {unknown}]"
-    return f"sb.lagrange({energy}, {unknown})"
+def _lagrange_of(energy: str, coordinates: str) -> str:
+    """Return Lagrange's expressions for a list of coordinates."""
+    single = re.fullmatch(r"\[(\w+)\]", coordinates)
+    if single:
+        return f"[sb.lagrange({energy}, {single[1]})]"
+    return f"[sb.lagrange({energy}, each) for each in {coordinates}]"
 
 
 def _divided(text: Writer, objects: str) -> tuple[str, str]:
@@ -206,13 +215,6 @@ def _inverse(text: Writer, arguments: Arguments) -> str:
         if isinstance(text.value(whole), Matrix)
         else f"{grouped(whole)}.inverse()"
     )
-
-
-def _state_space(text: Writer, arguments: Arguments) -> str:
-    """Return A and B of linear equations: E x' = -(F x + G u)."""
-    equations, _, states, inputs = (text.text(each) for each in arguments)
-    inverse = f"sb.jacobian({equations}, sb.diff({states}, sb.t)).inverse()"
-    return ", ".join(f"-{inverse} @ sb.jacobian({equations}, {each})" for each in (states, inputs)).join("()")
 
 
 def _copied(text: Writer, arguments: Arguments) -> str:
@@ -264,6 +266,5 @@ MECHANICS: Mapping[str, Call] = {
     "copy": _copied,
     "tire_forces": tyre_forces,
     "tire_kinematics": tyre_motion,
-    "state_space": _state_space,
 }
 """Writers by the names of commands."""

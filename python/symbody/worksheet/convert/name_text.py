@@ -22,7 +22,7 @@ def name_text(to: Writer, node: syntax.Name) -> str:
         return f"len({to.names.arguments})"
     if name in {"NULL", "infinity", "I"}:
         raise NoText(name)
-    return _CONSTANTS.get(name) or to.names.text(name)
+    return _CONSTANTS.get(name) or to.names.bare_text(name)
 
 
 def concatenation(to: Writer, node: syntax.Concatenation, *, is_function: bool = False) -> str:

@@ -59,6 +59,13 @@ def identifier(name: str) -> str:
     return f"{text}_" if keyword.iskeyword(text) or text in _TAKEN else text
 
 
+def _maker(name: str, *, is_function: bool) -> str:
+    """Return what makes a symbol, or a function of time; some names of Maple are none in Python."""
+    if not name.isidentifier():
+        return f'sb.symbolic.{"time_function" if is_function else "symbol"}("{name}")'
+    return f'sb.functions_of_time("{name}")' if is_function else f'sb.symbols("{name}")'
+
+
 def _imported() -> dict[str, Any]:
     """Return what the first lines of a program import."""
     values: dict[str, Any] = {}
@@ -77,13 +84,17 @@ class Names:
         symbols: names of Maple that the program declares as symbols or as functions of time, by their identifiers.
         outer: the names around a function.
         master: the variable that holds the moving master frame; nothing without it.
-        small: small variables, by those that are marked.
+        small: small variables by those that are marked; less the value from which they deviate.
         arguments: inside a function, the name of the arguments that ``args`` and ``nargs`` mean.
         as_differences: whether equations that a statement gives are to be solved.
         solved: names in calls of ``solve``: their equations are differences.
         tyres: the tyres of the program, by their variables.
         used: identifiers that had values before a ``restart``; as symbols, they are declared again.
         late: lines of such declarations, which stand before the statement.
+        reserved: identifiers of the worksheet.
+        added: identifiers that only the program has.
+        rules: the variable that holds the sheet's own rates of functions of time; nothing without them.
+        bare: identifiers of symbols that have the name of a function of time, as V in ``V(t) = V``.
     """
 
     values: dict[str, Any] = field(default_factory=_imported)
@@ -98,12 +109,36 @@ class Names:
     tyres: dict[str, Any] = field(default_factory=dict)
     used: set[str] = field(default_factory=set)
     late: list[str] = field(default_factory=list)
+    reserved: frozenset[str] = frozenset()
+    added: set[str] = field(default_factory=set)
+    bare: set[str] = field(default_factory=set)
+    rules: str = ""
+
+    def own(self, name: str) -> str:
+        """Return an identifier for what only the program has a name for."""
+        while name in self.reserved:
+            name += "_"
+        self.added.add(name)
+        return name
 
     def text(self, name: str) -> str:
         """Return the identifier of a name, which is declared if it has no value."""
         text = identifier(name)
         if text not in self.values:
             self.declare(name)
+        return text
+
+    def bare_text(self, name: str) -> str:
+        """Return the identifier of a symbol that may have the name of a function of time."""
+        known = self.values.get(identifier(name))
+        is_function = isinstance(known, Expr) and known.kind == "time_function" and known.name == name
+        if name not in self.functions or not (known is None or is_function):
+            return self.text(name)
+        text = f"{identifier(name)}_"
+        self.values.setdefault(text, symbol(name))
+        self.root().values.setdefault(text, symbol(name))
+        self.bare.add(text)
+        self.symbols[text] = name
         return text
 
     def declare(self, name: str) -> None:
@@ -120,12 +155,22 @@ class Names:
         else:
             self.symbols[text] = name
 
+    def plain(self, text: str) -> Expr:
+        """Return the symbol, or the function of time, that an identifier is declared as."""
+        name = self.symbols[text]
+        return time_function(name) if self.is_function(text) else symbol(name)
+
+    def is_function(self, text: str) -> bool:
+        """Whether an identifier is declared as a function of time."""
+        return self.symbols[text] in self.functions and text not in self.bare
+
+    def declared(self, text: str) -> str:
+        """Return what makes the symbol, or the function of time, of an identifier."""
+        return _maker(self.symbols[text], is_function=self.is_function(text))
+
     def declaration(self, name: str) -> str:
-        """Return what makes a symbol, or a function of time; some names of Maple are none in Python."""
-        is_function = name in self.functions
-        if not name.isidentifier():
-            return f"sb.symbolic.{'time_function' if is_function else 'symbol'}({name!r})"
-        return f'sb.functions_of_time("{name}")' if is_function else f'sb.symbols("{name}")'
+        """Return what makes a symbol, or a function of time, of a name."""
+        return _maker(name, is_function=name in self.functions)
 
     def restart(self) -> None:
         """Forget all values; names that have had one are declared again where they are used."""
@@ -138,7 +183,7 @@ class Names:
         self.used |= self.values.keys() - kept.keys()
         self.values.clear()
         self.values.update(kept)
-        self.master = ""
+        self.master = self.rules = ""
         self.small = {}
 
     def snapshot(self) -> tuple[dict[str, Any], dict[str, str], str, dict[Expr, Expr], set[str]]:
@@ -167,6 +212,10 @@ class Names:
             self.tyres,
             self.used,
             self.late,
+            self.reserved,
+            self.added,
+            self.bare,
+            self.rules,
         )
 
     def value(self, text: str) -> Any:

@@ -26,6 +26,7 @@ _OPERATIONS: Mapping[str, Callable[[str, str], str]] = {
     "mod": lambda left, right: f"{grouped(left)} % {grouped(right)}",
     "union": lambda left, right: f"{grouped(left, SUM)} + {grouped(right, SUM + 1)}",
     "minus": lambda left, right: f"[item for item in {left} if item not in {grouped(right)}]",
+    "intersect": lambda left, right: f"[item for item in {left} if item in {grouped(right)}]",
     "<>": lambda left, right: f"{grouped(left, COMPARISON + 1)} != {grouped(right, COMPARISON + 1)}",
     **{word: _compared(word) for word in ("<", "<=", ">", ">=")},
 }

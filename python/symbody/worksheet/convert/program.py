@@ -16,7 +16,7 @@ from symbody.worksheet.convert.declarations import declarations
 from symbody.worksheet.convert.draft import Draft
 from symbody.worksheet.convert.expressions import PythonText
 from symbody.worksheet.convert.layout import laid_out
-from symbody.worksheet.convert.names import Names
+from symbody.worksheet.convert.names import Names, identifier
 from symbody.worksheet.convert.procedures import Procedures
 from symbody.worksheet.convert.sheet_names import functions_of_time, solved_names
 from symbody.worksheet.convert.statement_kinds import OF_MODES, is_loading, is_restart
@@ -59,7 +59,11 @@ class Converted:
 
 def converted(cells: Sequence[Cell], title: str, session: Session | None = None) -> Converted:
     """Return the program of a worksheet, which is executed in a session."""
-    names = Names(functions=set(functions_of_time(cells)), solved=set(solved_names(cells)))
+    names = Names(
+        functions=set(functions_of_time(cells)),
+        solved=set(solved_names(cells)),
+        reserved=frozenset(map(identifier, names_in_code(cells))),
+    )
     program = Draft(tuple(cells), Interpreter(session), names, PythonText(names), Procedures(names))
     with tempfile.TemporaryDirectory() as program.folder, warnings.catch_warnings():
         warnings.simplefilter("ignore", ModelNotice)  # attempts make variables that the program doesn't have
@@ -102,6 +106,7 @@ def _text(program: Draft, title: str) -> str:
 def _add(program: Draft, statement: syntax.Statement, *, keeps: bool) -> bool:
     """Add a statement; return whether the sheet goes on."""
     before = dict(program.interpreter.session.assigned)
+    program.before = list(program.interpreter.session.last)
     loads = is_loading(statement)
     if not loads:
         prepare(program, statement, keeps=keeps)

@@ -6,12 +6,16 @@ from collections.abc import Iterable, Mapping
 from io import TextIOBase
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from symbody.errors import SymbodyError
 from symbody.geometry import Frame
 from symbody.multibody import Body, Force, TireKinematics, Torque
 from symbody.simulation import Motion
-from symbody.symbolic import Expr, Matrix, number, substitute, symbol
+from symbody.symbolic import Expr, Matrix, coeff, expand, from_sympy, number, substitute, symbol
 from symbody.worksheet.evaluation.session import Session
+from symbody.worksheet.mathematics.order_term import order_terms, without_order
 from symbody.worksheet.mechanics.objects import Reader, kind_of
 from symbody.worksheet.values.value import (
     Array,
@@ -21,6 +25,7 @@ from symbody.worksheet.values.value import (
     MapleSet,
     Plot,
     ProcedureValue,
+    Reference,
     Relation,
     Sequence,
     String,
@@ -77,6 +82,11 @@ class _Comparison:
         """Whether a value is the same as one of its kind."""
         found = self.session.current(self.session.resolve(value))
         match found:
+            case _ if isinstance(made, np.ndarray):
+                return self.numbers(made, found)
+            case _ if _is_inert(found) and hasattr(made, "doit"):
+                made, found = from_sympy(made.doit()), self.session.call(Reference("value"), (found,))
+                return self.alike(made, found)
             case Expr():
                 return isinstance(made, TextIOBase) or self.equal(made, found)  # an open file is a number
             case String(text=text) | Boolean(truth=text):
@@ -90,6 +100,12 @@ class _Comparison:
                 )
             case Relation(operator="=", left=left, right=right):
                 return self.equation(made, left, right)
+            case _:
+                return self.whole(made, found)
+
+    def whole(self, made: Any, found: Value) -> bool:
+        """Whether a value is the same as one that holds others."""
+        match found:
             case MapleSet(items=items) | Listed(items=items) | Sequence(items=items):
                 return self.items(made, items, is_set=isinstance(found, MapleSet))
             case Array():
@@ -108,12 +124,26 @@ class _Comparison:
             any(self.same(one, item) for item in items) for one in made
         )
 
+    def numbers(self, made: NDArray[Any], value: Value) -> bool:
+        """Whether an array holds the numbers of a list or a matrix, whose order may be another one."""
+        items = value.entries if isinstance(value, Array) else getattr(value, "items", (value,))
+        given = [_as_complex(self.session.current(each)) for each in items]
+        if len(given) != made.size:
+            return False
+        left = [complex(each) for each in made.ravel()]
+        for each in given:
+            nearest = min(left, key=lambda one, each=each: abs(one - each))  # type: ignore[misc]
+            if abs(nearest - each) > 1e-6 * (1 + abs(each)):
+                return False
+            left.remove(nearest)
+        return True
+
     def equal(self, made: Any, value: Expr) -> bool:
         """Whether an expression is equal, where marks of small variables don't count."""
-        if isinstance(made, float):
-            return value.is_constant and abs(made - float(value)) <= 1e-9 * (1 + abs(made))
+        if isinstance(made, float | complex):
+            return abs(made - _as_complex(value)) <= 1e-8 * (1 + abs(made))
         plain = self.plain([number(made)])[0]
-        return bool(plain == value)
+        return bool(plain == value) or (_is_series(value) and bool(plain == without_order(value)))
 
     def plain(self, expressions: Iterable[Expr]) -> list[Expr]:
         """Return expressions without marks of small variables."""
@@ -177,6 +207,23 @@ class _Comparison:
 
 
 _EXPRESSIONS = (symbol("expr"),)
+
+
+def _as_complex(value: Any) -> complex:
+    """Return a constant as a number; the session's I is a symbol."""
+    unit = symbol("I")
+    real = value.subs({unit: 0})
+    return complex(float(real), float(coeff(expand(value), unit)) if value.has(unit) else 0.0)
+
+
+def _is_series(value: Expr) -> bool:
+    return bool(order_terms(value))
+
+
+def _is_inert(value: Value) -> bool:
+    """Whether an integral, a limit or a sum is not worked out."""
+    name = getattr(getattr(value, "function", value), "name", "")
+    return name in {"Int", "Limit", "Sum"}
 
 
 def _entries(body: Body) -> list[Expr]:

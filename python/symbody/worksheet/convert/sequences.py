@@ -30,9 +30,12 @@ def item(to: Writer, node: syntax.Expression) -> str:
             return f"*{comprehension(to, each, span)}"
         case syntax.Call(function=syntax.Name(name="allvalues")):
             return f"*{to.text(node)}"
+        case syntax.Infix(operator="$", left=each, right=syntax.Infix(operator="=") as span):
+            return f"*{comprehension(to, each, span)}"
         case syntax.SequenceDisplay(items=nodes):
             return items(to, nodes)
-    return to.text(node)
+    text = to.text(node)
+    return f"*{text}" if isinstance(node, syntax.Name) and isinstance(to.value(text), tuple) else text
 
 
 def listed(to: Writer, nodes: tuple[syntax.Expression, ...]) -> str:

@@ -15,6 +15,7 @@ from symbody.multibody import Body, Force, Torque
 from symbody.symbolic import Expr, Matrix
 from symbody.worksheet.convert.expressions import PythonText
 from symbody.worksheet.convert.files import FILES
+from symbody.worksheet.convert.linear_models import linear_lines
 from symbody.worksheet.convert.modes import mode_lines
 from symbody.worksheet.convert.names import Names, NoText, identifier
 from symbody.worksheet.convert.operations import grouped
@@ -93,7 +94,8 @@ def _assignment(
 ) -> list[str]:
     names = {target.name for target in targets if isinstance(target, syntax.Name)}
     text.as_differences = text.names.as_differences = bool(names & text.names.solved)
-    lines = mode_lines(text, value)
+    target = target_text(text, targets[0]) if isinstance(targets[0], syntax.Name) else ""
+    lines = mode_lines(text, value, target)
     if lines is not None:
         return lines
     if isinstance(value, syntax.Procedure):
@@ -104,6 +106,9 @@ def _assignment(
         pairs = zip(targets, value.items, strict=True)
         return list(chain.from_iterable(_one(text, target, item) for target, item in pairs))
     found = [target_text(text, target) for target in targets]
+    linear = linear_lines(text, found, value)
+    if linear is not None:
+        return linear
     tables = list(chain.from_iterable(_table_of(text, target) for target in targets))
     written = text.text(value)
     items = _tuple_items(written)
@@ -209,7 +214,7 @@ def _is_display(item: syntax.Expression) -> bool:
     match item:
         case syntax.Infix(operator="=", left=syntax.Delayed()):
             return True
-        case syntax.Call(function=syntax.Name(name="show" | "print" | "printf")):
+        case syntax.Call(function=syntax.Name(name="show" | "print" | "lprint" | "printf")):
             return True
     return False
 
@@ -230,10 +235,12 @@ def _shown_item(text: PythonText, item: syntax.Expression, *, shown: bool, keeps
         case syntax.Call(function=syntax.Name(name="show"), arguments=(what, *options)):
             text.shown.clear()  # what show returns is what it prints
             return _show(text, what, synthetic=bool(options), keeps=keeps)
-        case syntax.Call(function=syntax.Name(name="print"), arguments=arguments):
+        case syntax.Call(function=syntax.Name(name="print" | "lprint"), arguments=arguments):
             return [f"print({items(text, arguments)})"]
         case syntax.Call(function=syntax.Name(name="printf"), arguments=(syntax.Text(text=form), *rest)):
             return [_printed(text, form, rest)]
+        case syntax.Call(function=syntax.Name(name="assign"), arguments=(what,)):
+            return _assigned(text, what)
         case syntax.Call(function=syntax.Name(name="unassign"), arguments=arguments):
             found = (_one(text, each.body, each) for each in arguments if isinstance(each, syntax.Delayed))
             return list(chain.from_iterable(found))
@@ -244,6 +251,21 @@ def _shown_item(text: PythonText, item: syntax.Expression, *, shown: bool, keeps
             raise
         return []  # without an effect, nobody sees the value
     return _value_lines(text, item, written, shown=shown, keeps=keeps)
+
+
+def _assigned(text: PythonText, what: syntax.Expression) -> list[str]:
+    """Return the lines of ``assign(solution)``: each unknown gets its value."""
+    match what:
+        case syntax.Infix(operator="=", left=syntax.Name(name=name), right=right):
+            return [f"{identifier(name)} = {text.text(right)}"]
+    written = text.text(what)
+    found = text.value(written)
+    if not isinstance(found, dict):
+        raise NoText("assign")
+    known = {text.names.plain(name): name for name in text.names.symbols}
+    if not all(variable in known for variable in found):
+        raise NoText("assign")
+    return [f"{known[variable]} = {grouped(written)}[{known[variable]}]" for variable in found]
 
 
 def _value_lines(

@@ -7,7 +7,15 @@ from symbody.worksheet.convert.names import NoText
 from symbody.worksheet.convert.writer import Arguments, Writer
 from symbody.worksheet.sheet import syntax
 
-__all__ = ["differences", "generated", "isolated", "simplified", "solution", "substitution"]
+__all__ = [
+    "coefficient_matrix",
+    "differences",
+    "generated",
+    "isolated",
+    "simplified",
+    "solution",
+    "substitution",
+]
 
 
 def substitution(text: Writer, arguments: Arguments) -> str:
@@ -116,6 +124,18 @@ def differences(text: Writer, equations: str) -> str:
     if isinstance(found, list) and found and all(isinstance(each, dict) for each in found):
         return f"[left - right for each in {equations} for left, right in each.items()]"
     return equations
+
+
+def coefficient_matrix(text: Writer, arguments: Arguments) -> str:
+    """Return ``genmatrix``: the matrix of linear equations."""
+    if len(arguments) != 2:
+        raise NoText("genmatrix")
+    before, text.as_differences = text.as_differences, True
+    try:
+        equations = differences(text, text.text(arguments[0]))
+    finally:
+        text.as_differences = before
+    return f"sb.jacobian({equations}, {text.text(arguments[1])})"
 
 
 def generated(text: Writer, arguments: Arguments) -> str:

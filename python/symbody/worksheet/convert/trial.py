@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import contextlib
 import io
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from symbody.errors import SymbodyError
+from symbody.worksheet.convert.derivative_rules import PREFIX, by_rules, rule_lines
 from symbody.worksheet.convert.draft import Draft, has
 from symbody.worksheet.convert.expressions import PythonText
 from symbody.worksheet.convert.names import NoText, identifier
@@ -14,6 +15,7 @@ from symbody.worksheet.convert.same import order_of, same
 from symbody.worksheet.convert.statement_kinds import begins_mode, counts
 from symbody.worksheet.convert.statements import lines_of
 from symbody.worksheet.convert.written_values import write_value
+from symbody.worksheet.evaluation.session import Session
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.values.value import Sequence as Values
 
@@ -30,21 +32,19 @@ def prepare(program: Draft, statement: syntax.Statement, *, keeps: bool) -> None
     program.text = text = PythonText(program.names, program.last, program.procedures.called)
     program.procedures.text = text
     try:
-        program.code = program.procedures.lines(statement)
+        program.code = rule_lines(text, statement) or program.procedures.lines(statement)
         if program.code is None:
             program.code = lines_of(statement, text, keeps=keeps)
     except NoText as error:
         program.reason = str(error)
-    except (SymbodyError, ValueError, TypeError, AttributeError, LookupError) as error:
+    except (SymbodyError, ValueError, TypeError, AttributeError, LookupError, SyntaxError) as error:
         program.reason = repr(error)
     program.keeps = keeps
 
 
 def as_code(program: Draft, statement: syntax.Statement, changed: Sequence[str]) -> bool:
     """Execute the code of a statement; keep it if its values are those of the session."""
-    done = program.code is not None and _runs(program, statement, changed)
-    if not done and _to_first_order(program, changed):
-        done = _runs(program, statement, changed)
+    done = any(_runs(program, statement, changed) for program.code in _versions(program, changed))
     if program.code is None or not done:
         program.names.restore(program.snapshot)
         program.procedures.drop()
@@ -61,15 +61,22 @@ def as_code(program: Draft, statement: syntax.Statement, changed: Sequence[str])
     return True
 
 
-def _to_first_order(program: Draft, changed: Sequence[str]) -> bool:
+def _versions(program: Draft, changed: Sequence[str]) -> Iterator[list[str]]:
+    """Return the lines of a statement: as they stand, and as the worksheet's modes and rules change their value."""
+    code = program.code
+    if code is None:
+        return
+    yield code
+    if program.reason.startswith("differs in"):
+        yield from _to_first_order(program, code, changed)
+        yield from by_rules(program.names, code)
+
+
+def _to_first_order(program: Draft, code: Sequence[str], changed: Sequence[str]) -> Iterator[list[str]]:
     """Cut an assigned expression behind the first order in the small variables, as the worksheet has it."""
-    head, sign, value = program.code[0].partition(" = ") if program.code else ("", "", "")
-    if not program.names.small or not sign or len(program.code or ()) != 1 or len(changed) != 1:
-        return False
-    if not head.isidentifier() or not program.reason.startswith("differs in"):
-        return False
-    program.code = [f"{head} = sb.taylor({value})"]
-    return True
+    head, sign, value = code[0].partition(" = ") if len(code) == 1 else ("", "", "")
+    if program.names.small and sign and len(changed) == 1 and head.isidentifier():
+        yield [f"{head} = sb.taylor({value})"]
 
 
 def _runs(program: Draft, statement: syntax.Statement, changed: Sequence[str]) -> bool:
@@ -82,6 +89,8 @@ def _runs(program: Draft, statement: syntax.Statement, changed: Sequence[str]) -
         program.reason = repr(error)
         return False
     for name in changed:
+        if name.startswith(PREFIX):
+            continue
         if identifier(name) not in values and program.procedures.knows(name):
             continue
         if identifier(name) not in values and begins_mode(statement):
@@ -89,7 +98,7 @@ def _runs(program: Draft, statement: syntax.Statement, changed: Sequence[str]) -
                 program.reason = f"value of {name}"
                 return False
             (program.code or []).append(program.lines.pop())
-        elif not has(program, name) and not _sorted(program, name):
+        elif not has(program, name) and not _sorted(program, name) and not _shared(program, name, changed):
             program.reason = f"differs in {name}"
             return False
     if isinstance(statement, syntax.Evaluation) and program.text.shown and session.last:
@@ -102,7 +111,8 @@ def _shows_the_same(program: Draft, expression: syntax.Expression) -> bool:
     if counts(expression):
         return True
     session, value = program.interpreter.session, program.interpreter.session.last[0]
-    made = [program.names.value("last" if program.keeps else text) for text in program.text.shown]
+    with contextlib.chdir(program.folder):
+        made = [program.names.value("last" if program.keeps else text) for text in program.text.shown]
     last = value.items[-1] if isinstance(value, Values) and len(made) > 1 and value.items else value
     if same(session, made[-1], value, program.names.small) or same(
         session, made[-1], last, program.names.small
@@ -110,6 +120,22 @@ def _shows_the_same(program: Draft, expression: syntax.Expression) -> bool:
         return True
     program.reason = "differs in %"
     return False
+
+
+def _shared(program: Draft, name: str, changed: Sequence[str]) -> bool:
+    """Give a name the object that another one has, which has changed: in the worksheet it is the same object."""
+    session, values = program.interpreter.session, program.names.values
+    for other in changed:
+        if other != name and _thing(session, other) is _thing(session, name) and has(program, other):
+            line = f"{identifier(name)} = {identifier(other)}"
+            exec(line, values)
+            (program.code or []).append(line)
+            return has(program, name)
+    return False
+
+
+def _thing(session: Session, name: str) -> object:
+    return session.resolve(session.names[name])
 
 
 def _sorted(program: Draft, name: str) -> bool:

@@ -34,7 +34,8 @@ def as_values(program: Draft, statement: syntax.Statement, changed: Sequence[str
 def _shown_value(program: Draft, statement: syntax.Evaluation) -> bool:
     """Write the value of an expression, and print it."""
     session = program.interpreter.session
-    text = _literal(program, session.last[0]) if session.last else ""
+    has_value = session.last and session.last != program.before  # NULL leaves the last value alone
+    text = _literal(program, session.last[0]) if has_value else ""
     if not text or not _is_value(program, text, session.last[0]):
         return False
     program.names.values["last"], program.last = program.names.value(text), "last"
@@ -86,9 +87,7 @@ def update(program: Draft, changed: Sequence[str], *, is_entry: bool) -> None:
             continue
         if _made_again(program, name):
             continue
-        changes = ", ".join(
-            f"{program.names.declaration(program.names.symbols[each])}: {each}" for each in sorted(symbols)
-        )
+        changes = ", ".join(f"{program.names.declared(each)}: {each}" for each in sorted(symbols))
         line, before = f"{text} = sb.subs({text}, {{{changes}}})", values.get(text)
         with contextlib.suppress(Exception):
             exec(line, values)

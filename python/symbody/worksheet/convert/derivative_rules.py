@@ -1,0 +1,50 @@
+"""The sheet's own rules of derivatives, ``diff/phi``: a dictionary of rates, which is put into what commands derive."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from symbody.worksheet.convert.names import Names, NoText
+from symbody.worksheet.convert.writer import Writer
+from symbody.worksheet.sheet import syntax
+
+__all__ = ["PREFIX", "by_rules", "rule_lines"]
+
+PREFIX = "diff/"
+
+
+def rule_lines(text: Writer, statement: syntax.Statement) -> list[str] | None:
+    """Return the lines that enter the rate of a function of time; None for another statement."""
+    match statement:
+        case syntax.Assignment(targets=(syntax.Name(name=name),), value=value) if name.startswith(PREFIX):
+            function = name.removeprefix(PREFIX)
+            if function not in text.names.functions:
+                raise NoText(name)
+            variable = text.names.text(function)
+            rate = text.text(_rate(value))
+            begin = [] if text.names.rules else [f"{text.names.own('rates_of_time')} = {{}}"]
+            text.names.root().rules = text.names.rules = text.names.own("rates_of_time")
+            return [*begin, f"{text.names.rules}[sb.diff({variable}, sb.t)] = {rate}"]
+    return None
+
+
+def _rate(value: syntax.Expression) -> syntax.Expression:
+    """Return what a rule of the time alone gives."""
+    match value:
+        case syntax.Procedure(parameters=(_,), body=body):
+            kept = [each for each in body if not isinstance(each, syntax.Empty)]
+            if len(kept) == 1 and isinstance(kept[0], syntax.Evaluation):
+                return kept[0].expression
+        case syntax.Arrow(parameters=(_,), body=body) if not isinstance(body, syntax.If):
+            return body
+    raise NoText(PREFIX)
+
+
+def by_rules(names: Names, code: Sequence[str]) -> Iterator[list[str]]:
+    """Return an assignment with the rates put into its value, once and twice: rates may have rates of their own."""
+    head, sign, value = code[0].partition(" = ") if len(code) == 1 else ("", "", "")
+    if not names.rules or not sign or not head.isidentifier():
+        return
+    for _ in range(2):
+        value = f"sb.subs({value}, {names.rules})"
+        yield [f"{head} = {value}"]

@@ -1,0 +1,98 @@
+"""What is shown of an expression holds only symbols on which its value depends."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable
+
+import pytest
+
+from symbody import (
+    Body,
+    Equations,
+    Expr,
+    Matrix,
+    System,
+    Vector,
+    collect,
+    cos,
+    describe,
+    functions_of_time,
+    ground,
+    kane,
+    lagrange_equations,
+    latex,
+    newton_euler,
+    parse,
+    rotate,
+    sin,
+    symbols,
+    t,
+    translate,
+)
+from symbody.symbolic import idle_symbols
+from symbody.symbolic.calculus.shown_form import shown_form
+
+x, theta = functions_of_time("x theta")
+M, m, l, g, J, a, b = symbols("M m l g J a b")
+cart = Body(translate(x, 0, 0), M)
+pole = Body(translate(x, 0, 0) * rotate("Z", theta) * translate(0, -l, 0), m, 0, 0, J)
+GRAVITY = Vector(ground, 0, -g, 0)
+CART_POLE = System([cart, pole], coordinates=[x, theta], gravity=GRAVITY)
+
+
+def differs_by(expression: Expr, symbol: Expr) -> bool:
+    """Return whether numbers in place of a symbol give other values, with doubles."""
+    draw = random.Random(str(symbol))
+    values = {leaf: draw.uniform(0.5, 1.5) for leaf in expression.free_symbols}
+    one, two = (expression.evaluate(values | {symbol: value}) for value in (0.4, 1.9))
+    return abs(one - two) > 1e-9
+
+
+@pytest.mark.parametrize("formalism", [newton_euler, lagrange_equations, kane])
+def test_a_residual_is_shown_without_symbols_on_which_it_does_not_depend(
+    formalism: Callable[[System], Equations],
+) -> None:
+    residual = formalism(CART_POLE).residuals[0]
+    text = describe(residual)
+    shown = parse(text, {"x": x, "theta": theta, "M": M, "m": m, "l": l, "g": g})
+    assert shown == residual
+    assert g not in shown.free_symbols
+    assert all(differs_by(residual, leaf) for leaf in shown.free_symbols)
+
+
+IDLE = [
+    m * cos(theta) * (cos(theta) * a + g * sin(theta)) - m * sin(theta) * (g * cos(theta) - a * sin(theta)),
+    (a * b + a * l) / (b + l),
+    a * (b + l) - a * l,
+    sin(a + b) * cos(b) - cos(a + b) * sin(b),
+]
+
+
+@pytest.mark.parametrize("expression", IDLE, ids=str)
+def test_all_that_shows_an_expression_leaves_idle_symbols_out(expression: Expr) -> None:
+    assert idle_symbols([expression])
+    found = shown_form(expression)
+    assert found == expression
+    assert all(differs_by(expression, leaf) for leaf in found.free_symbols)
+    assert describe(expression) == str(found)
+    assert latex(expression) == found.latex()
+    assert latex([expression]) == latex([found])
+    assert describe(Matrix([[expression]])) == str(Matrix([[found]]))
+
+
+def test_what_depends_on_all_of_its_symbols_is_shown_as_it_is() -> None:
+    for expression in (a * (b + l), (a + b) ** 2 - a, x * sin(theta + x), m * l**2 / (a - b)):
+        assert shown_form(expression).same_form(expression)
+
+
+def test_coefficients_hold_what_they_depend_on() -> None:
+    residual = newton_euler(CART_POLE).residuals[0]
+    found = collect(residual, [x.diff(t, 2)])
+    assert found == residual
+    assert "(M + m)*x''" in str(found)
+    polynomial = collect(
+        (a * sin(b) ** 2 + a * cos(b) ** 2) * x * theta + (l + g - l) * x + J * sin(a), [x, theta]
+    )
+    assert str(polynomial) == "a*theta*x + g*x + J*sin(a)"
+    assert str(collect((a * sin(b) ** 2 + a * cos(b) ** 2) + x, [x])) in {"a + x", "x + a"}
