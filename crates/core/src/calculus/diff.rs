@@ -290,8 +290,7 @@ impl Graph {
         for last in k.max(1)..args.len() {
             let before = if last == 1 { args[0] } else { self.apply(function, &args[..last])? };
             let (kept, other) = if last == k { (args[k], before) } else { (before, args[last]) };
-            let ahead =
-                if function == Function::Max { self.sub(kept, other) } else { self.sub(other, kept) };
+            let ahead = if function == Function::Max { self.sub(kept, other) } else { self.sub(other, kept) };
             let sign = self.apply(Function::Sign, &[ahead])?;
             weights.push((self.sum(&[(half, Id::ONE), (half, sign)]), NumberId::ONE));
         }

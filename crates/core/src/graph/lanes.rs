@@ -4,6 +4,7 @@ use num_bigint::BigInt;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
+use crate::evaluate::RealRange;
 use crate::value::{Element, FieldId, Key, Number, Quadratic, fingerprint};
 
 use super::node::{Assumption, Id, NumberId, View};
@@ -36,12 +37,16 @@ pub(crate) struct Lanes {
     exponents: FxHashMap<(Id, Option<FieldId>), Number>,
     /// Nodes that are a number times powers of positive factors.
     monomials: FxHashMap<Id, Option<Monomial>>,
+    /// Those where signs are the ones of a lane.
+    monomials_in_lanes: FxHashMap<(Id, FieldId), Option<Monomial>>,
     /// How arguments of sines (false) and exponentials (true) are split, see `evaluate::argument`.
     splits: FxHashMap<(Id, bool, Option<FieldId>), Split>,
     /// Whether nodes hold signs and no roots.
     signs_alone: FxHashMap<Id, bool>,
     /// Whether the values of nodes that hold complex symbols depend on these.
     complex: FxHashMap<Id, bool>,
+    /// What forms tell of the values of nodes for real variables.
+    real_ranges: FxHashMap<Id, RealRange>,
 }
 
 /// The values of a node in all lanes but the hash lanes.
@@ -140,6 +145,7 @@ impl Lanes {
             self.solutions.clear();
             self.splits.retain(|(_, _, lane), _| lane.is_none());
             self.exponents.retain(|(_, lane), _| lane.is_none());
+            self.monomials_in_lanes.clear();
         }
     }
 
@@ -227,12 +233,28 @@ impl Lanes {
         self.monomials.insert(id, monomial);
     }
 
+    pub(crate) fn monomial_in(&self, id: Id, lane: FieldId) -> Option<&Option<Monomial>> {
+        self.monomials_in_lanes.get(&(id, lane))
+    }
+
+    pub(crate) fn insert_monomial_in(&mut self, id: Id, lane: FieldId, monomial: Option<Monomial>) {
+        self.monomials_in_lanes.insert((id, lane), monomial);
+    }
+
     pub(crate) fn complex(&self, id: Id) -> Option<bool> {
         self.complex.get(&id).copied()
     }
 
     pub(crate) fn insert_complex(&mut self, id: Id, is_complex: bool) {
         self.complex.insert(id, is_complex);
+    }
+
+    pub(crate) fn real_range(&self, id: Id) -> Option<RealRange> {
+        self.real_ranges.get(&id).copied()
+    }
+
+    pub(crate) fn insert_real_range(&mut self, id: Id, range: RealRange) {
+        self.real_ranges.insert(id, range);
     }
 
     pub(crate) fn split(&self, id: Id, of_exponential: bool, lane: Option<FieldId>) -> Option<Split> {
