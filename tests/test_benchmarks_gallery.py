@@ -1,4 +1,4 @@
-"""Benchmarks whose systems are those of `symbody.models` in other variables."""
+"""Systems of `symbody.models` in the variables of the benchmarks: they move as the others do."""
 
 from __future__ import annotations
 
@@ -6,36 +6,17 @@ from collections.abc import Mapping
 
 import pytest
 
-from benchmarks.derive.by_symbody import cart_pendulum, rolling
-from symbody import (
-    Expr,
-    System,
-    consistent_state,
-    forward_dynamics,
-    functions_of_time,
-    models,
-    newton_euler,
-    subs,
-    symbols,
-    time_derivative,
-)
+from symbody import Expr, System, consistent_state, forward_dynamics, models, newton_euler, subs, symbols
 from symbody.models import ClassicSystem
-from symbody.symbolic import ExprLike
 
 
-def test_the_pendulum_on_a_cart_is_that_of_the_gallery_with_points_for_poles() -> None:
+def test_a_cart_with_point_masses_has_the_equations_of_poles_with_their_mass_at_the_end() -> None:
     n = 3
-    q = [functions_of_time(f"q{k}") for k in range(n + 1)]
-    angles = {functions_of_time(f"theta{k}"): -q[k] for k in range(1, n + 1)}
-    lengths = [symbols(f"l{k}") for k in range(n)]
-    points: dict[Expr, ExprLike] = {symbols("M"): symbols("m0"), symbols("b"): 0}
-    points |= {symbols(f"I{k}"): 0 for k in range(1, n + 1)}
-    points |= {symbols(f"a{k}"): lengths[k - 1] for k in range(1, n + 1)}
-    points |= {symbols(f"l{k}"): lengths[k - 1] for k in range(1, n)}
-    gallery = subs(list(newton_euler(models.cart_pole(n).system).residuals), points)
-    gallery = subs(gallery, {functions_of_time("x"): q[0], functions_of_time("F"): 0} | angles)
-    along, *about = newton_euler(cart_pendulum.system(n)).residuals
-    assert gallery == [along, *(-each for each in about)]  # the gallery's angles are clockwise
+    poles, points = models.cart_pole(n), models.cart_pole(n, point_masses=True)
+    at_the_end = {symbols(f"a{k}"): symbols(f"l{k}") for k in range(1, n + 1)}
+    nothing = dict.fromkeys([poles["F"], poles["b"], *(poles[f"I{k}"] for k in range(1, n + 1))], 0)
+    residuals = subs(list(newton_euler(poles.system).residuals), at_the_end | nothing)
+    assert residuals == [*newton_euler(points.system).residuals]
 
 
 def accelerations(system: System, values: Mapping[Expr, float]) -> dict[str, float]:
@@ -44,39 +25,51 @@ def accelerations(system: System, values: Mapping[Expr, float]) -> dict[str, flo
     return {str(u): each.evaluate(values) for u, each in zip(equations.speeds, found, strict=True)}
 
 
-def moving(model: ClassicSystem, **state: float) -> tuple[dict[str, float], dict[str, float]]:
-    """Return the values of a model in a state that its constraints allow, and its accelerations."""
-    start = {model.names[name.replace("_rate", "'")]: value for name, value in state.items()}
+def moving(model: ClassicSystem, state: Mapping[str, float]) -> tuple[dict[str, float], dict[str, float]]:
+    """Return a state that the constraints of a model allow, by names, and the accelerations there."""
+    start = {model[name]: value for name, value in state.items()}
     whole = consistent_state(newton_euler(model.system), model.parameters, start)
-    values = {**model.parameters, **model.inputs, **whole}
-    return {str(name): value for name, value in values.items()}, accelerations(model.system, values)
+    found = accelerations(model.system, {**model.parameters, **model.inputs, **whole})
+    return {str(name): value for name, value in whole.items()}, found
 
 
-def test_the_disc_is_that_of_the_gallery() -> None:
-    """There z is upwards, so that yaw and spin have the other sign."""
-    model = models.rolling_disc()
-    state = {"x": 0.0, "y": 0.0, "psi": 0.4, "theta": 0.3, "phi": 0.2}
-    at, gallery = moving(model, **state, psi_rate=1.2, theta_rate=-0.5, phi_rate=4.0)
-    tensor = at["m"] * at["r"] ** 2
-    values = {rolling.phi: 0.3, rolling.yaw: -1.2, rolling.lean: -0.5, time_derivative(rolling.rear): -4.0}
-    numbers = {"mR": at["m"], "rR": at["r"], "g": at["g"], "IRxx": tensor / 4, "IRyy": tensor / 2}
-    found = accelerations(rolling.disc(), values | {symbols(name): each for name, each in numbers.items()})
-    expected = [-gallery["psi'"], gallery["theta'"], -gallery["phi'"]]
-    assert [*found.values()] == pytest.approx(expected, rel=1e-9)
+def by_speeds(model: ClassicSystem, state: Mapping[str, float], *, yaw: str, lean: str) -> dict[str, float]:
+    """Return the accelerations of a model in quasi-velocities, in the state of one with all speeds."""
+    values = dict(state) | {"omega_yaw": state[yaw], "omega_lean": state[lean]}
+    known = {leaf: values[name] for name, leaf in model.names.items() if name in values}
+    rates = {leaf: values[name] for leaf in model.system.speeds if (name := str(leaf)) in values}
+    return accelerations(
+        model.system, {**model.parameters, **model.inputs, **known, **rates, **pose(model, values)}
+    )
 
 
-def test_the_bicycle_is_that_of_the_gallery() -> None:
-    """Its speeds are other ones: yaw and lean of the rear wheel, whose angle counts from the frame."""
-    model = models.bicycle()
+def pose(model: ClassicSystem, values: Mapping[str, float]) -> dict[Expr, float]:
+    return {q: values[str(q)] for q in model.system.coordinates if str(q) in values}
+
+
+@pytest.mark.parametrize("thin", [True, False])
+def test_the_disc_moves_the_same_by_quasi_velocities(thin: bool) -> None:
+    state = {
+        "x": 0.0,
+        "y": 0.0,
+        "psi": 0.4,
+        "theta": 0.3,
+        "phi": 0.2,
+        "psi'": 1.2,
+        "theta'": -0.5,
+        "phi'": 4.0,
+    }
+    whole, expected = moving(models.rolling_disc(thin=thin), state)
+    found = by_speeds(models.rolling_disc(thin=thin, quasi_velocities=True), whole, yaw="psi'", lean="theta'")
+    assert [*found.values()] == pytest.approx(
+        [expected[name] for name in ("psi'", "theta'", "phi'")], rel=1e-9
+    )
+
+
+def test_the_bicycle_moves_the_same_by_quasi_velocities() -> None:
     state = {"x": 0.0, "y": 0.0, "yaw": 0.4, "lean": 0.2, "steer": 0.3, "rear_angle": 0.1, "front_angle": 0.2}
-    at, gallery = moving(model, **state, rear_angle_rate=-12.0, lean_rate=0.5, steer_rate=-0.7)
-    named = {"phi": "lean", "theta": "pitch", "delta": "steer"}
-    rates = {"theta": "pitch'", "delta": "steer'", "front": "front_angle'"}
-    values = {getattr(rolling, ours): at[theirs] for ours, theirs in named.items()}
-    values |= {time_derivative(getattr(rolling, ours)): at[theirs] for ours, theirs in rates.items()}
-    values |= {rolling.yaw: at["yaw'"], rolling.lean: at["lean'"]}
-    values |= {time_derivative(rolling.rear): at["rear_angle'"] - at["pitch'"]}
-    found = accelerations(rolling.bicycle(), {**model.parameters, **values})
-    expected = [gallery[f"{name}'"] for name in ("yaw", "lean", "pitch", "steer")]
-    expected += [gallery["rear_angle'"] - gallery["pitch'"], gallery["front_angle'"]]
-    assert [*found.values()] == pytest.approx(expected, rel=1e-9)
+    rates = {"rear_angle'": -12.0, "lean'": 0.5, "steer'": -0.7}
+    whole, expected = moving(models.bicycle(), state | rates)
+    found = by_speeds(models.bicycle(quasi_velocities=True), whole, yaw="yaw'", lean="lean'")
+    names = ("yaw'", "lean'", "pitch'", "steer'", "rear_angle'", "front_angle'")
+    assert [*found.values()] == pytest.approx([expected[name] for name in names], rel=1e-9)

@@ -1846,10 +1846,10 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     ),
     (
         errors.ModelError,
-        lambda: show(3),
+        lambda: show("a"),  # type: ignore[arg-type]
         (
-            "show: thing = 3 is an int; expected a frame, point, vector, body, load, system, equations of "
-            "motion, an expression or a matrix"
+            "show: thing = 'a' is a str; expected an expression, a frame, point, vector, matrix, body, load, system, "
+            "equations of motion, or what holds them: a list, a tuple, a dictionary, an array"
         ),
     ),
     (

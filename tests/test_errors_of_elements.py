@@ -13,6 +13,7 @@ import pytest
 
 import symbody as sb
 from symbody import Body, Element, Expr, SymbodyError, TireForce, errors, functions_of_time, ground, symbols
+from symbody.multibody import Load
 
 x, y, psi, theta = functions_of_time("x y psi theta")
 m, k, c, R, N, C = symbols("m k c R N C")
@@ -49,10 +50,51 @@ TAKES_SYMBOLS = (
     "-C*symbody.atan(slip)), with atan of symbody, not of math or numpy"
 )
 
+band = damped(1)
 NOTHING = "neither stiffness nor damping; expected at least one of them"
 center = block.center_of_mass
 
+
+def assembled_otherwise() -> object:
+    """Give a motor a freedom of another mechanism than the one of its bodies."""
+    arm = sb.Link("arm", 1, Iz=1)
+    pin = sb.revolute("P", ground, arm)
+    other, own = (
+        sb.assemble([pin]),
+        sb.assemble([sb.revolute("P", ground, arm, at=(1, 0, 0), coordinate=psi)]),
+    )
+    return sb.motor(other.joint("P").freedom(), 1, on=own.body("arm"))
+
+
+class Computed(Load):
+    """A load that computes its actions at each use."""
+
+    name = "wind"
+
+    @property
+    def actions(self) -> tuple[Any, ...]:
+        return sb.Force(ground, 1, 0, 0, at=center, on=block).actions
+
+
 MISTAKES: list[tuple[Callable[[], object], str]] = [
+    (
+        assembled_otherwise,
+        (
+            "motor: phi of revolute P is at a place that moves in the body arm; expected a freedom of the mechanism "
+            "that these bodies belong to, not of one that was assembled otherwise"
+        ),
+    ),
+    (
+        lambda: Computed().projected(ground),
+        (
+            "project: Computed.actions is computed at each use; expected a cached_property, whose value can be "
+            "replaced by the projected actions"
+        ),
+    ),
+    (
+        lambda: sb.resultant([band, band], center),
+        "resultant: the load band is given twice; give it once",
+    ),
     (
         lambda: sb.air_force(center, on=block, density=0, drag_area=1),
         "air_force: density = 0, which leaves no force; expected a positive number",

@@ -40,6 +40,7 @@ from symbody import (
     rotate,
     screw,
     simulate,
+    spherical,
     symbols,
     t,
     time_derivative,
@@ -111,6 +112,11 @@ twins = System(twin, (), functions_of_time("s1 s2"))
 
 MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     (
+        errors.ModelError,
+        lambda: reaction(newton_euler(twins), [twin[0], twin[0]]),
+        "reaction: the body twin is given twice; give it once",
+    ),
+    (
         errors.JointError,
         lambda: four_bar.joint("D").coordinate,
         (
@@ -122,6 +128,14 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         errors.JointError,
         lambda: revolute("J", ground, a, limits=(1, 1)),
         f"revolute J: limits from 1 to 1, {FIXED}",
+    ),
+    (
+        errors.JointError,
+        lambda: spherical("J", ground, a, limits={"cone": (None, 30)}),
+        (
+            "spherical J: limits of cone hold 30; expected an angle between two axes, from 0 to pi, in rad, such as "
+            "(None, 0.5)"
+        ),
     ),
     (
         errors.JointError,

@@ -259,7 +259,7 @@ def test_what_has_no_formula() -> None:
         latex([x, model().system])
     assert str(caught.value) == (
         "latex: System(pendulum, 1 body, 1 load, 1 coordinate) is a System, which has no formula; expected "
-        "expressions, matrices, vectors, points, frames, bodies, forces, torques, or equations alone"
+        "expressions, matrices, vectors, points, frames, bodies, forces, torques, equations or linear models"
     )
     with pytest.raises(ArgumentError, match=r"^diff: ground is a Frame, which has no derivative"):
         diff([a, ground], a)

@@ -20,6 +20,7 @@ from symbody import (
     combined,
     describe,
     displaced,
+    friction,
     functions_of_time,
     ground,
     kinetic_energy,
@@ -235,3 +236,16 @@ def test_rotors_without_mass_add_their_inertias() -> None:
     both = combined([one, other])
     assert (both.mass, both.moments) == (0, (J1 + J3, J2 + J1, J3 + J1))
     assert kinetic_energy(both) == kinetic_energy(one) + kinetic_energy(other)
+
+
+def test_a_displaced_element_keeps_its_law_unless_its_line_is_another() -> None:
+    angle = functions_of_time("angle")
+    rotor = Body(rotate("Z", angle), 1, Iz=1)
+    brake = friction(angle, viscous=a, on=rotor)
+    assert displaced(brake, translate(1, 0, 0)).law == brake.law != {}
+    x = functions_of_time("x")
+    block = Body(translate(x, 0, 0), 1)
+    band = spring(block.center_of_mass, Point(ground, 0, 0, 0), a, on=block)
+    assert displaced(band, translate(1, 0, 0), frame=ground).law == band.law != {}
+    with pytest.warns(ModelNotice):
+        assert displaced(band, rotate("Z", pi / 2), frame=ground).law == {}

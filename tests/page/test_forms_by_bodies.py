@@ -22,12 +22,16 @@ from symbody import (
     symbols,
     translate,
 )
+from symbody.dynamics.display.like_terms import joined
+from symbody.models import spatial_arm
 from symbody.symbolic import Expr
 from symbody.symbolic.calculus.by_parameters import by_lengths, by_parameters
+from symbody.symbolic.calculus.reader import Reader
 from symbody.symbolic.calculus.squares import with_squares
 
 a, b, c, d, g, m, n = symbols("a b c d g m n")
 x, y = functions_of_time("x y")
+AS_IT_IS = Reader()
 
 
 def chain(axes: str, names: str, parameters: str) -> Equations:
@@ -99,3 +103,40 @@ def test_terms_by_lengths() -> None:
     found = by_lengths(nested, {m, n}, lambda form: form)
     assert found == nested
     assert str(found).count("(") == 1 + str(found).count("sin(")
+
+
+def test_parameters_of_proportional_factors_stand_together() -> None:
+    found = by_parameters(
+        m * a**2 * sin(x) + n * sin(x) - d * sin(x) + g * y, [m, n, d, g], lambda form: form
+    )
+    assert "(n - d + m*a**2)*sin(x)" in str(found)
+
+
+def test_an_elbow_arm_has_the_products_of_its_distances() -> None:
+    """[Murray, Li & Sastry 1994, ex. 4.3]: no angle `2*theta2 + theta3` beside the square in M."""
+    text = re.sub(r"\s+", " ", describe(newton_euler(spatial_arm().system)))
+    assert "2*theta2 +" not in text
+    assert "m3*(l1*s2 + r2*s23)*(l1*c2 + r2*c23) + (Iz2 - Iy2 + m2*r1**2)*s2*c2 + (Iz3 - Iy3)*s23*c23" in text
+
+
+@pytest.mark.parametrize("angles", ["p q", "first second", "zz aa"])
+def test_relative_angles_have_the_squares_of_their_sums(angles: str) -> None:
+    """A floating arm: `m*b*cos(p + q)*(p' + q')**2`, and the terms of the link in between apart."""
+    p, q = functions_of_time(angles)
+    hull = translate(x, y, 0) * rotate("Z", p)
+    hand = hull * translate(a, 0, 0) * rotate("Z", q) * translate(b, 0, 0)
+    equations = newton_euler(System([Body(hull, n, 0, 0, d), Body(hand, m)], [], [x, y, p, q]))
+    first, second, *_ = describe(equations).split(" = 0")
+    assert re.search(rf"- a\*m\*cos\({p}\)\*{p}'\*\*2", first)
+    assert re.search(rf"- b\*m\*cos\({p} \+ {q}\)\*\({p}' \+ {q}'\)\*\*2", first)
+    assert f"({p}' + {q}')**2" in second
+
+
+def test_differences_of_products_of_speeds_are_products() -> None:
+    """A cart on two wheels: the difference of the wheels' speeds stands before one of them."""
+    left, right = functions_of_time("left right")
+    terms = joined([(a * x, left * right), (-a * x, right**2), (b * y, left**2)], AS_IT_IS)
+    assert str(terms[0]).count("right") == 2
+    assert "**" not in str(terms[0])
+    (flat,) = joined([(2 * a * x, left * right), (a * x, right**2)], AS_IT_IS)
+    assert {"2*left*right", "right**2"} == set(re.findall(r"\((.*)\)", str(flat))[0].split(" + "))

@@ -272,3 +272,22 @@ def test_a_motorcycle_that_runs_straight() -> None:
     one, other = (simulate(each, model.parameters, model.initial, **start) for each in (full, reduced))
     for q in full.coordinates:
         assert_allclose(one[q], other[q], atol=1e-9)
+
+
+def test_independent_speeds_that_pass_a_dead_centre_are_told() -> None:
+    """The slide stands still at both dead centres, whatever the crank does; the crank determines the slide anywhere."""
+    full = newton_euler(slider_crank())
+    start, guess, numbers = {q1: 0.5, q1p: 12.0}, {s: 1.2}, NUMBERS | {k: 0.0}
+    by_crank, by_slide = (embedded(full, [time_derivative(speed)]) for speed in (q1, s))
+    fine = np.linspace(0, 0.4, 801)
+    right = simulate(by_crank, numbers, start, fine, guess=guess)  # no notice: they are errors here
+    with pytest.warns(ModelNotice, match="the motion passes positions") as told:
+        simulate(by_slide, numbers, start, (0, 0.4), guess=guess)
+    text, begin = str(told[0].message), "simulate: the motion passes positions (1, the first at about t = "
+    instant, rest = text.removeprefix(begin).split(" s) ")
+    assert float(instant) == pytest.approx(np.interp(np.pi, right[q1], right.t), abs=2e-3)
+    assert rest == (
+        "at which s' does not determine q1': the embedded equations divide by zero there, and the motion is less "
+        "accurate afterwards than its tolerances; choose other independent speeds, embedded(..., independent=[...]), "
+        "or simulate the equations with multipliers"
+    )

@@ -9,9 +9,12 @@ from symbody import (
     ModelNotice,
     Vector,
     assemble,
+    consistent_state,
     cylindrical,
+    equilibrium,
     free,
     ground,
+    inverse_dynamics,
     motor,
     newton_euler,
     planar,
@@ -21,10 +24,14 @@ from symbody import (
     rolling,
     simulate,
     simulate_many,
+    sin,
     spherical,
+    steady,
     stops,
     symbols,
+    t,
     time_derivative,
+    torsion_spring,
     universal,
 )
 from symbody.errors import JointError
@@ -253,3 +260,27 @@ def test_a_wheel_that_rolls_stops_where_it_lies_flat(crown: float, falls: bool):
         simulate(equations, {}, start, t=(0, 0.3))
     (end,) = simulate(equations, {}, start, t=(0, 0.3), events=stops(equations)).events
     assert (end.event.name, end.state[lean]) == ("K.theta.upper", pytest.approx(np.pi / 2))
+
+
+def test_positions_beyond_limits_are_told_wherever_they_are_found() -> None:
+    slide = prismatic("p", ground, LINK, axis="Z", limits=(-0.1, 0.1))
+    mechanism, s = assemble([slide]), slide.coordinate
+    spring = torsion_spring(s, a, on=mechanism.body(LINK))
+    equations = newton_euler(mechanism.system([spring], gravity=Vector(ground, 0, 0, -10)))
+    beyond = "prismatic p is beyond its limit by up to {}: limits exert no forces; expected positions within it, such "
+    beyond += "as those near another guess, or a load that models the stop"
+    instants = np.linspace(0, np.pi, 5)
+    for found, size in (
+        (lambda: equilibrium(equations, {a: 10.0}), 0.9),
+        (lambda: steady(equations, {a: 10.0}, given={}), 0.9),
+        (lambda: consistent_state(equations, {}, {s: 0.3}), 0.2),
+        (
+            lambda: inverse_dynamics(equations, {s: sin(t)}, parameters={a: 10.0}, t=instants),
+            0.9,
+        ),
+    ):
+        with pytest.warns(ModelNotice) as told:
+            found()
+        assert [str(each.message).partition(": ")[2] for each in told] == [beyond.format(f"{size:.3g}")]
+    equilibrium(equations, {a: 200.0})  # within the limits, and no notice: it would be an error here
+    consistent_state(equations, {}, {s: 0.1})

@@ -124,3 +124,35 @@ def test_commands_of_the_system_are_refused(statement: str) -> None:
 def test_long_sums_are_saved_and_read(tmp_path: Path) -> None:
     text = 'z := add(a||i*sin(b||i), i=1..3000): save z, "z.mpl": y := z: read "z.mpl": y - z;'
     assert printed(text, tmp_path) == ["0"]
+
+
+def test_an_error_in_a_file_that_is_read_shows_the_line_of_that_file(tmp_path: Path) -> None:
+    (tmp_path / "data.mpl").write_text("a := 1;\n\nb := [1, 2][a + 2];\n")
+    (message,) = failures('x := 1: read "data.mpl";', tmp_path)
+    assert message == (
+        'in "data.mpl", line 3, column 6: the index 3 is out of range; expected one from 1 to 2\n'
+        "  b := [1, 2][a + 2];\n       ^"
+    )
+
+
+def test_a_mistake_in_a_file_that_is_read_shows_the_line_of_that_file(tmp_path: Path) -> None:
+    (tmp_path / "data.mpl").write_text("a := 1;\nb := 2 +* 3;\n")
+    (message,) = failures('read "data.mpl";', tmp_path)
+    assert message.startswith('in "data.mpl", line 2, column 9: found ')
+
+
+def test_an_error_in_a_procedure_tells_where_this_is_written(tmp_path: Path) -> None:
+    """One of a file that was read, called by the sheet; and one of the sheet, called by a file."""
+    (tmp_path / "lib.mpl").write_text("# a library\nf := proc(i)\n  [1, 2][i]\nend proc:\n")
+    (tmp_path / "call.mpl").write_text("g(3);\n")
+    found = failures('read "lib.mpl": f(3); g := i ->\n[1, 2][i]: read "call.mpl";', tmp_path)
+    assert found[0].startswith('(in f) in "lib.mpl", line 3, column 3: the index 3 is out of range')
+    assert found[1].startswith('in "call.mpl", line 1, column 1: (in g) the index 3 is out of range')
+    assert "(line 2 of the worksheet)" in found[1]
+
+
+def test_the_description_of_a_procedure_is_saved(tmp_path: Path) -> None:
+    printed('p := proc(a) local b; description "twice", "a"; b := 2*a; b end: save p, "p.mpl";', tmp_path)
+    text = 'p := proc (a) local b; description "twice", "a"; b := 2*a; b end proc;\n'
+    assert (tmp_path / "p.mpl").read_text() == text
+    assert printed('read "p.mpl": p(3);', tmp_path) == ["6"]

@@ -68,6 +68,19 @@ def test_xml_that_is_cut(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> 
     assert "the worksheet is not complete XML" in capsys.readouterr().err
 
 
+def test_a_sheet_of_which_no_input_can_be_read(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Its formulas have an encoding that isn't known; one statement as text makes it readable."""
+    formula = '<Text-field><Equation executable="true" style="2D Input" input-equation="">LUk=</Equation></Text-field>'
+    text = '<Text-field style="Maple Input">a := 1;</Text-field>'
+    sheet = "<Worksheet><Group><Input>{}</Input></Group></Worksheet>"
+    assert run(tmp_path, sheet.format(formula), name="sheet.mw") == 3
+    found = capsys.readouterr()
+    assert "1 statement, 1 failed" in found.out
+    assert "no input could be read" in found.err
+    assert run(tmp_path, sheet.format(formula + text), name="sheet.mw") == 1
+    assert "2 statements, 1 failed" in capsys.readouterr().out
+
+
 def test_verbose_shows_remarks_and_width_cuts(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert run(tmp_path, "s := a+b+c+d+e+f; the sum\n", "--verbose", "--width", "10") == 0
     assert capsys.readouterr().out.splitlines()[:2] == ["s := a+...", "Remark, line 1: the sum"]

@@ -19,28 +19,26 @@ INDEPENDENT, DEPENDENT = (1, 3, 4), (0, 2, 5)
 def mass_matrix_and_bias(wheels: int) -> list[Expression]:
     """Return M and the bias of the independent equations, then those of the constraints, by rows."""
     ground = me.ReferenceFrame("N")
-    q = me.dynamicsymbols("psi phi theta delta rear front")
-    u = me.dynamicsymbols("u1 u2 theta' delta' rear' front'")
     if wheels == 1:
-        used: Sequence[int] = (0, 1, 4)
-        heading, roll = _plane(ground, q)
-        rear = roll.orientnew("R", "Axis", (q[4], roll.y))
-        _set_speeds(ground, (heading, roll, rear), q, u)
-        bodies, slip = [_rear_wheel(ground, roll, rear, roll)], None
-        independent, dependent = [u[k] for k in used], None
+        q = me.dynamicsymbols("psi theta phi")
+        u = me.dynamicsymbols("omega_yaw omega_lean phi'")
+        bodies, upwards, slip = [_disc(ground, q, u)], ground.z, None
+        independent, dependent = u, None
     else:
-        used = range(6)
+        q = me.dynamicsymbols("yaw lean pitch steer rear_angle front_angle")
+        u = me.dynamicsymbols("omega_yaw omega_lean pitch' steer' rear_angle' front_angle'")
         bodies, slip = _bicycle(ground, q, u)
+        upwards = -ground.z
         independent, dependent = [u[k] for k in INDEPENDENT], [u[k] for k in DEPENDENT]
     equations = me.KanesMethod(
         ground,
-        q_ind=[q[k] for k in used],
+        q_ind=q,
         u_ind=independent,
         u_dependent=dependent,
         velocity_constraints=slip,
-        kd_eqs=[q[k].diff(me.dynamicsymbols._t) - u[k] for k in used],
+        kd_eqs=[each.diff(me.dynamicsymbols._t) - speed for each, speed in zip(q, u, strict=True)],
     )
-    weights = [(body.masscenter, body.mass * sympy.Symbol("g") * ground.z) for body in bodies]
+    weights = [(body.masscenter, -body.mass * sympy.Symbol("g") * upwards) for body in bodies]
     equations.kanes_equations(bodies, weights)
     return [*equations.mass_matrix, *(-equations.forcing)]
 
@@ -60,12 +58,23 @@ def _set_speeds(
         frame.set_ang_vel(ground, frame.ang_vel_in(ground).subs(known))
 
 
-def _rear_wheel(ground: Expression, roll: Expression, wheel: Expression, axes: Expression) -> Expression:
-    """Return the wheel above its contact, about which it turns; z points down."""
-    rR, mR, Rx, Ry = sympy.symbols("rR mR IRxx IRyy")
-    hub = me.Point("P").locatenew("Rc", -rR * roll.z)
-    hub.set_vel(ground, me.cross(wheel.ang_vel_in(ground), -rR * roll.z))
-    return me.RigidBody("rear", hub, wheel, mR, (me.inertia(axes, Rx, Ry, Rx), hub))
+def _disc(ground: Expression, q: list[Expression], u: list[Expression]) -> Expression:
+    """Return the disc; z points up."""
+    m, r, A, C = sympy.symbols("m r A C")
+    heading, roll = _plane(ground, q)
+    disc = roll.orientnew("R", "Axis", (q[2], roll.y))
+    _set_speeds(ground, (heading, roll, disc), q, u)
+    return _wheel(ground, roll, disc, r, (m, A, C))
+
+
+def _wheel(
+    ground: Expression, roll: Expression, wheel: Expression, height: Expression, inertia: Sequence[Expression]
+) -> Expression:
+    """Return the wheel above its contact, about which it turns."""
+    m, across, along = inertia
+    hub = me.Point("P").locatenew("Rc", height * roll.z)
+    hub.set_vel(ground, me.cross(wheel.ang_vel_in(ground), height * roll.z))
+    return me.RigidBody("rear", hub, wheel, m, (me.inertia(roll, across, along, across), hub))
 
 
 def _bicycle(
@@ -75,14 +84,14 @@ def _bicycle(
     w, c, tilt, rR, rF, xB, zB, xH, zH = sympy.symbols("w c lam rR rF xB zB xH zH")
     heading, roll = _plane(ground, q)
     frame = roll.orientnew("C", "Axis", (q[2], roll.y))
-    rear = frame.orientnew("R", "Axis", (q[4], frame.y))
+    rear = roll.orientnew("R", "Axis", (q[4], roll.y))
     column = frame.orientnew("L", "Axis", (tilt, frame.y))
     turned = column.orientnew("D", "Axis", (q[3], column.z))
     fork = turned.orientnew("H", "Axis", (-tilt, turned.y))
     front = fork.orientnew("F", "Axis", (q[5], fork.y))
     _set_speeds(ground, (heading, roll, frame, rear, column, turned, fork, front), q, u)
 
-    rear_wheel = _rear_wheel(ground, roll, rear, frame)
+    rear_wheel = _wheel(ground, roll, rear, -rR, sympy.symbols("mR IRxx IRyy"))
     hub = rear_wheel.masscenter
     center = hub.locatenew("Bc", xB * frame.x + (zB + rR) * frame.z)
     center.v2pt_theory(hub, ground, frame)
@@ -95,7 +104,7 @@ def _bicycle(
     tilted = me.dot(ground.z, fork.y)
     touch = axle.locatenew("Q", rF * (ground.z - tilted * fork.y) / sympy.sqrt(1 - tilted**2))
     touch.v2pt_theory(axle, ground, front)
-    slip = [me.dot(touch.vel(ground), axis) for axis in fork]
+    slip = [me.dot(touch.vel(ground), axis) for axis in turned]
 
     mB, mH, mF, Fx, Fy = sympy.symbols("mB mH mF IFxx IFyy")
     Bx, By, Bz, Bxz = sympy.symbols("IBxx IByy IBzz IBxz")

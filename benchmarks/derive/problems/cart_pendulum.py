@@ -5,7 +5,6 @@ from __future__ import annotations
 from ..by_hand import cart_pendulum as by_hand
 from ..by_hand import lagrange
 from ..by_kane import cart_pendulum as by_kane
-from ..by_kane.rename import speeds_as_rates
 from ..by_symbody import cart_pendulum as by_symbody
 from ..by_symbody.formalism import FORMALISMS, mass_matrix_and_bias
 from ..engines import CASADI, SYMBODY, SYMENGINE, SYMPY, Algebra, Expression
@@ -28,14 +27,14 @@ PROBLEM = Problem(
     title="Pendulum of n links on a cart",
     statement=(
         "In the plane, absolute angles, point masses at the joints; all parameters symbolic. "
-        'symbody\'s model is a chain, `rotate("Z", q[i] - q[i - 1]) * translate(0, l[i], 0)` for each link. '
+        "symbody's model is `models.cart_pole(n, point_masses=True)`. "
         "Outputs: mass matrix (upper triangle) and bias."
     ),
     sizes=(3, 5, 10, 20, 30, 60),
     quick_sizes=(3,),
     contenders=(
         *map(_symbody, FORMALISMS),
-        Contender(SYMPY, "Kane", by_kane.mass_matrix_and_bias, largest=20, rename=speeds_as_rates),
+        Contender(SYMPY, "Kane", by_kane.mass_matrix_and_bias, largest=20, rename=by_kane.named),
         _by_hand(SYMPY, largest=10),
         _by_hand(SYMENGINE, largest=30),
         _by_hand(CASADI),

@@ -25,8 +25,9 @@ PROBLEM = Problem(
         "In space, the Carvallo-Whipple bicycle in the parameters of Meijaard and others (2007): four bodies, eight "
         "coordinates, six speeds. The rear wheel rolls by the choice of the speeds. The front contact is at rest: "
         "three constraints on velocities, by which yaw, pitch and the spin of the front wheel follow from the other "
-        "three speeds. The disc is the rear wheel alone. All parameters symbolic. Outputs: M and bias of the "
-        "independent equations, in all accelerations and without multipliers, and the same of the constraints."
+        "three speeds. symbody's models are `models.rolling_disc` and `models.bicycle`, with `quasi_velocities=True`. "
+        "All parameters symbolic. Outputs: M and bias of the independent equations, in all accelerations and without "
+        "multipliers, and the same of the constraints."
     ),
     sizes=(1, 2),
     quick_sizes=(1,),

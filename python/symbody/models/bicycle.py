@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from math import pi as half_turn
 
 from symbody.geometry import Vector, ground, rotate, translate
-from symbody.multibody import Link, Torque, assemble, revolute, rolling
-from symbody.symbolic import functions_of_time, pi, symbols, time_derivative
+from symbody.multibody import Link, System, Torque, assemble, revolute, rolling
+from symbody.symbolic import Expr, functions_of_time, pi, symbols, time_derivative
 
+from .bicycle_by_speeds import bicycle_by_speeds
 from .classic_system import ClassicSystem
+from .hub import HUB_SPEEDS
 
 _NUMBERS = {
     "w": 1.02,
@@ -40,7 +43,7 @@ _NUMBERS = {
 }
 
 
-def bicycle() -> ClassicSystem:
+def bicycle(*, quasi_velocities: bool = False) -> ClassicSystem:
     """Return the Carvallo-Whipple bicycle with its rider: a frame, a fork, and two wheels that roll.
 
     x points forward, y to the right and z down. The coordinates are the contact of the rear wheel, yaw, lean and pitch
@@ -48,11 +51,34 @@ def bicycle() -> ClassicSystem:
     closes it. The inputs are torques for the lean and the steering. Upright, it is stable between 4.292 and 6.024 m/s.
     The numbers are those of the benchmark in the source.
 
+    With quasi-velocities, the rear wheel rolls by the choice of its speeds, those of yaw, lean and spin. Three
+    constraints are left, which hold the contact point of the front wheel, its height by the velocity too.
+
     >>> from symbody import newton_euler
     >>> len(newton_euler(bicycle().system).constraints)
     5
+    >>> len(newton_euler(bicycle(quasi_velocities=True).system).constraints)
+    3
     """
     p = {name: symbols(name) for name in _NUMBERS}
+    names = "x y yaw lean steer rear_angle front_angle T_lean T_steer"
+    x, y, yaw, lean, steer, rear_angle, front_angle, lean_torque, steer_torque = functions_of_time(names)
+    system = bicycle_by_speeds(p) if quasi_velocities else _by_joints(p)
+    leaning = HUB_SPEEDS[1] if quasi_velocities else time_derivative(lean)
+    speed = 4.6
+    return ClassicSystem(
+        system,
+        "Meijaard, Papadopoulos, Ruina & Schwab, Linearized dynamics equations for the balance and steer of a bicycle,"
+        " Proc. R. Soc. A 463 (2007), p. 1955",
+        {p[name]: value for name, value in _NUMBERS.items()},
+        dict.fromkeys((x, y, yaw, lean, steer, rear_angle, front_angle), 0.0)
+        | {time_derivative(rear_angle): -speed / 0.3, leaning: 0.5, time_derivative(steer): 0.0},
+        {lean_torque: 0.0, steer_torque: 0.0},
+    )
+
+
+def _by_joints(p: Mapping[str, Expr]) -> System:
+    """Return the bicycle whose wheels are rolling joints, by the values of its parameters."""
     w, c, tilt, rear_radius, front_radius = (p[name] for name in ("w", "c", "lam", "rR", "rF"))
     x, y, yaw, lean, pitch, steer, rear_angle, front_angle, lean_torque, steer_torque = functions_of_time(
         "x y yaw lean pitch steer rear_angle front_angle T_lean T_steer"
@@ -98,17 +124,4 @@ def bicycle() -> ClassicSystem:
         ),
     ]
     weight = Vector(ground, 0, 0, p["g"])
-    speed = 4.6
-    return ClassicSystem(
-        made.system(loads, gravity=weight, inputs=[lean_torque, steer_torque], name="Bicycle"),
-        "Meijaard, Papadopoulos, Ruina & Schwab, Linearized dynamics equations for the balance and steer of a bicycle,"
-        " Proc. R. Soc. A 463 (2007), p. 1955",
-        {p[name]: value for name, value in _NUMBERS.items()},
-        dict.fromkeys((x, y, yaw, lean, steer, rear_angle, front_angle), 0.0)
-        | {
-            time_derivative(rear_angle): -speed / 0.3,
-            time_derivative(lean): 0.5,
-            time_derivative(steer): 0.0,
-        },
-        {lean_torque: 0.0, steer_torque: 0.0},
-    )
+    return made.system(loads, gravity=weight, inputs=[lean_torque, steer_torque], name="Bicycle")

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from symbody.errors import ModelError
-from symbody.geometry import Vector, ground
-from symbody.multibody import Link, assemble, friction, motor, prismatic, revolute
+from symbody.geometry import Vector, ground, rotate, translate
+from symbody.multibody import Body, Link, System, assemble, friction, motor, prismatic, revolute
 from symbody.multibody.joint.joint import Joint, Part
 from symbody.multibody.joint.link import Place
 from symbody.symbolic import Expr, functions_of_time, number, symbols
@@ -59,17 +59,24 @@ def n_pendulum(n: int = 2) -> ClassicSystem:
     )
 
 
-def cart_pole(n: int = 1) -> ClassicSystem:
+def cart_pole(n: int = 1, *, point_masses: bool = False) -> ClassicSystem:
     """Return a cart with a pole of n links, by their angles from the vertical, upwards and clockwise.
 
     Link k has its centre of mass at the distance a_k, and carries the next one at l_k. The input F pushes the cart. The
     numbers are those of the tutorial, for further links too.
 
+    With point masses, link k is a rod without mass, of the length l_k, with m_k on its end. Nothing pushes or brakes
+    the cart, and all numbers are 1 in SI units, but for g.
+
     >>> from symbody import newton_euler
     >>> newton_euler(cart_pole().system)
     Equations(2 equations of motion, 0 constraints, coordinates x, theta1)
+    >>> newton_euler(cart_pole(2, point_masses=True).system).mass_matrix[1, 2]
+    l1*l2*m2*sin(theta1)*sin(theta2) + l1*l2*m2*cos(theta1)*cos(theta2)
     """
     check_count("cart_pole", n)
+    if point_masses:
+        return _points_on_a_cart(n)
     masses, arms, lengths, inertias = indexed("m a l I", n)
     M, b, g = symbols("M b g")
     x, F = functions_of_time("x F")
@@ -97,6 +104,25 @@ def cart_pole(n: int = 1) -> ClassicSystem:
         parameters,
         dict.fromkeys(angles, 0.1),
         {F: 0.0},
+    )
+
+
+def _points_on_a_cart(n: int) -> ClassicSystem:
+    masses, lengths = indexed("m l", n)
+    M, g = symbols("M g")
+    x, angles = functions_of_time("x"), _angles(n)
+    frame, before = translate(x, 0, 0), number(0)
+    bodies = [Body(frame, M, name="cart")]
+    for k, (m, l, angle) in enumerate(zip(masses, lengths, angles, strict=True), start=1):
+        frame = frame * rotate("Z", before - angle) * translate(0, l, 0)
+        bodies.append(Body(frame, m, name=f"mass {k}"))
+        before = angle
+    weight = Vector(ground, 0, -g, 0)
+    return ClassicSystem(
+        System(bodies, (), [x, *angles], gravity=weight, name="Cart with a pole of point masses"),
+        "SymPy, sympy.physics.mechanics.models.n_link_pendulum_on_cart, whose angles count the other way",
+        dict.fromkeys((M, *masses, *lengths), 1.0) | {g: 9.81},
+        dict.fromkeys(angles, 0.1),
     )
 
 

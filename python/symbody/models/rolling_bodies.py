@@ -17,27 +17,41 @@ from symbody.multibody import Body, Constraint, Link, System, assemble, rolling
 from symbody.symbolic import functions_of_time, sqrt, symbols, time_derivative
 
 from .classic_system import ClassicSystem
+from .hub import HUB_SPEEDS, hub
 
 
-def rolling_disc() -> ClassicSystem:
+def rolling_disc(*, thin: bool = True, quasi_velocities: bool = False) -> ClassicSystem:
     """Return a thin disc that rolls on a level plane: its contact at x and y, heading psi, lean theta and spin phi.
 
-    The numbers are typical, and not from the source.
+    A wheel that is not a thin disc has the moments of inertia A about a diameter and C about its axis as parameters.
+    With quasi-velocities, it rolls by the choice of its speeds, which are those of yaw, lean and spin, and there are no
+    constraints. The numbers are typical, and not from the source.
 
     >>> from symbody import newton_euler
     >>> newton_euler(rolling_disc().system)
     Equations(5 equations of motion, 2 constraints, coordinates x, y, psi, theta, phi)
+    >>> newton_euler(rolling_disc(quasi_velocities=True).system).speeds
+    (omega_yaw, omega_lean, phi')
     """
-    m, r, g = symbols("m r g")
+    m, r, A, C, g = symbols("m r A C g")
     coordinates = functions_of_time("x y psi theta phi")
-    disc = Link("disc", m, m * r**2 / 4, m * r**2 / 2, m * r**2 / 4)
-    mechanism = assemble([rolling("contact", ground, disc, radius=r, coordinates=coordinates)])
-    _, _, psi, theta, phi = coordinates
+    *pose, phi = coordinates
+    _, _, psi, theta = pose
+    across, along = (m * r**2 / 4, m * r**2 / 2) if thin else (A, C)
+    inertia = (m, across, along, across)
+    weight, name, turning = Vector(ground, 0, 0, -g), "Rolling disc", time_derivative(psi)
+    if quasi_velocities:
+        disc = Body(hub(pose, r, time_derivative(phi)) * rotate("Y", phi), *inertia, name="disc")
+        system = System([disc], (), [phi], gravity=weight, speeds=HUB_SPEEDS, name=name)
+        turning, _ = HUB_SPEEDS
+    else:
+        contact = rolling("contact", ground, Link("disc", *inertia), radius=r, coordinates=coordinates)
+        system = assemble([contact]).system(gravity=weight, name=name)
     return ClassicSystem(
-        mechanism.system(gravity=Vector(ground, 0, 0, -g), name="Rolling disc"),
+        system,
         "Neimark & Fufaev, Dynamics of Nonholonomic Systems, AMS 1972",
-        {m: 2.0, r: 0.25, g: 9.81},
-        {theta: 0.3, time_derivative(psi): 2.0, time_derivative(phi): 5.2},
+        {m: 2.0, r: 0.25, g: 9.81} | ({} if thin else {A: 0.04, C: 0.08}),
+        {theta: 0.3, turning: 2.0, time_derivative(phi): 5.2},
     )
 
 

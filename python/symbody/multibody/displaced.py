@@ -12,7 +12,7 @@ from symbody.geometry.given.argument import checked
 from symbody.symbolic.given.arguments import brief
 
 from .body import Body
-from .element.element import Element
+from .element.element import Element, is_along_line
 from .load import Action, Force, Load, Torque, power
 
 Thing = TypeVar("Thing", bound=Point | Vector | Body | Load)
@@ -84,7 +84,10 @@ def _load(load: Load, motion: Frame, frame: Frame | None) -> Load:
 
 
 def _element(element: Element, actions: Sequence[Action]) -> Element:
-    """Return an element with displaced actions; its potential is that of the actions where they were."""
+    """Return an element with displaced actions; its potential is that of the actions where they were.
+
+    So is the law of a force along a line, which is another line afterwards.
+    """
     more: dict[str, Any] = {
         "states": element.states,
         "quantities": element.quantities,
@@ -95,9 +98,13 @@ def _element(element: Element, actions: Sequence[Action]) -> Element:
         "positive": element.positive,
     }
     moved = Element(element.kind, actions, **more)
+    keeps_power = power(moved) == power(element)
+    if keeps_power or not is_along_line(element):
+        more["law"] = element.law
+        moved = Element(element.kind, actions, **more)
     if element.potential is None:
         return moved
-    if power(moved) == power(element):
+    if keeps_power:
         return Element(element.kind, actions, potential=element.potential, **more)
     notify(
         f"displaced: {brief(element)} has no potential energy any more, as its actions have another power where they "

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from math import inf
 from textwrap import wrap
-from typing import Annotated, Protocol, TypeAlias, runtime_checkable
+from typing import Annotated, Any, Protocol, TypeAlias, runtime_checkable
 
 from symbody.errors import ModelError
 from symbody.geometry import Frame, Point, Vector
@@ -15,6 +15,8 @@ from symbody.geometry.given.argument import checked
 from symbody.symbolic import Expr, Matrix, cost, free_symbols, time_derivative
 from symbody.symbolic.calculus.reader import Reader
 from symbody.symbolic.calculus.shown_form import shown_form
+from symbody.symbolic.expression.container import text_of
+from symbody.symbolic.expression.text_layout import hanging, listed
 from symbody.symbolic.given.arguments import brief, counted
 
 from .body import Body
@@ -29,9 +31,40 @@ class Described(Protocol):
     def description(self) -> str: ...
 
 
+@runtime_checkable
+class Tabled(Protocol):
+    """A thing that a notebook shows as a table, such as a motion; as text, it is what it prints."""
+
+    def _repr_html_(self) -> str | None: ...
+
+
+@runtime_checkable
+class Array(Protocol):
+    """An array of NumPy, which isn't loaded for this."""
+
+    flat: Any
+    ndim: int
+
+
 Shown: TypeAlias = Annotated[
-    Frame | Point | Vector | Body | Load | System | Described | Expr | Matrix,
-    "a frame, point, vector, body, load, system, equations of motion, an expression or a matrix",
+    Frame
+    | Point
+    | Vector
+    | Body
+    | Load
+    | System
+    | Described
+    | Tabled
+    | Expr
+    | int
+    | float
+    | Matrix
+    | list[object]
+    | tuple[object, ...]
+    | dict[object, object]
+    | Array,
+    "an expression, a frame, point, vector, matrix, body, load, system, equations of motion, or what holds them: "
+    "a list, a tuple, a dictionary, an array",
 ]
 
 
@@ -40,12 +73,16 @@ def show(thing: Shown, *, synthetic: bool = False) -> None:
     """Print an object with all its fields.
 
     Args:
-        thing: a frame, point, vector, body, load, system, equations of motion, or an expression.
+        thing: an expression, a frame, point, vector, matrix, body, load, system or equations of motion; a list, a tuple
+            or a dictionary of these; or what a notebook shows as a table, such as a motion.
         synthetic: whether to print frames by their names alone.
 
     >>> from symbody import Point, ground, show
     >>> show(Point(ground, 1, 2, 0, name="A"))
     A = POINT(frame = ground, coords = [1, 2, 0])
+    >>> show({"x": 1, "places": [2, 3]})
+    x = 1
+    places = [2, 3]
     """
     sys.stdout.write(describe(thing, synthetic=synthetic) + "\n")
 
@@ -55,14 +92,20 @@ def describe(thing: Shown, *, synthetic: bool = False) -> str:
     """Return what `show` prints.
 
     Args:
-        thing: a frame, point, vector, body, load, system, equations of motion, or an expression.
+        thing: an expression, a frame, point, vector, matrix, body, load, system or equations of motion; a list, a tuple
+            or a dictionary of these; or what a notebook shows as a table, such as a motion.
         synthetic: whether to show frames by their names alone.
 
     >>> from symbody import Vector, describe, ground
     >>> describe(Vector(ground, 1, 2, 0, name="v"))
     'v = VECTOR(frame = ground, comps = [1, 2, 0])'
     """
-    return _described(thing, _Style(synthetic))
+    style = _Style(synthetic)
+    return (
+        _described(thing, style)
+        if isinstance(thing, Point | Vector | Body | Load)
+        else _laid_out(thing, style)
+    )
 
 
 @dataclass(frozen=True)
@@ -82,15 +125,24 @@ class _Style:
         return min(str(value), str(self.reader(value)), key=len)
 
 
+def _laid_out(thing: Shown, style: _Style) -> str:
+    """Return a thing as text in lines that are no longer than a page is wide, as far as that is possible."""
+    if isinstance(thing, Point | Vector | Body | Load):
+        head = f"{thing.name} = " if thing.name else ""
+        texts = [f"{field} = {value}" for field, value in _fields(thing, style)]
+        return listed(texts, f"{head}{type(thing).__name__.upper()}(", ")")
+    text = text_of(thing, lambda part: _laid_out(part, style))
+    if text is not None:
+        return text
+    return hanging(str(shown_form(thing))) if isinstance(thing, Expr) else _described(thing, style)
+
+
 def _described(thing: Shown, style: _Style) -> str:
+    """Return a thing as text; other things than systems and equations on one line."""
     if isinstance(thing, Described):
         return thing.description()
     if isinstance(thing, System):
         return _system(thing, style)
-    if isinstance(thing, Expr):
-        return str(shown_form(thing))
-    if isinstance(thing, Matrix):
-        return str(thing.map(shown_form))
     name = getattr(thing, "name", "")
     fields = _fields(thing, style)
     if not fields:

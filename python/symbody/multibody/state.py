@@ -196,8 +196,10 @@ def check_constraints(
     for place, constraint in enumerate(constraints):
         leaves = [leaf for leaf in constraint.condition.free_symbols if leaf.kind == "time_function"]
         held = sorted((leaf for leaf in leaves if leaf.name in by_name), key=str)
+        if not held:
+            continue
         named = f"{where}: constraint {place + 1}, {constraint},"
-        if held and place in on_positions:
+        if place in on_positions:
             raise ConstraintError(
                 f"{named} holds the state {held[0].name}; {_NO_ACCELERATION}; expected states in loads and in "
                 "constraints on velocities: give the rate of the constraint, or model the drive as a coordinate"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import base64
 import os
 from pathlib import Path
 
@@ -232,24 +231,6 @@ def test_words_are_output_where_one_is_missing(value: str) -> None:
     assert cell.printed == (value,)
     assert source_cells(f"> is(m, a-b);\n\nfalse\n\n{value}\n")[0].printed[:1] == ("false",)
     assert source_cells("> is(m, a-b):\n\nm\n")[0].printed == ()
-
-
-FORMULA = (
-    '<Worksheet><Group><Input><Text-field style="2D Input"><Equation executable="true" style="2D Input" '
-    'input-equation="">{}</Equation></Text-field></Input></Group></Worksheet>'
-)
-
-
-@pytest.mark.parametrize(("text", "count"), [("x", 1), ("", 0)])
-def test_input_that_is_stored_as_a_formula_is_a_mistake(text: str, count: int) -> None:
-    length = chr(33 + len(text))
-    stored = f"-I%mrowG6#/I+modulenameG6\"I,TypesettingGI(_syslibGF'6#-I#miGF$6%Q{length}{text}F'/%'italicG"
-    cells = source_cells(FORMULA.format(base64.b64encode(stored.encode()).decode()))
-    found = [each for cell in cells for each in statements(cell)]
-    assert len(found) == count
-    for each in found:
-        assert isinstance(each, SyntaxMistake)
-        assert "convert it to 1-D Math Input" in each.message
 
 
 def test_code_in_a_field_of_text() -> None:

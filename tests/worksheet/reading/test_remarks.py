@@ -34,6 +34,12 @@ CASES = [
     ("for i to 3 do w[i] := i^2;  squares\nod;", ["For"], ["squares"]),
     ("for i to 3 do w := i^2;  w\nod;", ["For"], []),
     ("a := b^2: square of it; c := 4;", ["Assignment", "Assignment"], ["square of it;"]),
+    ("f := sin(q)  (sine of q)\n;\nB := 3;", ["Assignment"] * 2, ["(sine of q)"]),
+    ("f := sin(q) (sine of q)(t);", ["SyntaxMistake"], []),
+    ("f := sin(q)(sine of q);", ["SyntaxMistake"], []),
+    ("y := x1 + the offset\n x2; B := 3;", ["Assignment"] * 2, ["the offset"]),
+    ("y := x1 + the offset;", ["SyntaxMistake"], []),
+    ("!ls\nB := 3;", ["SyntaxMistake", "Assignment"], []),
     # It isn't one where it is complete, or where the next line completes it.
     ("show(AB); crank;", ["Evaluation", "Evaluation"], []),
     ("show(AB); B := [x,\ny];", TWO, []),

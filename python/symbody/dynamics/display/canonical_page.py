@@ -13,9 +13,9 @@ from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.expression.latex_layout import ARTICLE, aligned, broken
 from symbody.symbolic.given.arguments import counted
 
+from .determinant import over_determinant, printed_rows
 from .page import indented, shorter
 from .reader_of import reader_of
-from .row import printed, written
 from .short_names import Definition, shortened
 
 _ADVICE = "Too long to be read at once. One of them: readable(canonical.rates[time_derivative(canonical.momenta[0])])."
@@ -70,18 +70,19 @@ class CanonicalPage:
 
     def _named_rows(self, notation: str) -> tuple[list[Definition], list[str]]:
         """Return named quantities, and the right sides of all rows."""
-        rows = [self._terms(value) for value in (self.hamiltonian, *self.rates.values())]
-        rows += [(shorter(constraint, self._reader),) for constraint in self.system.constraints]
-        definitions, texts = printed([term for row in rows for term in row], notation, self.system)
-        remaining = iter(texts)
-        return shortened([written(next(remaining) for _ in row) for row in rows], (), definitions, notation)
+        values = [self._terms(value) for value in (self.hamiltonian, *self.rates.values())]
+        rows = [tuple(map(self._reader, row)) for row in values]
+        constraints = [(shorter(constraint, self._reader),) for constraint in self.system.constraints]
+        divided = over_determinant(values, self.system, self._reader)
+        definitions, texts = printed_rows(rows, divided, notation, self.system, constraints)
+        return shortened(texts, (), definitions, notation)
 
     def _terms(self, value: Expr) -> tuple[Expr, ...]:
-        """Return the terms of momenta, of positions alone, and of multipliers, each in its form for the reader."""
+        """Return the terms of momenta, of positions alone, and of multipliers."""
         without = value.subs(dict.fromkeys(self.system.multipliers, 0))
         at_rest = without.subs(dict.fromkeys(self.system.speeds, 0))
         parts = (without - at_rest, at_rest, value - without)
-        return tuple(self._reader(part) for part in parts if not part.is_zero)
+        return tuple(part for part in parts if not part.is_zero)
 
     @cached_property
     def _reader(self) -> Reader:

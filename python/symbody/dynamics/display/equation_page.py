@@ -31,6 +31,9 @@ class EquationPage:
     balance: Balance
     named: tuple[tuple[Expr, Expr], ...] = ()
 
+    def __repr__(self) -> str:
+        return f"EquationPage(equation of motion of {self.speed})"
+
     def description(self) -> str:
         """Return the equation line by line, after the quantities that have names: what `show` prints."""
         return "\n".join([f"EQUATION OF MOTION of {self.speed}", *lines_of(self.texts)])

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
+from itertools import permutations
 
 from symbody.symbolic import Expr, number
 from symbody.symbolic.calculus.reader import Reader
+from symbody.symbolic.calculus.squares import with_squares
 
 from .degree import Product
 
@@ -35,15 +37,47 @@ def joined(products: Iterable[Product], reader: Reader, *, by_sign_only: bool = 
                 break
         else:
             groups.append((coefficient, [(number(1), factor)]))
-    return [_product(common, members, reader) for common, members in groups]
+    terms = [_joined(common, members) for common, members in groups]
+    return [reader(common) * _short(total, reader) for common, total in _with_sums_squared(terms, reader)]
 
 
-def _product(common: Expr, members: list[Product], reader: Reader) -> Expr:
+def _joined(common: Expr, members: list[Product]) -> Product:
     if any(ratio.ratio[1] != 1 for ratio, _ in members):
         common, members = common / 2, [(2 * ratio, factor) for ratio, factor in members]
-    total = sum((ratio * factor for ratio, factor in members), start=number(0))
-    coefficient = reader(common)
-    if len(members) == 1:
-        return coefficient * total
+    return common, sum((ratio * factor for ratio, factor in members), start=number(0))
+
+
+def _short(total: Expr, reader: Reader) -> Expr:
+    """Return the form of a sum of products of speeds: flat, or a product if that is much shorter.
+
+    A difference is a product where they have a speed in common: ``(v1' - v2')*v1'``, but ``2*q1'*q2' + q2'**2``.
+    """
+    if total.kind in {"power", "time_function"}:
+        return total
     form = reader(total)
-    return coefficient * (form if reader.length(form) < _SQUARE * reader.length(total) else total)
+    is_difference = form.kind == "product" and "-" in str(form)
+    shorter = reader.length(form) / reader.length(total)
+    return form if shorter < (1 if is_difference else _SQUARE) else total
+
+
+def _with_sums_squared(terms: list[Product], reader: Reader) -> list[Product]:
+    """Return ``(A - B)*u**2 + B*(u + v)**2`` for ``A*u**2 + B*(2*u*v + v**2)`` where it is shorter.
+
+    The sums are the rates of the angles to which several relative angles add up.
+    """
+    for first, second in permutations(range(len(terms)), 2):
+        (a, square), (b, rest) = terms[first], terms[second]
+        for sign in (1, -1):
+            whole = with_squares(square + sign * rest)
+            if square.kind == whole.kind == "power" and rest.kind == "sum":
+                before = [(a, square), (b, rest)]
+                after = [(a - sign * b, square), (sign * b, whole)]
+                if _length(after, reader) < _length(before, reader):
+                    changed = dict(zip((first, second), after, strict=True))
+                    made = [changed.get(place, term) for place, term in enumerate(terms)]
+                    return _with_sums_squared([each for each in made if not each[0].is_zero], reader)
+    return terms
+
+
+def _length(terms: Sequence[Product], reader: Reader) -> int:
+    return sum(reader.length(reader(a)) + reader.length(b) for a, b in terms if not a.is_zero)

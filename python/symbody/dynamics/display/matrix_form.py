@@ -15,6 +15,7 @@ from symbody.multibody import System, Variables
 from symbody.symbolic import Expr, Matrix, diff, free_symbols, latex, number, zeros
 from symbody.symbolic.expression.latex_layout import aligned, bmatrix, displayed
 from symbody.symbolic.expression.text_layout import LINE, lines
+from symbody.symbolic.given.arguments import brief
 
 from .balance import Balance
 from .causes import generalized_forces
@@ -76,6 +77,9 @@ class MatrixForm:
         definitions, rows = shortened(*self._rows())
         made = [*self._named_causes(), *(f"{name} := {value}" for name, value in definitions), *rows]
         return "\n".join([self._equation(), *(line for text in made for line in _indented(text))])
+
+    def __repr__(self) -> str:
+        return f"MatrixForm({self._equation()}, coordinates {brief(', '.join(map(str, self.system.coordinates)))})"
 
     def _rows(self) -> tuple[list[str], tuple[()], list[Definition]]:
         """Return the rows of text without short names, and the quantities that have names."""

@@ -11,9 +11,9 @@ from symbody.symbolic import Expr, cost, latex, substitute
 from symbody.symbolic.expression.latex_layout import ARTICLE, aligned, broken
 from symbody.symbolic.given.arguments import counted
 
+from .determinant import over_determinant, printed_rows
 from .page import indented
 from .reader_of import reader_of
-from .row import printed
 from .short_names import Definition, shortened
 from .summary import READABLE
 
@@ -46,7 +46,7 @@ class SolutionPage:
         else:
             texts = [f"{unknown}: {size}" for unknown, size in self._sizes]
             texts.append("Too long to be read at once. One of them: readable(solution.accelerations[0]).")
-        title = f"ACCELERATIONS of {', '.join(map(str, self.system.speeds))}"
+        title = f"ACCELERATIONS of {', '.join(map(str, self.system.driving))}"
         return "\n".join([title, *(line for text in texts for line in indented(text))])
 
     def latex(self) -> str:
@@ -80,8 +80,10 @@ class SolutionPage:
         reader = reader_of(self.system)
         names = {place: unknown * place / self.values[unknown] for unknown, place in self._solved.items()}
         given = {unknown: value for unknown, value in self.values.items() if unknown not in self._solved}
-        forms = [reader(value) for value in substitute(list(given.values()), names)]
-        definitions, texts = printed(forms, notation, self.system)
+        values = [(value,) for value in substitute(list(given.values()), names)]
+        forms = [tuple(map(reader, row)) for row in values]
+        divided = over_determinant(values, self.system, reader)
+        definitions, texts = printed_rows(forms, divided, notation, self.system)
         definitions, sides = shortened(texts, (), definitions, notation)
         return definitions, list(zip(given, sides, strict=True))
 

@@ -8,6 +8,7 @@ from typing import NamedTuple
 from symbody.symbolic import Expr, Matrix, cost, latex, readable, time_derivative
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.expression.latex_layout import bmatrix
+from symbody.symbolic.expression.text_layout import LINE, row_lines
 from symbody.symbolic.given.arguments import counted
 
 from .second_order import SecondOrder
@@ -92,12 +93,16 @@ def _term(matrix: Matrix, names: Sequence[Expr]) -> str:
 
 
 def _rows(name: str, matrix: Matrix) -> list[str]:
-    """Return the rows of a matrix as text; none of one without columns."""
+    """Return the rows of a matrix as text, long ones in lines; none of one without columns."""
     columns = matrix.columns
     texts = [_text(entry) for entry in matrix.entries]
-    rows = [f"[{', '.join(texts[i : i + columns])}]" for i in range(0, len(texts), columns or 1)]
-    indent = " " * (len(name) + 3)
-    return [f"    {f'{name} = ' if not place else indent}{row}" for place, row in enumerate(rows)]
+    first = f"    {name} = "
+    rows = [
+        line
+        for start in range(0, len(texts), columns or 1)
+        for line in row_lines(texts[start : start + columns], LINE - len(first))
+    ]
+    return [f"{' ' * len(first) if place else first}{row}" for place, row in enumerate(rows)]
 
 
 def _text(entry: Expr) -> str:

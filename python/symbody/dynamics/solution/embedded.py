@@ -39,7 +39,7 @@ def embedded(eqs: Equations, independent: Speeds | None = None) -> Equations:
     speeds. A motion begins at positions that satisfy the eliminated constraints: those that are not given are solved
     for. It keeps them up to the errors of integration, which `Motion.constraint_drift` shows. Equilibria and inverse
     dynamics know them too. The equations divide by the determinant of the dependent columns of A; where it vanishes,
-    other speeds must be independent.
+    other speeds must be independent. A notice tells if a motion passes such a position, as a slide at a dead centre.
 
     Args:
         eqs: the equations of motion, by any formalism.

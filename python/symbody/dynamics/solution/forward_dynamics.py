@@ -71,7 +71,7 @@ class ForwardDynamics:
     >>> solution.method, solution.accelerations
     ('articulated_body', (-g*sin(theta)/l,))
     >>> print(solution.description())
-    ACCELERATIONS of theta'
+    ACCELERATIONS of theta
         theta'' = -g*sin(theta)/l
     """
 

@@ -61,8 +61,10 @@ def _anything(value: object) -> bool:
 
 def _test_of_alternatives(parts: Sequence[Any]) -> Test:
     scalars = {*get_args(ExprLike)} if {*get_args(ExprLike)} <= {*parts} else set()
-    tests: list[Test] = [is_scalar] if scalars else []
-    tests += [test_of(part) for part in parts if part not in scalars]
+    tests: list[Test] = [test_of(part) for part in parts if part not in scalars]
+    tests += (
+        [is_scalar] if scalars else []
+    )  # last: it prints what is none, which takes long for a large constraint
     return lambda value: any(test(value) for test in tests)
 
 

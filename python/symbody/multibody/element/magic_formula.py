@@ -11,7 +11,7 @@ Not included: turn slip, and friction that decreases less in the shifts than in 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from functools import cached_property
 from typing import Annotated, NamedTuple, TypeAlias, final
@@ -93,6 +93,16 @@ class MagicFormula:
 
     coefficients: Mapping[str, Expr]
     version: str
+    is_mirrored: bool = False
+    """Whether the tyre is mounted on the other side of the vehicle than the one for which it was measured."""
+
+    @property
+    def mirrored(self) -> MagicFormula:
+        """The law of the same tyre on the other side of a vehicle, its image in the plane of the wheel.
+
+        Lateral slip, camber, Fy, Mx and Mz change their signs, so that conicity and ply steer act to the other side.
+        """
+        return replace(self, is_mirrored=not self.is_mirrored)
 
     @checked(LoadError)
     def __call__(
@@ -120,9 +130,13 @@ class MagicFormula:
                 f"magic_formula: no speed, on which the law depends by {' and '.join(self._by_speed)}; "
                 "expected law(load, kappa, lateral_slip, camber, speed=v); a tire gives its own"
             )
+        side = -1 if self.is_mirrored else 1
         with derivation(order=ENERGY):
-            given = (kappa, lateral_slip, camber, 0 if speed is None else speed, ahead)
-            return _Forces(self.coefficients, self.version, pressing(load), *map(expression, given)).found
+            slips = (kappa, side * expression(lateral_slip), side * expression(camber))
+            given = (*slips, 0 if speed is None else speed, ahead)
+            found = _Forces(self.coefficients, self.version, pressing(load), *map(expression, given)).found
+            Fx, Fy, Mx, My, Mz = found
+            return TireForce(Fx, side * Fy, side * Mx, My, side * Mz)
 
     @property
     def needs_speed(self) -> bool:
@@ -160,7 +174,8 @@ class MagicFormula:
 
     def __repr__(self) -> str:
         given = [name for name, value in self.coefficients.items() if value != DEFAULTS.get(name)]
-        return f"MagicFormula(version {self.version}, {counted(len(given), 'coefficient')} given)"
+        side = ", mirrored" if self.is_mirrored else ""
+        return f"MagicFormula(version {self.version}, {counted(len(given), 'coefficient')} given{side})"
 
 
 @dataclass(frozen=True, eq=False)
@@ -378,8 +393,13 @@ class _Forces:
         return 1 / sqrt(1 + self.alpha**2)
 
     def _equivalent(self, angle: Expr) -> Expr:
-        """Return the slip angle that stands for combined slip (4.E77, 4.E78); its sign has no effect."""
-        ratio = self.along.K * self.kappa / (self.across.K + _TINY * sign(self.p["PKY1"]))
+        """Return the slip angle that stands for combined slip (4.E77, 4.E78); its sign has no effect.
+
+        Without a longitudinal force, combined slip has no effect.
+        """
+        ratio = number(0)
+        if not self.p["PCX1"].is_zero:
+            ratio = self.along.K * self.kappa / (self.across.K + _TINY * sign(self.p["PKY1"]))
         return atan(sqrt(tan(angle) ** 2 + ratio**2 + _AT_REST))
 
 
@@ -481,9 +501,11 @@ def _check_names(given: Mapping[str, Expr]) -> None:
             "magic_formula: LONGVL missing; expected the speed, in m/s, to which the coefficients "
             f"{', '.join(BY_SPEED[:-1])} and {BY_SPEED[-1]} are relative"
         )
-    for first, *others in (NEEDED["along"], NEEDED["across"]):
-        missing += [name for name in others if first in given and name not in given]
-    if "PCX1" not in given and "PCY1" not in given:
+    for group in (NEEDED["along"], NEEDED["across"]):
+        is_wanted = any(name in given and not given[name].is_zero for name in group)
+        is_off = group[0] in given and given[group[0]].is_zero
+        missing += [name for name in group if is_wanted and not is_off and name not in given]
+    if not {"PCX1", "PCY1"} & {*given, *missing}:
         missing.append("PCX1 or PCY1")
     if missing:
         raise LoadError(

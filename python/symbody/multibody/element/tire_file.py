@@ -44,6 +44,10 @@ class _Line(NamedTuple):
     value: str
 
 
+_MOUNTED = ("left", "right")
+"""The sides of a vehicle."""
+
+
 @final
 @dataclass(frozen=True, eq=False, repr=False)
 class TireFile:
@@ -52,7 +56,8 @@ class TireFile:
     Attributes:
         path: of the file.
         version: the set of the Magic Formula, "5.2" or "6.1".
-        side: the side of the vehicle for which the tyre was measured, "left" or "right"; empty if the file has none.
+        side: the side of the vehicle for which the tyre was measured, "left", "right" or "symmetric"; empty if the
+            file has none.
         coefficients: those of the law, by name, as `magic_formula` takes them.
         others: all other numbers, such as VERTICAL_STIFFNESS, by name.
     """
@@ -72,19 +77,31 @@ class TireFile:
             raise LoadError(f"tire_file {self.path.name}: no {brief(repr(name))}{meant}")
         return found[name]
 
-    def law(self, *, pressure: Scalar | None = None) -> MagicFormula:
-        """Return the law of the tyre, as it is mounted on the side of the file.
+    def law(self, *, pressure: Scalar | None = None, side: str | None = None) -> MagicFormula:
+        """Return the law of the tyre, on the side of the vehicle for which it was measured, or on the other one.
 
         Args:
             pressure: the inflation pressure in Pa; by default INFLPRES of the file, or else the nominal one, NOMPRES.
+            side: where the tyre is mounted, "left" or "right"; on the other side than that of the file, the law is
+                `MagicFormula.mirrored`.
 
         Raises:
-            LoadError: a coefficient is missing, or has a value by which the law divides.
+            LoadError: a coefficient is missing, or has a value by which the law divides; or the file has no side.
         """
+        where = f"tire_file {self.path.name}"
+        if side not in (None, *_MOUNTED):
+            raise LoadError(f"{where}: side = {brief(repr(side))}; expected 'left' or 'right'")
+        if side is not None and not self.side:
+            raise LoadError(
+                f"{where}: side = {side!r}, but the file has no TYRESIDE; expected law(), and law().mirrored for the "
+                "tyres of the other side"
+            )
         try:
-            return magic_formula(self.coefficients, version=self.version, pressure=pressure)
+            law = magic_formula(self.coefficients, version=self.version, pressure=pressure)
         except LoadError as fault:
-            raise LoadError(f"tire_file {self.path.name}: {fault}") from None
+            raise LoadError(f"{where}: {fault}") from None
+        is_other = side is not None and self.side in _MOUNTED and side != self.side
+        return law.mirrored if is_other else law
 
     def __repr__(self) -> str:
         return f"TireFile({self.path.name}, version {self.version}, {len(self.coefficients)} coefficients)"
@@ -129,11 +146,10 @@ def tire_file(path: FilePath) -> TireFile:
     _report_unknown(where, entries, law)
     if (effects := left_out(known)) != "":
         notify(f"{where}: {effects}")
-    side = entries["TYRESIDE"].value.lower() if "TYRESIDE" in entries else ""
     return TireFile(
         file,
         version,
-        side,
+        _side(where, entries.get("TYRESIDE")),
         {name: value for name, value in known.items() if name in law},
         {name: value for name, value in known.items() if name not in law},
     )
@@ -198,6 +214,18 @@ def _version(where: str, entries: Mapping[str, _Line]) -> str:
             f"{', '.join(map(str, _VERSIONS))}: the Magic Formula of the sets 5.2, 6.1 and 6.2"
         )
     return found
+
+
+def _side(where: str, line: _Line | None) -> str:
+    """Return the side of the vehicle for which a tyre was measured; empty if the file doesn't tell."""
+    if line is None:
+        return ""
+    if line.value.lower() not in (*_MOUNTED, "symmetric"):
+        raise LoadError(
+            f"{where}, line {line.number}: TYRESIDE = {brief(repr(line.value))}; expected 'left', 'right' or "
+            "'symmetric'"
+        )
+    return line.value.lower()
 
 
 def _is_numeric(line: _Line) -> bool:

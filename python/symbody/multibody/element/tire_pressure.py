@@ -54,7 +54,22 @@ def inflated(given: Mapping[str, Expr], pressure: Expr | None) -> Mapping[str, E
             f"pressure; expected some of {_EFFECTS[0]} to {_EFFECTS[3]}, {_EFFECTS[4]} to {_EFFECTS[8]}, "
             f"{', '.join(_EFFECTS[9:])}"
         )
+    _tell_strange(name, pressure, given["NOMPRES"])
     return _at_pressure(known, pressure)
+
+
+_STRANGE = 3.0
+"""The ratio to the nominal pressure, or its inverse, beyond which a pressure is told."""
+
+
+def _tell_strange(name: str, pressure: Expr, nominal: Expr) -> None:
+    """Give a notice of a pressure that is far from the nominal one, for which the coefficients hold."""
+    ratio = pressure / nominal
+    if ratio.is_constant and not 1 / _STRANGE <= float(ratio) <= _STRANGE:
+        notify(
+            f"magic_formula: {name} = {brief(pressure)} is {float(ratio):.3g} times NOMPRES = {brief(nominal)}, far "
+            "from the pressures for which coefficients are measured; expected both in one unit"
+        )
 
 
 def _at_pressure(p: dict[str, Expr], pressure: Expr) -> dict[str, Expr]:

@@ -76,11 +76,33 @@ _UNITS = {
     },
     "TIME": {"SECOND": 1.0, "SEC": 1.0, "S": 1.0, "MILLISECOND": 1e-3, "MS": 1e-3},
     "ANGLE": {"RADIANS": 1.0, "RADIAN": 1.0, "RAD": 1.0},
+    "PRESSURE": {
+        "PASCAL": 1.0,
+        "PA": 1.0,
+        "KPA": 1e3,
+        "KILOPASCAL": 1e3,
+        "MPA": 1e6,
+        "MEGAPASCAL": 1e6,
+        "BAR": 1e5,
+        "PSI": 6894.757293168361,
+    },
 }
 
 
 def unit_factors(where: str, given: Mapping[str, str]) -> dict[str, float]:
-    """Return the SI values of the units of a file, 1 for those that it doesn't name."""
+    """Return the SI values of the units of a file, 1 for those that it doesn't name.
+
+    A pressure is measured by units of force and length unless it has a unit of its own.
+
+    Raises:
+        LoadError: a unit is not known, or measures something else.
+    """
+    unknown = next((name for name in given if name not in _UNITS), None)
+    if unknown is not None:
+        raise LoadError(
+            f"{where}: {unknown} = {brief(repr(given[unknown]))} in the section UNITS; expected units of "
+            f"{', '.join(each.lower() for each in _UNITS)}, by which all sizes of the file are measured"
+        )
     found = {}
     for name, units in _UNITS.items():
         unit = given.get(name, "").upper()
@@ -91,12 +113,16 @@ def unit_factors(where: str, given: Mapping[str, str]) -> dict[str, float]:
                 f"{', '.join(each.lower() for each in units)}{reason}"
             )
         found[name.lower()] = units.get(unit, 1.0)
+    if not given.get("PRESSURE"):
+        found["pressure"] = found["force"] / found["length"] ** 2
     return found
 
 
 def factor_of(name: str, units: Mapping[str, float]) -> float:
     """Return the SI value of the unit of a size of a file; 1 for coefficients."""
     dimension = DIMENSIONS.get(name, _Dimension())
+    if dimension == _PRESSURE:
+        return units["pressure"]
     factor = 1.0
     for unit, power in zip(dimension._fields, dimension, strict=True):
         factor *= units[unit] ** power

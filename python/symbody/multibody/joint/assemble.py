@@ -90,6 +90,7 @@ def assemble(joints: Joints, *, tolerance: Tolerance = 0.0) -> Mechanism:
     report_nearly_held(placed)
     for joint in loops:
         _report_idle_coordinates(joint)
+        _report_unknown(joint, sides[joint])
     links = dict.fromkeys(
         part for joint in joints for part in (joint.parent, joint.child) if isinstance(part, Link)
     )
@@ -217,4 +218,15 @@ def _report_idle_coordinates(joint: Joint) -> None:
         notify(
             f"assemble: {joint} closes a loop, so that its {listed} is no coordinate of the mechanism; leave the "
             "coordinates of one joint of each loop out, or choose by loop=True which joint closes it"
+        )
+
+
+def _report_unknown(joint: Joint, sides: Sides) -> None:
+    """Tell what the conditions of a loop leave open, unless the user chose this joint to close it."""
+    unknown = "" if joint.mounting.loop else joint.pair.unknown(sides)
+    if unknown:
+        notify(
+            f"assemble: {joint} closes a loop in space, which determines {unknown}; the position that is found is the "
+            "one nearest to the guess: let another joint close the loop by loop=True, or choose this one by loop=True "
+            "and give a guess of its position"
         )

@@ -152,7 +152,7 @@ def joined(
     mounting: Mounting,
     pair: Pair,
     coordinates: Sequence[Scalar] | Scalar | None = None,
-    limits: Sequence[Scalar | None] | Mapping[str, Sequence[Scalar | None]] | None = None,
+    limits: Sequence[Scalar | None] | Mapping[str, Sequence[Scalar | None] | None] | None = None,
     *,
     limited: Sequence[str] | None = None,
 ) -> Joint:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Annotated, Any, TypeAlias, final
@@ -23,7 +24,7 @@ Limits: TypeAlias = Annotated[
     Sequence[Scalar | None] | None, "two values of the coordinate, such as (-1, 1), or None for no limit"
 ]
 LimitsByName: TypeAlias = Annotated[
-    Mapping[str, Sequence[Scalar | None]] | None,
+    Mapping[str, Sequence[Scalar | None] | None] | None,
     "a dictionary of pairs of values by the names of coordinates, such as {'phi': (-1, 1)}",
 ]
 
@@ -104,7 +105,7 @@ contains(Limit, Container(_expressions, _rebuilt, advice="its value has one"))
 
 def given_limits(
     where: str,
-    given: Sequence[Scalar | None] | Mapping[str, Sequence[Scalar | None]] | None,
+    given: Sequence[Scalar | None] | Mapping[str, Sequence[Scalar | None] | None] | None,
     names: Sequence[str],
 ) -> tuple[Limit, ...]:
     """Return the limits that a user gave: a pair for a joint of one coordinate, otherwise pairs by names.
@@ -134,7 +135,9 @@ def given_limits(
     )
 
 
-def _limit(where: str, name: str, given: Sequence[Scalar | None], of: str) -> Limit:
+def _limit(where: str, name: str, given: Sequence[Scalar | None] | None, of: str) -> Limit:
+    if given is None:
+        return Limit(name, None, None)
     if not accepts(Limits, given):
         example = "(None, 0.5)" if name == CONE else "(-1, 1)"
         raise JointError(
@@ -147,7 +150,19 @@ def _limit(where: str, name: str, given: Sequence[Scalar | None], of: str) -> Li
     low, high = (None if value is None else expression(value) for value in given)
     if low is not None and high is not None and (high - low).is_constant:
         _check_order(f"{where}: limits{of}", low, high)
+    if name == CONE:
+        _check_cone(f"{where}: limits{of}", (low, high))
     return Limit(name, low, high)
+
+
+def _check_cone(where: str, bounds: Sequence[Expr | None]) -> None:
+    """Check that the limits of a cone are angles that two axes can have."""
+    for bound in bounds:
+        if bound is not None and bound.is_constant and not 0 <= float(bound) <= math.pi:
+            raise JointError(
+                f"{where} hold {bound}; expected an angle between two axes, from 0 to pi, in rad, such as "
+                "(None, 0.5)"
+            )
 
 
 def _check_order(where: str, low: Expr, high: Expr) -> None:

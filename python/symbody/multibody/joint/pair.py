@@ -117,6 +117,11 @@ class Pair(ABC):
         del sides, name
         return None
 
+    def unknown(self, sides: Sides) -> str:
+        """Return what its conditions leave open where it closes a loop; the empty text if nothing."""
+        del sides
+        return ""
+
     def senses(self, sides: Sides) -> Mapping[str, Expr]:
         """Return cosines of angles that the closures allow to be pi, by the axes between them: 1 where it is closed.
 

@@ -9,7 +9,8 @@ from symbody.errors import JointError
 from symbody.geometry import Frame, Scalar, rotate, translate
 from symbody.geometry.component.triple import expression
 from symbody.geometry.given.argument import checked
-from symbody.symbolic import Expr, cos, sin
+from symbody.symbolic import Expr, cos, pi, sin
+from symbody.symbolic.given.arguments import brief
 
 from .axis import Axis, principal
 from .closure import AXES, Closure, Sides, along
@@ -112,6 +113,12 @@ class Thread(Pair):
         turn = sides.gap.components[k] / self.pitch
         across = cos(turn) * sides.entry(i, i) + sin(turn) * sides.entry(j, i)
         return {**held_senses(sides, self.axis), AXES[i].lower(): across}
+
+    def unknown(self, sides: Sides) -> str:
+        """Return that whole turns are, by each of which the nut could be farther along the thread."""
+        if whole_angle(sides, self.axis) is not None:
+            return ""
+        return f"its angle only up to whole turns, of {brief(abs(2 * pi * self.pitch))} along the axis each"
 
     def measured(self, sides: Sides) -> Mapping[str, Expr]:
         return {"phi": sides.gap.components[AXES.index(self.axis)] / self.pitch}

@@ -12,8 +12,10 @@ from symbody.errors import ConstraintError, notify
 from symbody.multibody import Variables
 from symbody.simulation.given.odd_values import warn_of_odd_values
 from symbody.simulation.given.values import check_equations, parameter_values, state_values
+from symbody.simulation.given.watched_limit import tell_passed_limits
 from symbody.simulation.model.named_constraint import named_constraints
 from symbody.symbolic import Expr, ExprLike, number
+from symbody.symbolic import t as time
 from symbody.symbolic.given.arguments import with_known_names
 from symbody.symbolic.numeric.deficiency import reporting
 
@@ -76,7 +78,9 @@ def consistent_state(
     notice = _notice(kinematics, parameters, state, t)
     if notice:
         notify(f"{_WHERE}: {notice}")
-    warn_of_odd_values(eqs, parameters or {}, [number(value) for value in (inputs or {}).values()], _WHERE)
+    expressions = {name: number(value) for name, value in (inputs or {}).items()}
+    warn_of_odd_values(eqs, parameters or {}, [*expressions.values()], _WHERE)
+    tell_passed_limits(eqs.system, {**(parameters or {}), **state, time: t}, expressions, _WHERE)
     return state
 
 

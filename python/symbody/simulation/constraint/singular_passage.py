@@ -11,21 +11,12 @@ from symbody.simulation.model.model import Model
 from symbody.symbolic import Expr
 
 from .constraint_directions import masses_and_jacobians
+from .zeros_along import course_of, zeros_along
 
 __all__ = ["singular_passages"]
 
 Array = NDArray[np.float64]
 
-SINGULAR, REGULAR = 0.02, 0.06
-"""The ratios to its largest value along the motion below which the least singular value is zero, and above which it is
-not."""
-PARTS, MARGIN = 2, 2.0
-"""The number of parts of a step in the search for zeros of the least singular value, and by how many intervals the zero
-of a line through two values may be off."""
-ROUNDS, FINER = 2, 16
-"""The number of times that the intervals next to a minimum are divided again, and the parts of each division."""
-SHORT = 1e-9
-"""The part of the duration below which two steps count as one."""
 AT_ONCE = 2**12
 """The number of matrices that are processed at once, which bounds the memory."""
 
@@ -36,8 +27,7 @@ def singular_passages(model: Model, parameters: Mapping[Expr, float], trail: Arr
     There the smallest singular value of ``D phi_q L^-T`` has a minimum next to zero. ``L L^T`` is the mean of the
     mass matrix along the motion, since a metric that varies makes no constraints dependent. D scales each row to the
     length of its largest entry, relative to the largest value of that entry along the motion: rows vanish only where
-    all of their entries do. Between steps the coordinates are interpolated by cubic polynomials with their values and
-    rates. A motion that stays at such positions for a while counts as one passage.
+    all of their entries do. A motion that stays at such positions for a while counts as one passage.
 
     Args:
         model: the model.
@@ -47,11 +37,10 @@ def singular_passages(model: Model, parameters: Mapping[Expr, float], trail: Arr
     if len(trail) < 2 or not model.constraints or not model.independent_constraints:
         return np.empty(0)
     p = np.array([parameters[name] for name in (*model.parameters, *model.damping)])
-    ends, states, rates = _finite(model, p, _thinned(trail))
-    if len(ends) < 2:
+    course = course_of(model, p, trail)
+    if course is None:
         return np.empty(0)
-    way = _interpolation(ends, states, rates)
-    t = np.append(_divided(ends[:-1], ends[1:], PARTS)[:, :-1], ends[-1])
+    t, way = course.instants, course.states
 
     def along(times: Array) -> Iterator[tuple[Array, Array]]:
         for part in np.array_split(times, 1 + len(times) // AT_ONCE):
@@ -64,83 +53,7 @@ def singular_passages(model: Model, parameters: Mapping[Expr, float], trail: Arr
     def smallest(times: Array) -> Array:
         return np.concatenate([_smallest(scaled(J), model.independent_constraints) for _, J in along(times)])
 
-    found = smallest(t)
-    largest = np.nanmax(found, initial=0.0)
-    if largest == 0:
-        return np.empty(0)
-    found = found / largest
-    places = 1 + np.flatnonzero(_may_vanish(t, found) | (found[1:-1] < SINGULAR))
-    at, least = _minima(smallest, t[places - 1], t[places + 1])
-    is_passed = least < SINGULAR * largest
-    # Minima without regular positions between them belong to one passage: a motion may stay there.
-    regular = np.searchsorted(t[found > REGULAR], at[is_passed])
-    return at[is_passed][np.unique(regular, return_index=True)[1]]
-
-
-def _thinned(trail: Array) -> Array:
-    """Return the ends of steps in order, at most one in each of `SHORT` equal parts of the time.
-
-    Where a method cannot continue, thousands of its steps lie at one instant.
-    """
-    t = trail[:, 0]
-    begin, span = t.min(initial=np.inf), np.ptp(t) if len(t) else 0.0
-    kept: Array = trail[np.unique(np.floor((t - begin) / (SHORT * span or 1.0)), return_index=True)[1]]
-    return kept
-
-
-def _may_vanish(t: Array, ratio: Array) -> NDArray[np.bool_]:
-    """Return whether a ratio may vanish next to its minima, for each instant but the first and the last.
-
-    The ratio is proportional to the distance from its zero. So the zero is in the interval on one side if the line
-    through the values on the other side vanishes there.
-    """
-    h, change = np.diff(t), np.diff(ratio)
-    here, fall, rise = ratio[1:-1], -change[:-1], change[1:]
-    later, earlier = here * h[:-1] <= MARGIN * fall * h[1:], here * h[1:] <= MARGIN * rise * h[:-1]
-    # No comparison with NaN is true.
-    is_passed: NDArray[np.bool_] = (fall >= 0) & (rise > 0) & (later | earlier)
-    return is_passed
-
-
-def _minima(value: Callable[[Array], Array], begin: Array, end: Array) -> tuple[Array, Array]:
-    """Return the instants at which a value is least within intervals, and the least values."""
-    t, least, rows = begin, np.full(len(begin), np.inf), np.arange(len(begin))
-    for _ in range(ROUNDS if len(begin) else 0):
-        times = _divided(begin, end, FINER)
-        values = value(times.ravel()).reshape(times.shape)
-        places = np.argmin(np.where(np.isfinite(values), values, np.inf), axis=1)
-        t, least = times[rows, places], values[rows, places]
-        begin, end = times[rows, np.maximum(places - 1, 0)], times[rows, np.minimum(places + 1, FINER)]
-    return t, least
-
-
-def _divided(begin: Array, end: Array, parts: int) -> Array:
-    """Return instants that divide intervals evenly, including their ends, one row for each interval."""
-    return begin[:, None] + (end - begin)[:, None] * np.linspace(0, 1, parts + 1)
-
-
-def _finite(model: Model, parameters: Array, trail: Array) -> tuple[Array, Array, Array]:
-    """Return instants, states and rates of the coordinates at the ends of steps where all of them are finite."""
-    t, states = trail[:, 0], trail[:, 1 : 1 + len(model.state)]
-    function = model.function(model.coordinate_rates, (*model.parameters, *model.damping))
-    with np.errstate(all="ignore"):
-        rates = np.asarray(function(t, *states.T, *parameters)).T
-    is_finite = np.isfinite(t) & np.isfinite(states).all(axis=1) & np.isfinite(rates).all(axis=1)
-    return t[is_finite], states[is_finite], rates[is_finite]
-
-
-def _interpolation(t: Array, states: Array, rates: Array) -> Callable[[Array], Array]:
-    """Return the states between steps: Hermite polynomials for the coordinates, the last values for the speeds."""
-    from scipy.interpolate import CubicHermiteSpline  # noqa: PLC0415 - slow to load, and rarely needed
-
-    q = rates.shape[1]
-    coordinates = CubicHermiteSpline(t, states[:, :q], rates)
-
-    def way(times: Array) -> Array:
-        last = np.clip(np.searchsorted(t, times, side="right") - 1, 0, len(t) - 1)
-        return np.hstack([coordinates(times), states[last, q:]])
-
-    return way
+    return zeros_along(smallest, t)
 
 
 def _scaling(parts: Iterable[tuple[Array, Array]]) -> Callable[[Array], Array] | None:

@@ -3,27 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from symbody.codegen import lambdify
+from symbody.simulation.given.watched_limit import LIMIT, WatchedLimit, watched_limits
 from symbody.symbolic import Expr, free_symbols, t
 
 from .integrated import Integrated
 
-if TYPE_CHECKING:
-    from symbody.multibody.joint.limit import Limit
-    from symbody.multibody.joint.placed_joint import PlacedJoint
-
 __all__ = ["Passed", "passed_limits", "strange_limits", "unknown_limits"]
 
 Array = NDArray[np.float64]
-
-LIMIT = 1e-6
-"""How far beyond its limit a joint is reported, relative to the largest coordinate; events are located more closely."""
-
 
 _TOO_WIDE = (
     "are a turn apart or more, and can't be checked: it closes a loop in space, where its angle is known up to whole "
@@ -37,20 +29,6 @@ class Passed(NamedTuple):
     joint: str
     size: float
     t: float
-
-
-class _Watched(NamedTuple):
-    """A joint with limits.
-
-    Attributes:
-        joint: the joint, with the coordinate if it has several.
-        limit: the limits.
-        excess: what is positive beyond them, with inputs.
-    """
-
-    joint: str
-    limit: Limit
-    excess: tuple[Expr, ...]
 
 
 def passed_limits(motion: Integrated) -> Iterator[Passed]:
@@ -92,12 +70,12 @@ def strange_limits(motion: Integrated) -> Iterator[tuple[str, str]]:
             yield watched.joint, _TOO_WIDE
 
 
-def _excesses(motion: Integrated, watched: _Watched) -> list[Array]:
-    """Return how far a joint is beyond its limits at all instants; an angle is followed over its jumps."""
+def _excesses(motion: Integrated, watched: WatchedLimit) -> list[Array]:
+    """Return how far a joint is beyond its limits at all instants."""
     states, instants = _states(motion)
-    found = lambdify([*_names(motion)], [*watched.excess])(*states.T, instants, *motion.parameters.values())
-    values = [np.broadcast_to(value, instants.shape) for value in found]
-    return [np.unwrap(value) for value in values] if watched.limit.is_within_a_turn else values
+    return watched.excesses(
+        dict(zip(_names(motion), (*states.T, instants, *motion.parameters.values()), strict=True))
+    )
 
 
 def _states(motion: Integrated) -> tuple[Array, Array]:
@@ -110,18 +88,14 @@ def _names(motion: Integrated) -> tuple[Expr, ...]:
     return *motion.task.model.coordinates, t, *motion.parameters
 
 
-def _known(motion: Integrated) -> list[_Watched]:
+def _known(motion: Integrated) -> list[WatchedLimit]:
     """Return the joints whose limits have values."""
     all_watched = [*_watched(motion)]
     names = {*_names(motion)} if all_watched else set()
     return [each for each in all_watched if free_symbols(list(each.excess)) <= names]
 
 
-def _watched(motion: Integrated) -> Iterator[_Watched]:
+def _watched(motion: Integrated) -> Iterator[WatchedLimit]:
     """Yield each joint with limits."""
     model = motion.task.model
-    joints: tuple[PlacedJoint, ...] = getattr(model.system, "joints", ())
-    for joint in joints:
-        for limit in joint.limits:
-            of = "" if joint.label(limit) == joint.name else f" ({limit.name})"
-            yield _Watched(f"{joint}{of}", limit, model.with_inputs((*limit.excesses.values(),)))
+    return watched_limits(model.system, model.with_inputs)

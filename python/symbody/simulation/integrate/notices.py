@@ -12,6 +12,7 @@ import numpy as np
 from symbody.simulation.constraint.consistent_position import term_sizes
 from symbody.simulation.constraint.dependent_constraints import dependent_constraints, named_dependence
 from symbody.simulation.constraint.kinematics import kinematics_in
+from symbody.simulation.constraint.lost_independence import lost_independence
 from symbody.simulation.constraint.singular_kinematics import another_choice, singular_kinematics
 from symbody.simulation.constraint.singular_passage import singular_passages
 from symbody.simulation.constraint.singular_position import SINGULAR, is_singular, may_be_singular
@@ -166,6 +167,12 @@ def _passages(motion: Integrated) -> Iterable[Finding]:
     return [Finding("passage", size=float(len(passed)), t=float(passed[0]))] if len(passed) else []
 
 
+def _lost_independence(motion: Integrated) -> Iterable[Finding]:
+    """Return where the independent speeds of embedded equations do not determine the others."""
+    at, named = lost_independence(motion.task.model, motion.parameters, motion.outcome.trail)
+    return [Finding("dependent", named, size=float(len(at)), t=float(at[0]))] if len(at) else []
+
+
 def _uncertainty(motion: Integrated) -> Iterable[Finding]:
     t = motion.outcome.uncertain
     return [] if t is None else [Finding("uncertain", t=t)]
@@ -289,6 +296,12 @@ ROWS: dict[str, _Row] = {
         "the motion passes singular positions ({size:.0f}, the first at about t = {t:.4g} s), where the constraints "
         "depend on each other and branches meet; it may have changed its branch there: only method="
         f"{' or '.join(methods_that(lambda method: method.keeps_branch))} with constraints='projection' prevent this",
+    ),
+    "dependent": _Row(
+        _lost_independence,
+        "the motion passes positions ({size:.0f}, the first at about t = {t:.4g} s) at which {subject}: the embedded "
+        "equations divide by zero there, and the motion is less accurate afterwards than its tolerances; choose other "
+        "independent speeds, embedded(..., independent=[...]), or simulate the equations with multipliers",
     ),
     "uncertain": _Row(
         _uncertainty,

@@ -128,9 +128,13 @@ class Task:
 
     @property
     def trail(self) -> int:
-        """The most states at the ends of steps that are kept of a motion; 0 if steps stay on the branch."""
+        """The most states at the ends of steps that are kept of a motion; 0 if none of them can be singular.
+
+        Steps of some methods stay on the branch of the constraints. Embedded equations may be singular.
+        """
         stays = self.is_projected and self.method.keeps_branch
-        return TRAIL if self.model.constraints and not stays else 0
+        may_be_singular = bool(self.model.constraints) and not stays
+        return TRAIL if may_be_singular or self.model.system.eliminated_constraints else 0
 
     @cached_property
     def unstabilized(self) -> Model:

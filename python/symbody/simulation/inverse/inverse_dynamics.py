@@ -19,6 +19,7 @@ from symbody.simulation.given.given_input import substitute_inputs
 from symbody.simulation.given.odd_values import warn_of_odd_values
 from symbody.simulation.given.parameter import parameters_among
 from symbody.simulation.given.values import given_inputs, state_values
+from symbody.simulation.given.watched_limit import tell_passed_limits
 from symbody.simulation.model.unknown import unknown_variables
 from symbody.simulation.motion.motion import Motion
 from symbody.simulation.motion.range_table import range_table
@@ -234,6 +235,10 @@ def inverse_dynamics(
     equations = driving_loads(eqs, kinematics.given, along, loads, _WHERE)
     with reporting(_WHERE):
         forces, multipliers = equations.solution(driven.instants, driven.trajectory, driven.parameters)
+    positions = dict(zip(eqs.coordinates, driven.trajectory.coordinates.T, strict=True))
+    if not isinstance(motion, Motion):  # a simulation has told it
+        known = {**driven.parameters, **positions, symbolic_time: driven.instants}
+        tell_passed_limits(eqs.system, known, given, _WHERE)
     return InverseDynamics(
         eqs.system,
         driven.instants,

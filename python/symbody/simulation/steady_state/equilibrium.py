@@ -17,6 +17,7 @@ from symbody.simulation.constraint.kinematics import kinematics_of
 from symbody.simulation.constraint.opposite_axes import check_senses
 from symbody.simulation.given.odd_values import warn_of_odd_values
 from symbody.simulation.given.values import given_inputs, parameter_values, state_values
+from symbody.simulation.given.watched_limit import tell_passed_limits
 from symbody.simulation.given.wording import joined_by_and
 from symbody.simulation.model.undefined_force import undefined_force
 from symbody.simulation.motion.reading import Reading
@@ -301,6 +302,7 @@ def equilibrium(
         notices = list(place.notices(at_instant=t is not None))
     for notice in notices:
         notify(f"{_WHERE}: {notice}")
+    tell_passed_limits(eqs.system, found.known, given, _WHERE)
     return found
 
 

@@ -10,8 +10,10 @@ from numpy.typing import ArrayLike, NDArray
 from symbody.dynamics import Equations
 from symbody.errors import ConstraintError, SimulationError, notify
 from symbody.simulation.constraint.consistent_position import listed_values
+from symbody.simulation.given.watched_limit import tell_passed_limits
 from symbody.simulation.given.wording import joined_by_and
 from symbody.symbolic import Expr, ExprLike
+from symbody.symbolic import t as time
 from symbody.symbolic.given.arguments import with_known_names
 from symbody.symbolic.numeric.deficiency import reporting
 
@@ -85,6 +87,8 @@ def steady(
         found = SteadyMotion(problem, x, undetermined.least_forces)
     if undetermined.groups:
         notify(f"{_WHERE}: {undetermined.notice()}")
+    values = {**found.parameters, **found.known, time: found.t}
+    tell_passed_limits(eqs.system, values, problem.inputs, _WHERE)
     return found
 
 

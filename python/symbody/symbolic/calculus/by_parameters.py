@@ -9,13 +9,14 @@ from symbody.symbolic._core import Expr
 
 from .common_part import common_parameters
 from .derivative import diff
-from .reading import parts_of
+from .reading import is_divisor, nodes_of, parts_of
+from .rewrite import short_form
 
 
 def by_parameters(expression: Expr, parameters: Sequence[Expr], form: Callable[[Expr], Expr]) -> Expr | None:
     """Return the sum of parameters, each with its factor; None if an expression isn't linear in them, or has only one.
 
-    Parameters of equal factors stand together.
+    Parameters of proportional factors stand together.
 
     Args:
         expression: the expression.
@@ -25,12 +26,16 @@ def by_parameters(expression: Expr, parameters: Sequence[Expr], form: Callable[[
     free = expression.free_symbols
     factors = {each: diff(expression, each) for each in parameters if each in free}
     inside = {leaf for factor in factors.values() for leaf in factor.free_symbols}
-    factors = {parameter: factor for parameter, factor in factors.items() if parameter not in inside}
+    factors = {each: factor for each, factor in factors.items() if each not in inside and not factor.is_zero}
     if len(factors) < _FEW:
         return None
     joined = dict[Expr, Expr]()
-    for parameter, factor in factors.items():
-        joined[factor] = joined[factor] + parameter if factor in joined else parameter
+    for parameter, factor in sorted(factors.items(), key=lambda pair: len(str(pair[1]))):
+        known, ratio = next(
+            ((known, ratio) for known in joined if (ratio := _multiple(factor, known)) is not None),
+            (factor, _core.number(1)),
+        )
+        joined[known] = joined.get(known, _core.number(0)) + ratio * parameter
     terms = [total * form(factor) for factor, total in joined.items()]
     found = _core.sum_of(terms)
     return _with_number_outside(terms, found) if found == expression else None
@@ -53,8 +58,25 @@ def by_lengths(expression: Expr, masses: Collection[Expr], form: Callable[[Expr]
 _FEW = 2
 
 
+def _multiple(factor: Expr, known: Expr) -> Expr | None:
+    """Return the parameters by which a known factor is multiplied, as in `I + m*r**2`; None if it isn't, or divided."""
+    if factor == known:
+        return _core.number(1)
+    if not _moving(factor) or _moving(factor) != _moving(known):
+        return None
+    ratio = short_form(factor / known)
+    return None if _moving(ratio) or any(map(is_divisor, nodes_of(ratio))) else ratio
+
+
+def _moving(expression: Expr) -> set[Expr]:
+    return {leaf for leaf in expression.free_symbols if leaf.kind == "time_function"}
+
+
 def _with_number_outside(terms: Sequence[Expr], found: Expr) -> Expr:
-    """Return a sum with the number outside that all its terms begin with, if it is one."""
-    numbers = {next((part for part in parts_of(term, "product") if part.is_number), None) for term in terms}
-    common = numbers.pop() if len(numbers) == 1 else None
-    return found if common is None else common * _core.sum_of([term / common for term in terms])
+    """Return a sum with the number outside that all its terms have as a factor, but for their signs."""
+    numbers = [[part for part in parts_of(term, "product") if part.is_number] for term in terms]
+    common = {abs(_core.product_of(each)) for each in numbers}
+    if len(common) > 1 or common == {_core.number(1)}:
+        return found
+    (outside,) = common
+    return outside * _core.sum_of([term / outside for term in terms])

@@ -13,9 +13,9 @@ from .by_parameters import by_lengths, by_parameters
 from .cost import cost
 from .derivative import substitute
 from .difference import by_differences, with_differences
-from .reading import levels, multiples_of_angles, reading
+from .reading import is_divisor, levels, multiples_of_angles, nodes_of, reading
 from .rewrite import simplify, textbook_form
-from .squares import with_squares
+from .squares import squared_sums, with_squares
 from .standard_names import AS_GIVEN, StandardNames
 
 _LARGE = 100
@@ -27,8 +27,9 @@ _EXPANDED = 40
 """Operations up to which `textbook_form` looks for the form from the expanded expression, too."""
 _OF_BODIES, _SHORT = 60, 35
 """Operations up to which, and characters from which on, a form with a term for each body is looked for."""
-_DIVIDED = 0.95
-"""The length of a form with a term for each body, at most, in relation to another one."""
+_DIVIDED, _SAME = 0.95, 1.2
+"""The length of a form with a term for each body, at most, in relation to another one; and if a known form has the
+square of one of its sums, such as the distance of a mass from an axis, which stays the same in all equations."""
 _FLAT = 1.25
 """The length of a form with a term for each length, at most, in relation to one with brackets in brackets."""
 _RATIOS = (Fraction(-1), Fraction(2), Fraction(-2), Fraction(1, 2), Fraction(-1, 2))
@@ -53,6 +54,7 @@ class Reader:
         self._inertias = sorted(map(names.standard, inertias), key=str)
         self._differences = tuple(map(names.standard, differences))
         self._known: dict[Expr, Expr] = {}
+        self._distances: set[Expr] = set()
         self._read = 0
 
     def __call__(self, expression: Expr) -> Expr:
@@ -105,13 +107,19 @@ class Reader:
         """Return the form with a term for each body, if it is shorter: a square of a distance, and no part of it."""
         if operations > _OF_BODIES or _length(form) < _SHORT:
             return form
+        angles = multiples_of_angles(expression)
         best = _best((with_squares(form), form), expression)
         other = by_parameters(expression, self._inertias, _shortest_factor)
-        if other is not None and _length(other) <= _DIVIDED * _length(best):
-            best = _best((other, best), expression)
         flat = by_lengths(expression, self._inertias, _shortest_factor)
+        if other is not None:
+            nodes = nodes_of(other)
+            is_same = flat is None and self._distances & set(nodes) and not any(map(is_divisor, nodes))
+            most = (_SAME if is_same else _DIVIDED) * reading(best, angles)
+            best = other if reading(other, angles) <= most else best
         is_flatter = flat is not None and levels(flat) < levels(best)
-        return flat if flat is not None and is_flatter and _length(flat) <= _FLAT * _length(best) else best
+        best = flat if flat is not None and is_flatter and _length(flat) <= _FLAT * _length(best) else best
+        self._distances |= squared_sums(best)
+        return best
 
 
 def _shortest_factor(expression: Expr) -> Expr:

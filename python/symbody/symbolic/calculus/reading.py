@@ -73,8 +73,8 @@ def _is_nested(term: Expr) -> bool:
 
 
 def _is_compound(node: Expr) -> bool:
-    is_quotient = any(map(_is_divisor, parts_of(node, "product")))
-    return is_quotient and any(any(map(_is_divisor, factors)) for factors in _products_in(node))
+    is_quotient = any(map(is_divisor, parts_of(node, "product")))
+    return is_quotient and any(any(map(is_divisor, factors)) for factors in _products_in(node))
 
 
 def _products_in(product: Expr) -> Iterator[list[Expr]]:
@@ -84,7 +84,8 @@ def _products_in(product: Expr) -> Iterator[list[Expr]]:
             yield from (parts_of(term, "product") for term in parts_of(factor, "sum"))
 
 
-def _is_divisor(factor: Expr) -> bool:
+def is_divisor(factor: Expr) -> bool:
+    """Return whether a node is a power with a negative exponent."""
     return factor.kind == "power" and str(factor.args[1]).startswith("-")
 
 

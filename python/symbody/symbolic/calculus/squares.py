@@ -30,6 +30,21 @@ def with_squares(form: Expr) -> Expr:
     return made[form.id]
 
 
+def squared_sums(form: Expr) -> set[Expr]:
+    """Return the sums of which a form has squares.
+
+    >>> from symbody import sin, symbols
+    >>> x, l, q = symbols("x l q")
+    >>> squared_sums(l + (x + l * sin(q)) ** 2)
+    {x + l*sin(q)}
+    """
+    powers = (node.args for node in nodes_of(form) if node.kind == "power")
+    return {base for base, exponent in powers if base.kind == "sum" and exponent == _TWO}
+
+
+_TWO = _core.number(2)
+
+
 def _rebuilt(node: Expr, args: Sequence[Expr]) -> Expr:
     """Return a node with other arguments, and with squares if it is a sum that has them."""
     if node.kind not in {"sum", "product", "power"}:

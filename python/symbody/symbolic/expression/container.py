@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, TypeAlias, TypeVar, runtime_checkable
 
 from symbody.errors import ArgumentError
 from symbody.symbolic import _core
@@ -16,6 +16,7 @@ from symbody.symbolic._core import Expr
 from symbody.symbolic.expression.array import array_like, is_array
 from symbody.symbolic.expression.latex_layout import aligned, bmatrix, upright, with_definitions
 from symbody.symbolic.expression.matrix import Matrix
+from symbody.symbolic.expression.text_layout import listed, matrix_text, named
 from symbody.symbolic.given.arguments import described, expression
 
 if TYPE_CHECKING:
@@ -25,6 +26,7 @@ __all__ = [
     "Container",
     "Kind",
     "Rewrite",
+    "Typeset",
     "contains",
     "derived",
     "expressions_in",
@@ -32,12 +34,20 @@ __all__ = [
     "is_container",
     "rewritten",
     "substituted",
+    "text_of",
 ]
 
 Rewrite: TypeAlias = Callable[[tuple[Expr, ...]], Sequence[Expr]]
 """An operation on several expressions, which returns as many."""
 Kind = TypeVar("Kind")
 Layout: TypeAlias = Callable[[Any, list[str]], str]
+
+
+@runtime_checkable
+class Typeset(Protocol):
+    """A thing with a formula of its own, such as a linear model or the matrices of equations."""
+
+    def latex(self) -> str: ...
 
 
 class Container(NamedTuple):
@@ -48,6 +58,8 @@ class Container(NamedTuple):
     """The container like a given one, with other parts."""
     layout: Layout | None = None
     """The LaTeX of a container from that of what is shown of it; None if it has a method `latex` or cannot be shown."""
+    text: Layout | None = None
+    """The text of a container from those of its parts; None if it is no mere collection of these."""
     shown: Callable[[Any], Sequence[Any]] | None = None
     """What is shown of it in LaTeX; its parts by default."""
     differentiated: Callable[[Any], Sequence[Any]] | None = None
@@ -119,36 +131,50 @@ def in_latex(value: Any, place: str, form: Callable[[Expr], Expr]) -> str:
         form: which gives the form that is shown of an expression.
     """
     leaves: list[Expr] = []
+    own = dict[int, str]()
 
     def collect(part: Any, path: str) -> None:
         entry = _entry(part)
-        if entry is None:
-            leaves.append(expression(part, f"{place}, entry {path}" if path else place))
-            return
-        if entry.layout is None:
+        if (
+            (entry is None or entry.layout is None)
+            and isinstance(part, Typeset)
+            and not isinstance(part, Expr)
+        ):
+            own[id(part)] = part.latex()
+        elif entry is None:
+            leaves.append(form(expression(part, f"{place}, entry {path}" if path else place)))
+        elif entry.layout is None:
             raise ArgumentError(
                 f"{place}: {described(part)}, which has no formula; expected expressions, matrices, vectors, points, "
-                "frames, bodies, forces, torques, or equations alone"
+                "frames, bodies, forces, torques, equations or linear models"
             )
-        parts = (entry.shown or entry.parts)(part)
-        names = [""] * len(parts) if entry.shown else _names(part, parts)
-        for each, name in zip(parts, names, strict=True):
-            collect(each, path + name)
+        else:
+            parts = (entry.shown or entry.parts)(part)
+            names = [""] * len(parts) if entry.shown else _names(part, parts)
+            for each, name in zip(parts, names, strict=True):
+                collect(each, path + name)
 
-    entry = _entry(value)
-    if entry is not None and entry.layout is None and hasattr(value, "latex"):
-        return str(value.latex())
     collect(value, "")
-    definitions, texts = _core.listing(list(map(form, leaves)), "latex")
+    definitions, texts = _core.listing(leaves, "latex")
     remaining = iter(texts)
 
     def laid_out(part: Any) -> str:
         entry = _entry(part)
+        if id(part) in own:
+            return own[id(part)]
         if entry is None or entry.layout is None:
             return next(remaining)
         return entry.layout(part, [laid_out(each) for each in (entry.shown or entry.parts)(part)])
 
     return with_definitions(definitions, laid_out(value))
+
+
+def text_of(value: Any, text: Callable[[Any], str]) -> str | None:
+    """Return the text of a list, a dictionary, an array or a matrix from those of its parts; None for other things."""
+    entry = _entry(value)
+    if entry is None or entry.text is None:
+        return None
+    return entry.text(value, [text(part) for part in entry.parts(value)])
 
 
 class _Pass:
@@ -234,6 +260,18 @@ def _array_layout(array: NDArray[Any], texts: list[str]) -> str:
     return bmatrix(texts, array.shape[1] if array.ndim == 2 else 1)
 
 
+def _tuple_text(value: tuple[Any, ...], texts: list[str]) -> str:
+    names = getattr(value, "_fields", None)
+    return named(names, texts) if names else listed(texts, "(", ",)" if len(texts) == 1 else ")")
+
+
+def _array_text(array: NDArray[Any], texts: list[str]) -> str:
+    if array.ndim != 2:
+        return listed(texts)
+    columns = array.shape[1]
+    return listed([listed(texts[k : k + columns]) for k in range(0, len(texts), columns or 1)])
+
+
 def _brackets(opening: str, closing: str) -> Layout:
     return lambda _, texts: rf"\left{opening}{', '.join(texts)}\right{closing}"
 
@@ -260,23 +298,33 @@ def _alike(
     return Container(parts, rebuilt, derivative=rebuilt, **more)
 
 
-contains(list, _alike(list, lambda like, parts: type(like)(parts), layout=_brackets("[", "]")))
-contains(tuple, _alike(tuple, _like_tuple, layout=_brackets("(", ")")))
+contains(
+    list,
+    _alike(
+        list,
+        lambda like, parts: type(like)(parts),
+        layout=_brackets("[", "]"),
+        text=lambda _, texts: listed(texts),
+    ),
+)
+contains(tuple, _alike(tuple, _like_tuple, layout=_brackets("(", ")"), text=_tuple_text))
 contains(
     dict,
     _alike(
         _dictionary,
         lambda like, parts: dict(zip(like, parts, strict=True)),
         layout=_pairs,
+        text=lambda dictionary, texts: named(map(str, dictionary), texts),
         shown=_keys_and_values,
     ),
 )
-_ARRAY = _alike(lambda array: list(array.flat), array_like, layout=_array_layout)
+_ARRAY = _alike(lambda array: list(array.flat), array_like, layout=_array_layout, text=_array_text)
 contains(
     Matrix,
     _alike(
         lambda matrix: matrix.entries,
         lambda like, parts: Matrix.from_entries(like.rows, like.columns, parts),
         layout=lambda matrix, texts: bmatrix(texts, matrix.columns),
+        text=lambda matrix, texts: matrix_text(texts, matrix.columns),
     ),
 )

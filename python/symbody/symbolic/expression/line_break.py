@@ -42,7 +42,7 @@ _SUMS: Collection[Role] = {"open", "factor"}
 _LONG = 0.6
 """The part of a line from which on a bracket is broken before the product in which it stands is."""
 _SHORT = 12
-"""The characters of a right side that never stands alone."""
+"""The characters of a side of an equation that never stands alone."""
 _DEEPEST = 5
 """The levels of indentation at most."""
 
@@ -55,7 +55,7 @@ def rows(tokens: Sequence[Token], line: int, step: int) -> list[Row]:
         line: the length of a line.
         step: the characters by which a level is indented.
     """
-    return _Filling(line, step).rows(_with_right_side(terms_of(tokens), line), 0, 0)
+    return _Filling(line, step).rows(_with_short_sides(terms_of(tokens), line), 0, 0)
 
 
 class _Filling(NamedTuple):
@@ -87,8 +87,10 @@ class _Filling(NamedTuple):
         return self.line - self.step * indent
 
 
-def _with_right_side(terms: list[_Piece], line: int) -> list[_Piece]:
-    """Return terms with a right side of one term beside the last term on the left, unless both are long."""
+def _with_short_sides(terms: list[_Piece], line: int) -> list[_Piece]:
+    """Return terms with a short side of an equation beside the nearest term of the other one."""
+    if len(terms) > 1 and terms[1][0].role == "equals" and _width(terms[0]) <= _SHORT:
+        terms = [terms[0] + terms[1], *terms[2:]]
     if len(terms) > 1 and terms[-1][0].role == "equals":
         right = _width(terms[-1])
         if right <= _SHORT or right + _width(terms[-2]) <= line:

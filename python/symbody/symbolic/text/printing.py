@@ -3,23 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any, Protocol, runtime_checkable
+from typing import Any
 
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 from symbody.symbolic.calculus.shown_form import shown_form
-from symbody.symbolic.expression.container import in_latex, is_container
+from symbody.symbolic.expression.container import Typeset, in_latex, is_container
 from symbody.symbolic.expression.leaves import ExprLike
 from symbody.symbolic.given.arguments import expression_or_container
 
 __all__ = ["latex", "listing", "listing_of_equations", "maple"]
-
-
-@runtime_checkable
-class Typeset(Protocol):
-    """A thing with a formula of its own, such as a linear model or the matrices of equations."""
-
-    def latex(self) -> str: ...
 
 
 def latex(expression: Any) -> str:

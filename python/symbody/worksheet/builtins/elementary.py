@@ -41,7 +41,6 @@ from symbody.worksheet.values.numeric import as_float, as_integer, decimal, with
 from symbody.worksheet.values.structure import Tree, is_negative, tree_of, walk
 from symbody.worksheet.values.value import (
     Array,
-    Boolean,
     Listed,
     MapleSet,
     Range,
@@ -196,14 +195,6 @@ def _iquo(a: int, b: int) -> int:
 
 def _irem(a: int, b: int) -> int:
     return a - b * int(Fraction(a, b))
-
-
-def is_prime(session: Session, n: Value) -> Value:
-    """isprime(n)."""
-    value = as_integer(n)
-    if value is None or abs(value) > 10**12:
-        return Unevaluated(symbol("isprime"), (n,))
-    return Boolean(truth=value > 1 and all(value % k for k in range(2, math.isqrt(value) + 1)))
 
 
 def _fraction_part(which: int) -> Command:
@@ -416,7 +407,6 @@ COMMANDS: dict[str, Command] = {
     "irem": _integers(_irem),
     "igcd": _integers(math.gcd),
     "ilcm": _integers(math.lcm),
-    "isprime": is_prime,
     "numer": _fraction_part(0),
     "denom": _fraction_part(1),
     "piecewise": piecewise,

@@ -69,7 +69,7 @@ def read_file(session: Session, name: Value) -> Value:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError:
         text = data.decode("latin-1")
-    session.run(text)
+    session.run(path.name, text)
     return NULL
 
 

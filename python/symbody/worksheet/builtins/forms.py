@@ -106,12 +106,14 @@ def _unquoted(node: syntax.Expression) -> syntax.Expression:
 
 
 def seq(session: Session, body: syntax.Expression, *rest: syntax.Expression) -> Value:
-    """seq(f(i), i = a..b), seq(f(x), x in L), seq(a..b)."""
+    """seq(f(i), i = a..b), seq(f(x), x in L), seq(a..b), seq(a..b, step)."""
     if not rest:
         value = session.evaluate(body)
         if isinstance(value, Range):
             return sequence(list(_range_values(session, value)))
         return sequence(list(items_of(session, value)))
+    if len(rest) == 1 and isinstance(body, syntax.Infix) and body.operator == "..":
+        return sequence(list(_range_values(session, session.evaluate(body), session.evaluate(rest[0]))))
     return sequence(_members(session, "seq", body, rest))
 
 

@@ -15,7 +15,7 @@ _BY_PURPOSE = {
     ),
     "assumptions": "about coulditbe property",
     "numbers": (
-        "ifactors ithprime nextprime prevprime divisors primes rand randpoly randmatrix GAMMA Beta Zeta erf "
+        "ifactors divisors primes rand randpoly randmatrix GAMMA Beta Zeta erf "
         "erfc BesselJ BesselY EllipticF EllipticK EllipticE LambertW Dirac Si Ci Ei arcsec arccsc arcsinh "
         "arccosh arctanh sech csch coth"
     ),

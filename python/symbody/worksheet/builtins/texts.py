@@ -181,6 +181,24 @@ def split(session: Session, text: Value, separator: Value | None = None) -> Valu
     return Listed(tuple(String(piece) for piece in pieces))
 
 
+def joined(session: Session, pieces: Value, separator: Value | None = None) -> Value:
+    """StringTools[Join]([s, ..], separator)."""
+    if not isinstance(pieces, Listed):
+        raise WorksheetError(f"Join: a list of strings expected, found {session.text(pieces)[:60]}")
+    between = " " if separator is None else unparsed(session, separator)
+    return String(between.join(unparsed(session, each) for each in pieces.items))
+
+
+def trimmed(session: Session, text: Value) -> Value:
+    """StringTools[Trim](s): without blanks at its ends."""
+    return String(unparsed(session, text).strip())
+
+
+def search(session: Session, pattern: Value, text: Value) -> Value:
+    """StringTools[Search](pattern, s): where a text occurs; 0 if it doesn't."""
+    return number(unparsed(session, text).find(unparsed(session, pattern)) + 1)
+
+
 COMMANDS: dict[str, Command] = {
     "printf": printf,
     "sprintf": sprintf,
@@ -198,7 +216,13 @@ PACKAGES: dict[str, dict[str, Command]] = {
         "UpperCase": upper,
         "LowerCase": lower,
         "SubstituteAll": replaced,
-        "Substitute": replaced,
+        "Substitute": lambda session, text, old, new: String(
+            unparsed(session, text).replace(unparsed(session, old), unparsed(session, new), 1)
+        ),
         "Split": split,
+        "Join": joined,
+        "Trim": trimmed,
+        "Search": search,
+        "Length": length,
     }
 }

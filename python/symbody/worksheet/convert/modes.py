@@ -42,7 +42,15 @@ def _moving(text: Writer, arguments: tuple[syntax.Expression, ...], target: str)
 
 
 def _tracking(name: str, own: str, pose: str, target: str, velocities: str) -> list[str]:
-    """Return the tracking equations: the velocities of the pose along its own axes are the given ones."""
+    """Return the tracking equations: the velocities of the pose along its own axes are the given ones.
+
+    Args:
+        name: the name of the pose.
+        own: that of its velocities.
+        pose: the text of the pose.
+        target: the name of the equations.
+        velocities: the text of the given velocities.
+    """
     speeds = f"*sb.project(sb.velocity(sb.origin({name})), {name}).components"
     return [
         f"{name} = {pose}",

@@ -16,6 +16,7 @@ from symbody.worksheet.values.value import NULL, Array, Sequence, Table, Value
 
 if TYPE_CHECKING:
     from symbody.worksheet.sheet import syntax
+    from symbody.worksheet.sheet.source import ReadFile
 
 __all__ = ["Command", "Scope", "Session"]
 
@@ -65,7 +66,7 @@ class Options:
 
 
 _KEPT = (
-    *("folder", "source", "any_folder", "lines", "notices", "limits", "drawings"),
+    *("folder", "source", "any_folder", "lines", "notices", "limits", "drawings", "file"),
     *("call", "evaluate", "execute", "run", "parsed", "rebuild", "select", "overload", "face"),
 )
 """What ``restart`` doesn't forget."""
@@ -82,6 +83,7 @@ class Session:
         remembered: the entries of remember tables, as ``x(t) := V*t`` makes them, by function and arguments.
         folder: where files are written; nothing is written elsewhere.
         source: the folder of the worksheet, where ``read`` looks second.
+        file: the file whose statements are executed, if ``read`` has read it; None in the worksheet itself.
         any_folder: whether the user allows the sheet to read and write elsewhere too.
         lines: what the statement has printed so far, in order: printed values, ``printf``, warnings.
         notices: what the user should know that Maple doesn't print.
@@ -103,7 +105,7 @@ class Session:
         call: calls a function with arguments; set by the interpreter.
         evaluate: evaluates an expression; set by the interpreter.
         execute: executes the statements of a procedure, and returns the last value; set by the interpreter.
-        run: runs statements given as a text; set by the interpreter.
+        run: runs the statements of a file, given its name and text; set by the interpreter.
         parsed: evaluates an expression given as a text; set by the interpreter.
         rebuild: makes a scalar anew with other values for its symbols; set by the interpreter.
         select: takes entries of a list, table or matrix; set by the interpreter.
@@ -117,6 +119,7 @@ class Session:
     remembered: dict[str, dict[tuple[Value, ...], Value]] = field(default_factory=dict)
     folder: Path = field(default_factory=Path)
     source: Path = field(default_factory=Path)
+    file: ReadFile | None = None
     any_folder: bool = False
     lines: list[str] = field(default_factory=list)
     notices: list[str] = field(default_factory=list)
@@ -140,7 +143,7 @@ class Session:
     call: Callable[[Value, tuple[Value, ...]], Value] = field(default=lambda function, arguments: NULL)
     evaluate: Callable[[syntax.Expression], Value] = field(default=lambda node: NULL)
     execute: Callable[[Iterable[syntax.Statement]], Value] = field(default=lambda statements: NULL)
-    run: Callable[[str], None] = field(default=lambda text: None)
+    run: Callable[[str, str], None] = field(default=lambda name, text: None)
     parsed: Callable[[str], Value] = field(default=lambda text: NULL)
     rebuild: Callable[[Expr, dict[Expr, Value]], Value] = field(default=lambda scalar, values: scalar)
     select: Callable[[Value, tuple[Value, ...]], Value] = field(default=lambda whole, indices: whole)

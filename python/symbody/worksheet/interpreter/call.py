@@ -196,7 +196,7 @@ def _notice_unknown(session: Session, name: str, arguments: tuple[Value, ...]) -
 
 
 def _procedure(session: Session, node: syntax.Procedure | syntax.Arrow) -> Value:
-    return ProcedureValue(node, session.scope)
+    return ProcedureValue(node, session.scope, session.file)
 
 
 METHODS: dict[type, Callable[[Session, Any], Value]] = {

@@ -17,13 +17,14 @@ from symbody.worksheet.evaluation.session import Session
 from symbody.worksheet.interpreter import evaluate
 from symbody.worksheet.interpreter.assignment import Assignments
 from symbody.worksheet.interpreter.concatenation import concatenation
+from symbody.worksheet.interpreter.other_file import in_file
 from symbody.worksheet.interpreter.procedure import Leave, Returned
 from symbody.worksheet.interpreter.quote import unevaluated
 from symbody.worksheet.mechanics import frame_face
 from symbody.worksheet.reading.files import source_cells
 from symbody.worksheet.reading.statements import statements
 from symbody.worksheet.sheet import syntax
-from symbody.worksheet.sheet.source import Remark, SyntaxMistake
+from symbody.worksheet.sheet.source import Cell, ReadFile, Remark, SyntaxMistake
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.numeric import as_float
 from symbody.worksheet.values.value import (
@@ -125,18 +126,20 @@ class Interpreter:
             sys.setrecursionlimit(frames)
         return session.lines
 
-    def run(self, text: str) -> None:
-        """Execute the statements of a text, as ``read`` does; a mistake ends it.
+    def run(self, name: str, text: str) -> None:
+        """Execute the statements of a file, as ``read`` does; a mistake ends it.
 
         Behind ``read "f":`` they print nothing, however they end.
         """
-        for statement in _statements_of(text):
-            self._statement(statement, shown=statement.shown and not self._quiet)
+        file = ReadFile(name, source_cells(text))
+        for statement in _statements_of(file.cells, name):
+            with in_file(self.session, file, statement.place):
+                self._statement(statement, shown=statement.shown and not self._quiet)
 
     def parsed(self, text: str) -> Value:
         """Return the value of an expression given as a text."""
         value: Value = NULL
-        for statement in _statements_of(text):
+        for statement in _statements_of(source_cells(text)):
             if not isinstance(statement, syntax.Evaluation):
                 raise WorksheetError(f"{text[:60]!r} is not an expression")
             value = self.session.evaluate(statement.expression)
@@ -310,11 +313,11 @@ class Interpreter:
         raise Stop
 
 
-def _statements_of(text: str) -> Iterable[syntax.Statement]:
-    for cell in source_cells(text):
+def _statements_of(cells: Iterable[Cell], file: str = "") -> Iterable[syntax.Statement]:
+    for cell in cells:
         for statement in statements(cell):
             if isinstance(statement, SyntaxMistake):
-                raise WorksheetError(statement.message)
+                raise WorksheetError(f'in "{file}", {statement.message}' if file else statement.message)
             if not isinstance(statement, Remark):
                 yield statement
 

@@ -11,6 +11,7 @@ from symbody.symbolic import Expr
 from symbody.worksheet.builtins import PACKAGES
 from symbody.worksheet.evaluation.session import Command, Scope, Session
 from symbody.worksheet.evaluation.types import has_type
+from symbody.worksheet.interpreter.other_file import in_file
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.value import (
@@ -88,7 +89,8 @@ def _called(session: Session, call: ProcedureCall) -> Value:
     packages = session.packages
     session.packages = packages | _used(call.procedure.definition)
     try:
-        return _executed(session, call.procedure.definition)
+        with in_file(session, call.procedure.file):
+            return _executed(session, call.procedure.definition)
     except Returned as returned:
         return returned.value
     except WorksheetError as error:

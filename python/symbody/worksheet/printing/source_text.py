@@ -142,6 +142,7 @@ def _procedure(node: syntax.Procedure) -> tuple[str, int]:
         ("global", node.shared),
         ("option", node.options),
         ("uses", node.uses),
+        ("description", tuple(_text(syntax.Text(each, place=node.place))[0] for each in node.description)),
     ):
         if names:
             heads.append(f"{word} {', '.join(names)};")

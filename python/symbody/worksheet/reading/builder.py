@@ -281,6 +281,7 @@ class Builder:
             tuple(declared["global"]),
             tuple(declared["option"]),
             tuple(declared["uses"]),
+            tuple(declared["description"]),
             place=place,
         )
 

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import base64
-import re
 from dataclasses import dataclass, field
 from xml.parsers import expat
 
 from symbody.errors import WorksheetError
+from symbody.worksheet.reading.formula_text import UnknownFormula, formula_text
+from symbody.worksheet.reading.stored_formula import UnknownEncoding, stored_formula
 from symbody.worksheet.sheet.source import Cell, Line, SyntaxMistake
 from symbody.worksheet.sheet.syntax import Place
 
@@ -17,9 +17,21 @@ __all__ = ["mw_cells"]
 _CODE_STYLES = frozenset({"Maple Input", "1D", "2D Input", "Code", "Maple Input Placeholder"})
 _PRINTED_STYLES = ("Line Printed Output", "Maple Output", "Warning", "Error", "Diagnostic", "Text Output")
 
+#: Styles of formulas in two dimensions that are input.
+_FORMULA_STYLES = frozenset({"2D Input", "Code", "Maple Input"})
 
 #: Outputs that the file stores in Maple's own encoding, as a text export calls them.
 _DRAWN = {"Equation": "[Maple Math]", "Plot": "[Maple Plot]", "Image": "[Maple Bitmap]"}
+
+
+@dataclass(slots=True)
+class _Formula:
+    """A formula in two dimensions: encoded as it is drawn and as it is stored, and its text, which may be cut."""
+
+    display: str
+    text: str
+    is_input: bool
+    stored: str = ""
 
 
 @dataclass(slots=True)
@@ -32,7 +44,7 @@ class _Reader:
     printed: list[str] = field(default_factory=list)
     prose: list[str] = field(default_factory=list)
     unread: list[SyntaxMistake] = field(default_factory=list)
-    formula: list[str] | None = None
+    formula: _Formula | None = None
     tags: list[tuple[str, str]] = field(default_factory=list)
     text: list[tuple[str, int, int]] = field(default_factory=list)
     words: list[str] = field(default_factory=list)
@@ -42,12 +54,12 @@ class _Reader:
         if tag == "Group":
             self.close()
         if tag == "Equation" and self._within("Input"):
-            text = attributes.get("input-equation", "")
-            is_input = attributes.get("style") == "2D Input" and attributes.get("executable") != "false"
-            if text.strip():
-                self._add(text)
-            elif is_input:
-                self.formula = []
+            self.formula = _Formula(
+                attributes.get("display", ""),
+                attributes.get("input-equation", ""),
+                is_input=attributes.get("style") in _FORMULA_STYLES
+                and attributes.get("executable") != "false",
+            )
         if tag in _DRAWN and self._within("Output"):
             self.printed.append(_DRAWN[tag])
         self.tags.append((tag, _style(tag, attributes)))
@@ -56,16 +68,16 @@ class _Reader:
         """Take the end of an element."""
         if tag == "Text-field":
             self._end_field()
-        if tag == "Equation" and self.formula is not None:
-            self._end_formula("".join(self.formula))
         self.tags.pop()
+        if tag == "Equation" and self.formula is not None:
+            self._end_formula(self.formula)
         if tag == "Group":
             self.close()
 
     def characters(self, text: str) -> None:
         """Take text."""
         if self.formula is not None:
-            self.formula.append(text)
+            self.formula.stored += text
         if self._within("Equation") or self._within("Image") or self._within("Plot"):
             return  # what is drawn is stored in Maple's own encoding
         if self._within("Text-field"):
@@ -91,15 +103,30 @@ class _Reader:
         elif not (self._within("Input") and self._field_style() in _CODE_STYLES):
             self.words.append(text)  # text in a field of code is a remark
 
-    def _end_formula(self, stored: str) -> None:
-        """Take a formula of the input of which the file has no text; that of an empty prompt has no letter."""
+    def _end_formula(self, formula: _Formula) -> None:
+        """Take a formula of the input: as text, if it can be read."""
         self.formula = None
-        if not _has_letters(stored):
+        if not formula.is_input:
+            self._add(formula.text)
             return
+        try:
+            text = _formula_text(formula)
+        except (UnknownEncoding, UnknownFormula) as reason:
+            text = formula.text
+            if not text.strip():
+                self._refuse(str(reason))
+        first, column = self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber + 1
+        rows = [row for row in text.split("\n") if row.strip()]
+        lines = [Line(row, first + k, column, prompted=True) for k, row in enumerate(rows)]
+        self.input += [*_lines(self.text), *lines]
+        self.text = []
+
+    def _refuse(self, found: str) -> None:
         line, column = self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber + 1
         message = (
-            f"line {line}, column {column}: input in two dimensions, which the file stores in Maple's own encoding; "
-            "expected text: in Maple, convert it to 1-D Math Input (menu Format, Convert To), and save again"
+            f"line {line}, column {column}: found input in two dimensions with {found}; expected names, numbers, "
+            "operators, fractions, powers, indices and roots: in Maple, convert it to 1-D Math Input (menu Format, "
+            "Convert To), and save again"
         )
         self.unread.append(SyntaxMistake(Place(line, column, line, column), message))
 
@@ -152,19 +179,12 @@ def mw_cells(text: str) -> tuple[Cell, ...]:
     return tuple(reader.cells)
 
 
-def _has_letters(stored: str) -> bool:
-    """Whether a formula in Maple's own encoding has an identifier, a number or an operator that isn't empty.
-
-    These are elements of MathML with a string ``Q``, behind which ``!`` says that it has no characters.
-    """
+def _formula_text(formula: _Formula) -> str:
+    """Return the text of a formula from what is drawn, or else from what is stored beside it."""
     try:
-        text = base64.b64decode(stored, validate=False).decode("latin-1")
-    except ValueError:
-        return True
-    return "Typesetting" not in text or _LETTERS.search(text) is not None
-
-
-_LETTERS = re.compile(r"6.Q[^!]")
+        return formula_text(stored_formula(formula.display or formula.stored))
+    except UnknownEncoding:
+        return formula_text(stored_formula(formula.stored))
 
 
 def _refuse_entity(*_: object) -> None:

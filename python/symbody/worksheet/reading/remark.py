@@ -15,7 +15,14 @@ from lark import Token
 from symbody.worksheet.reading.parse import TERMINATORS, Failure, Parsed, is_statement, next_statement
 from symbody.worksheet.sheet import syntax
 
-__all__ = ["Span", "is_trailing_remark", "remark_in", "used_names"]
+__all__ = [
+    "Span",
+    "is_trailing_remark",
+    "remark_in",
+    "used_names",
+    "words_before_code",
+    "words_before_end",
+]
 
 _KEYWORDS = """IF THEN ELIF ELSE FOR DO IN AND OR NOT XOR UNION WITHOUT INTERSECT SUBSET MOD CLAUSE HEADED DECLARED READ
 SAVE STOP DONE QUIT NEXT BREAK RETURN ERROR TRY CATCH FINALLY END ASSUMING IMPLIES USE"""
@@ -26,6 +33,7 @@ _MARKS = frozenset({"COMMA", "SEMICOLON", "COLON", "MINUS", "DOT", "UNKNOWN"})  
 _ENDS = frozenset({"OD", "END", "FI"})  # of loops and conditions
 _OPENING = frozenset({"LPAR", "LSQB", "LBRACE"})
 _CLOSING = frozenset({"RPAR", "RSQB", "RBRACE"})
+_OPERATORS = frozenset({"PLUS", "MINUS", "TIMES", "OVER", "DOT", "EQUAL"})
 
 #: How many places are tried for the beginning of a remark.
 _TRIALS = 6
@@ -111,6 +119,7 @@ def _candidates(tokens: Sequence[Token], begin: int, index: int) -> Iterator[Spa
     """Return where the remark can stand: it ends with the line of the wrong token, or with the line before."""
     last = min(index, len(tokens) - 1)
     ends = [_line_end(tokens, last)]
+    yield from _in_brackets(tokens, begin, last)
     if begin < index <= last and (tokens[index].line != tokens[index - 1].line or not tokens[index]):
         ends.insert(0, index)
     for end in ends:
@@ -122,6 +131,44 @@ def _candidates(tokens: Sequence[Token], begin: int, index: int) -> Iterator[Spa
         begin < last and tokens[last].line != tokens[last - 1].line
     ):  # a line of its own behind a complete operand
         yield Span(last, ends[-1])
+    yield from _behind_operator(tokens, begin, last)
+
+
+def _in_brackets(tokens: Sequence[Token], begin: int, index: int) -> Iterator[Span]:
+    """Return words in brackets apart from a complete operand: ``f := sin(q)  (sine of q)``."""
+    line, depth = tokens[index].line, 0
+    for place in range(index - 1, begin, -1):
+        if tokens[place].line != line:
+            return
+        depth += (tokens[place].type in _CLOSING) - (tokens[place].type in _OPENING)
+        if depth < 0 and tokens[place].type == "LPAR":
+            before = tokens[place - 1]
+            is_apart = before.line == line and before.end_column != tokens[place].column
+            end = _behind_bracket(tokens, place)
+            if end and is_apart and before.type in _CLOSING | {"INTEGER", "DECIMAL", "NAME"}:
+                yield Span(place, end)
+            return
+
+
+def _behind_bracket(tokens: Sequence[Token], begin: int) -> int | None:
+    """Return the end of the line that a bracket closes; None if there is more on it than a terminator."""
+    end = _line_end(tokens, begin)
+    while end > begin and tokens[end - 1].type in TERMINATORS:
+        end -= 1
+    depths = _depths(tokens[begin:end])
+    return end if len(depths) > 2 and not depths[-1] and all(depths[1:-1]) else None
+
+
+def _behind_operator(tokens: Sequence[Token], begin: int, index: int) -> Iterator[Span]:
+    """Return words between an operator and the operand on the next line: ``y := x1 +  the offset``, then ``x2;``."""
+    end = _line_end(tokens, index)
+    first = end
+    while first > begin and tokens[first - 1].type in _WORDS and tokens[first - 1].line == tokens[index].line:
+        first -= 1
+    if first > begin + 1 and end - first > 1 and tokens[first - 1].type in _OPERATORS:
+        rest = [*tokens[begin:first], *tokens[end:]]
+        if isinstance(next_statement(rest), Parsed):
+            yield Span(first, end)
 
 
 def _is_tail(tokens: Sequence[Token], begin: int, end: int) -> bool:
@@ -242,4 +289,11 @@ def _helps(tokens: Sequence[Token], begin: int, span: Span, index: int) -> bool:
     if isinstance(found, Parsed) or found.index > span.begin - begin:
         return True
     only_end_is_missing = found.index < len(rest) and not rest[found.index]
-    return only_end_is_missing and bool(tokens[index])
+    return (only_end_is_missing and bool(tokens[index])) or _is_whole(tokens, begin, span)
+
+
+def _is_whole(tokens: Sequence[Token], begin: int, span: Span) -> bool:
+    """Whether a remark in brackets stands between a whole statement, without a terminator, and the next line."""
+    is_last = tokens[span.begin].type == "LPAR" and span.end < len(tokens)
+    is_last = is_last and tokens[span.end].line != tokens[span.end - 1].line
+    return is_last and is_statement(tokens[begin : span.begin])

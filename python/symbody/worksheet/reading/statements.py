@@ -121,7 +121,13 @@ def _prompt_ends(cell: Cell, tokens: Sequence[Token], begin: int, failure: Failu
 
 
 def _next_begin(tokens: Sequence[Token], begin: int, index: int) -> int:
-    """Return where the next statement begins: behind the next terminator that no loop or procedure contains."""
+    """Return where the next statement begins: behind the next terminator that no loop or procedure contains.
+
+    A command of the system, ``!ls``, ends with its line.
+    """
+    if tokens[begin] == "!":
+        line = tokens[begin].line
+        return next((k for k in range(begin, len(tokens)) if tokens[k].line != line), len(tokens))
     depth = 0
     for end in range(begin, len(tokens)):
         depth += opened(tokens, end)

@@ -54,6 +54,11 @@ def run_file(options: argparse.Namespace) -> int:
         report.verdicts = verdicts(cells, done)
         _show_verdicts(report.verdicts, quiet=options.quiet)
     print(report)
+    if report.failed and not any(cell.input for cell in cells):
+        print(
+            f"symbody run: of {options.file}, no input could be read; the messages tell why", file=sys.stderr
+        )
+        return NOT_READABLE
     return status or report.status
 
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from symbody.worksheet.sheet.syntax import Place
 
-__all__ = ["Cell", "Line", "Remark", "SyntaxMistake"]
+__all__ = ["Cell", "Line", "ReadFile", "Remark", "SyntaxMistake"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,6 +44,14 @@ class Cell:
     prose: tuple[str, ...] = ()
     remarks_lost_marks: bool = True
     unread: tuple[SyntaxMistake, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class ReadFile:
+    """A file that ``read`` executes."""
+
+    name: str
+    cells: tuple[Cell, ...]
 
 
 @dataclass(frozen=True, slots=True)

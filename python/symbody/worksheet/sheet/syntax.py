@@ -245,6 +245,7 @@ class Procedure(Node):
     shared: tuple[str, ...] = ()
     options: tuple[str, ...] = ()
     uses: tuple[str, ...] = ()
+    description: tuple[str, ...] = ()
 
 
 Expression: TypeAlias = (

@@ -14,6 +14,7 @@ from symbody.symbolic import Expr
 
 if TYPE_CHECKING:
     from symbody.worksheet.sheet import syntax
+    from symbody.worksheet.sheet.source import ReadFile
 
 __all__ = [
     "NULL",
@@ -121,10 +122,14 @@ class Array:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ProcedureValue:
-    """A procedure or an operator ``x -> ..``, with the scope that it was made in, and the results that it remembers."""
+    """A procedure or an operator ``x -> ..``, with the scope that it was made in, and the results that it remembers.
+
+    ``file`` is where it is written: what ``read`` has read, or None, the worksheet.
+    """
 
     definition: syntax.Procedure | syntax.Arrow
     scope: Any = None
+    file: ReadFile | None = field(default=None, compare=False, repr=False)
     results: dict[tuple[Any, ...], Any] = field(default_factory=dict, compare=False, repr=False)
 
 

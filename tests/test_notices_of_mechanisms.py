@@ -1,0 +1,187 @@
+"""Notices of joints, elements and reactions: their whole texts, beside `test_errors_of_joints.py`."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from collections.abc import Callable
+
+import pytest
+
+import symbody as sb
+from symbody import Link, ground
+from tests.test_errors_of_elements import LATERAL, TIRE
+from tests.test_errors_of_tire_files import SLICK, read
+
+a, b, c = (Link(name, 1, 1, 1, 1) for name in "abc")
+phi = sb.functions_of_time("phi")
+
+
+def idle() -> object:
+    """Give a coordinate to the joint that closes a loop."""
+    return sb.assemble([sb.revolute("P", ground, a), sb.revolute("Q", ground, a, coordinate=phi, loop=True)])
+
+
+def rounded() -> object:
+    """Close a plane four-bar whose pins are turned by rounded angles."""
+    tilt = sb.rotate("X", 1e-9)
+    return sb.assemble(
+        [
+            sb.revolute("A", ground, a),
+            sb.revolute("B", a, b, at=(0.3, 0, 0)),
+            sb.revolute("C", b, c, at=sb.translate(1, 0, 0) * tilt, to=(0.8, 0, 0)),
+            sb.revolute("D", ground, c, at=(1, 0, 0)),
+        ]
+    )
+
+
+def nut_in_space() -> object:
+    """Let a screw close a loop in which its axis turns."""
+    joints = [sb.revolute("A", ground, a), sb.revolute("B", a, b, axis="X"), sb.revolute("C", b, c, axis="Y")]
+    return sb.assemble([*joints, sb.screw("S", c, ground, pitch=0.002)])
+
+
+def doubled() -> object:
+    """Take the reaction of the second hinge of a door."""
+    hinges = [sb.revolute("P", ground, a), sb.revolute("Q", ground, a, at=(0, 0, 1), to=(0, 0, 1))]
+    return sb.reaction(sb.newton_euler(sb.assemble(hinges).system()), "Q")
+
+
+def belt() -> object:
+    """Take the reaction of a shaft that a belt couples to another one."""
+    shafts = [sb.revolute("P", ground, a), sb.revolute("Q", ground, b, at=(1, 0, 0))]
+    one, other = (shaft.coordinate for shaft in shafts)
+    system = sb.assemble(shafts).system(constraints=[sb.Constraint(2 * one - other, "belt")])
+    return sb.reaction(sb.newton_euler(system), "P")
+
+
+def displaced_spring() -> object:
+    x = sb.functions_of_time("x")
+    block = sb.Body(sb.translate(x, 0, 0), 1, name="block")
+    spring = sb.spring(block.center_of_mass, sb.origin(ground), 3, on=block, name="band")
+    return sb.displaced(spring, sb.rotate("Z", math.pi / 2))
+
+
+NOTICES: list[tuple[Callable[[], object], list[str]]] = [
+    (
+        idle,
+        [
+            (
+                "assemble: revolute Q closes a loop, so that its phi is no coordinate of the mechanism; leave "
+                "the coordinates of one joint of each loop out, or choose by loop=True which joint closes it"
+            )
+        ],
+    ),
+    (
+        rounded,
+        [
+            (
+                "assemble: revolute D closes its loop but for rounding: D.z, D.about x, D.about y stay within "
+                "9.9e-10 at all positions, and as constraints they allow no motion, or contradict others; give "
+                "exact dimensions, or leave out what is so small by assemble(joints, tolerance=1e-09)"
+            )
+        ],
+    ),
+    (
+        nut_in_space,
+        [
+            (
+                "assemble: screw S closes a loop in space, which determines its angle only up to whole turns, of "
+                "0.004*pi along the axis each; the position that is found is the one nearest to the guess: let another "
+                "joint close the loop by loop=True, or choose this one by loop=True and give a guess of its position"
+            )
+        ],
+    ),
+    (
+        doubled,
+        [
+            (
+                "reaction: revolute Q holds what other joints hold already, so that the forces of its loop are "
+                "statically indeterminate; it is taken to exert none; leave it out, or put a bushing in its "
+                "place to share them"
+            )
+        ],
+    ),
+    (
+        belt,
+        [
+            (
+                "reaction: the constraint belt, 2*phi_P - phi_Q = 0 couples phi_P, phi_Q; its forces are taken "
+                "to act along them in the joints P, Q, as motors there do, and reactions hold them; what it "
+                "exerts across, such as the pull of a belt on its bearings, is not known"
+            )
+        ],
+    ),
+    (
+        displaced_spring,
+        [
+            (
+                "displaced: band has no potential energy any more, as its actions have another power where they "
+                "are now, so that energies leave it out; to keep it, make the element of displaced points or "
+                "frames"
+            )
+        ],
+    ),
+    (
+        lambda: sb.magic_formula(TIRE | {"QDTP1": 10}),
+        [
+            (
+                "magic_formula: turn slip is left out (QDTP1): forces are those of a path that is wide beside "
+                "the tyre, not those of parking"
+            )
+        ],
+    ),
+    (
+        lambda: sb.magic_formula(TIRE | {"NOMPRES": 2e5}, pressure=100_000),
+        [
+            (
+                "magic_formula: pressure = 100000 has no effect, because the tyre has no coefficients of the "
+                "pressure; expected some of PPX1 to PPX4, PPY1 to PPY5, PPZ1, PPZ2, PPMX1, QSY8"
+            )
+        ],
+    ),
+    (
+        lambda: sb.magic_formula(TIRE | {"NOMPRES": 220, "PPX1": -0.3}, pressure=250_000),
+        [
+            (
+                "magic_formula: pressure = 250000 is 1.14e+03 times NOMPRES = 220, far from the pressures for which "
+                "coefficients are measured; expected both in one unit"
+            )
+        ],
+    ),
+    (
+        lambda: sb.magic_formula(LATERAL | {"PKY6": -0.9}),
+        [
+            (
+                "magic_formula: PKY6 of set 6.1 has no effect in version 5.2; expected version='6.1', or PHY3 "
+                "for the force of the camber"
+            )
+        ],
+    ),
+    (
+        read(f"{SLICK}QDTP1 = 10", lambda file: file),
+        [
+            (
+                "tire_file a.tir: turn slip is left out (QDTP1): forces are those of a path that is wide beside "
+                "the tyre, not those of parking"
+            )
+        ],
+    ),
+    (
+        read(f"{SLICK}[LATERAL_COEFFICIENTS]\nPDYX = 1"),
+        [
+            (
+                "tire_file a.tir: PDYX (line 9) means nothing to the law and is left out of it; expected names "
+                "such as PCY1"
+            )
+        ],
+    ),
+]
+
+
+@pytest.mark.parametrize(("make", "texts"), NOTICES)
+def test_notices(make: Callable[[], object], texts: list[str]) -> None:
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        make()
+    assert [str(each.message) for each in caught] == texts
