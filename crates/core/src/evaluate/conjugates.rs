@@ -13,8 +13,6 @@ use std::collections::BTreeMap;
 use crate::graph::{Flags, Graph, Id, View};
 use crate::value::{Number, prime_factors};
 
-use super::integer_point::Rationals;
-
 /// The most conjugates of a value.
 const MOST_CONJUGATES: i64 = 64;
 
@@ -61,8 +59,8 @@ impl Conjugation<'_> {
 }
 
 impl Graph {
-    /// The roots among nodes with these values, if all are those of rational numbers and have few conjugates.
-    pub(super) fn radicals(&self, order: &[Id], values: &Rationals) -> Option<Radicals> {
+    /// The roots among nodes whose values are known where they are rational, if all are those of rational numbers and have few conjugates.
+    pub(super) fn radicals(&self, order: &[Id], value: impl Fn(Id) -> Option<Number>) -> Option<Radicals> {
         let (mut radicands, mut degrees) = (FxHashMap::default(), BTreeMap::new());
         for &id in order.iter().filter(|&&id| self.flags(id).has(Flags::BRANCH) || self.holds_number_root(id))
         {
@@ -75,7 +73,7 @@ impl Graph {
                 let base = self.representative(base);
                 let powers = match radicands.remove(&base) {
                     Some(known) => known,
-                    None => powers_of(&values.get(base)?),
+                    None => powers_of(&value(base)?),
                 };
                 for (prime, &count) in &powers {
                     let degree = exponent.mul(&Number::integer(count)).to_small()?.1;

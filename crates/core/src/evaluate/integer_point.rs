@@ -159,7 +159,7 @@ impl Graph {
             values = self.rationals(&order, point);
         }
         values.get(root).or_else(|| {
-            let radicals = self.radicals(&order, &values)?;
+            let radicals = self.radicals(&order, |id| values.get(id))?;
             self.mean_of_conjugates(&radicals, |conjugation, field| {
                 let point = IntegerPoint { conjugation: Some(conjugation), ..point };
                 self.values_at(&order, point, field).remove(&root)
@@ -240,7 +240,7 @@ impl Graph {
         let [first, second] = FieldId::HASH.map(|field| somehow(field, point));
         rational(fingerprint([&first?, &second?])).or_else(|| {
             let values = self.rationals(&order, point.with_poles_zero());
-            let radicals = self.radicals(&order, &values)?;
+            let radicals = self.radicals(&order, |id| values.get(id))?;
             self.mean_of_conjugates(&radicals, |conjugation, field| {
                 somehow(field, IntegerPoint { conjugation: Some(conjugation), ..point })
             })

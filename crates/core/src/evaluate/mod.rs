@@ -38,4 +38,3 @@ mod slope;
 mod solution;
 
 pub(crate) use pending::Pending;
-pub(crate) use real_range::RealRange;

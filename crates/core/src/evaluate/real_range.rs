@@ -4,20 +4,10 @@
 //! both may lie outside GF(p). The modulus of the one is the root itself, and that of the other one is sqrt(|x|). So what a
 //! modulus is where its argument lies outside GF(p) follows from what is proved here about the representative.
 
-use crate::graph::{Assumption, Factors, Flags, Function, Graph, Id, View};
+use crate::graph::{Assumption, Factors, Flags, Function, Graph, Id, RealRange, View};
 use crate::value::{FieldId, Number, Quadratic};
 
 use super::node::power_of_content;
-
-/// The values that a node may have.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum RealRange {
-    /// Complex ones, too.
-    Any,
-    Real,
-    /// Real ones that are not negative.
-    NotNegative,
-}
 
 use RealRange::{Any, NotNegative, Real};
 

@@ -4,10 +4,10 @@ use num_bigint::BigInt;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
-use crate::evaluate::RealRange;
 use crate::value::{Element, FieldId, Key, Number, Quadratic, fingerprint};
 
 use super::node::{Assumption, Id, NumberId, View};
+use super::real_range::RealRange;
 
 /// Values of nodes in the fields of all lanes, as far as they were asked for.
 ///
