@@ -6,6 +6,7 @@ from .bicycle import BICYCLES
 from .carts import CARTS
 from .classic import Classic
 from .elementary import ELEMENTARY
+from .engineering import ENGINEERING
 from .machines import MACHINES
 from .pendulums import PENDULUMS
 from .robots import ROBOTS
@@ -18,6 +19,7 @@ CLASSICS: tuple[Classic, ...] = (
     *MACHINES,
     *ELEMENTARY,
     *CARTS,
+    *ENGINEERING,
     *ROBOTS,
     *VEHICLES,
     *ROLLING,

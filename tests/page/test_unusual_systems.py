@@ -197,7 +197,7 @@ def test_one_coordinate_has_a_matrix_of_christoffel() -> None:
     bead = newton_euler(System([Body(translate(x, x**2, 0), m)], coordinates=[x]))
     assert bead.matrix_form(christoffel=True).description().splitlines() == [
         "M*x'' + C*x' = 0",
-        "    M11 = 4*m*x**2 + m",
+        "    M11 = m*(4*x**2 + 1)",
         "    C11 = 4*m*x*x'",
     ]
 

@@ -9,6 +9,7 @@ from symbody.symbolic._core import Expr
 
 from .common_part import common_parameters
 from .derivative import diff
+from .fractions_outside import with_fractions_outside
 from .reading import is_divisor, nodes_of, parts_of
 from .rewrite import short_form
 
@@ -29,14 +30,15 @@ def by_parameters(expression: Expr, parameters: Sequence[Expr], form: Callable[[
     factors = {each: factor for each, factor in factors.items() if each not in inside and not factor.is_zero}
     if len(factors) < _FEW:
         return None
+    read = [(parameter, form(factor)) for parameter, factor in factors.items()]
     joined = dict[Expr, Expr]()
-    for parameter, factor in sorted(factors.items(), key=lambda pair: len(str(pair[1]))):
+    for parameter, factor in sorted(read, key=lambda pair: len(str(pair[1]))):
         known, ratio = next(
             ((known, ratio) for known in joined if (ratio := _multiple(factor, known)) is not None),
             (factor, _core.number(1)),
         )
         joined[known] = joined.get(known, _core.number(0)) + ratio * parameter
-    terms = [total * form(factor) for factor, total in joined.items()]
+    terms = [with_fractions_outside(total * factor) for factor, total in joined.items()]
     found = _core.sum_of(terms)
     return _with_number_outside(terms, found) if found == expression else None
 
@@ -60,12 +62,15 @@ _FEW = 2
 
 def _multiple(factor: Expr, known: Expr) -> Expr | None:
     """Return the parameters by which a known factor is multiplied, as in `I + m*r**2`; None if it isn't, or divided."""
-    if factor == known:
-        return _core.number(1)
-    if not _moving(factor) or _moving(factor) != _moving(known):
+    moving = _moving(factor)
+    if moving != _moving(known) or (not moving and factor.free_symbols != known.free_symbols):
         return None
     ratio = short_form(factor / known)
-    return None if _moving(ratio) or any(map(is_divisor, nodes_of(ratio))) else ratio
+    if ratio.is_number:
+        return ratio
+    if not moving or _moving(ratio) or any(map(is_divisor, nodes_of(ratio))):
+        return None
+    return ratio
 
 
 def _moving(expression: Expr) -> set[Expr]:

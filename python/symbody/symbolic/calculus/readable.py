@@ -57,35 +57,41 @@ def readable(expression: Any) -> Any:
 
 
 def _most_readable(expression: Expr) -> Expr:
-    """Return the form that reads shortest; of equals, the first one."""
+    """Return the form that reads shortest in standard names, unless another one is shorter in the names of the user."""
     form = short_form(expression)
     if form.is_variable or form.is_number or len(str(form)) > _LONG:
         return form
-    simplest = _simplest(expression)
+    names = standard_names([], [expression])
+    standard = names.standard(expression)
+    found = _best((names.original(_shortest(standard)), form), expression)
+    return _unless_longer(found, _simplest(expression))
+
+
+def _shortest(expression: Expr) -> Expr:
+    """Return the form that reads shortest; of equals, the first one."""
+    form, simplest = short_form(expression), _simplest(expression)
     found = _best((form, *_flat(simplest), *_forms(expression, form)), expression)
+    return _unless_longer(found, simplest)
+
+
+def _unless_longer(found: Expr, simplest: Expr) -> Expr:
+    """Return a form, or the simplest one if that is shorter and has no more multiples of angles."""
     more = 0 if awkward_terms(found) else _FLAT
-    is_shorter = len(str(simplest)) + more < len(str(found)) and multiples_of_angles(
-        simplest
-    ) <= multiples_of_angles(expression)
-    return simplest if is_shorter else found
+    is_shorter = len(str(simplest)) + more < len(str(found))
+    return simplest if is_shorter and multiples_of_angles(simplest) <= multiples_of_angles(found) else found
 
 
 def _forms(expression: Expr, form: Expr) -> Iterator[Expr]:
-    """Yield further forms: of the given expression in standard names, and of its form that was found first."""
+    """Yield further forms: of the given expression, and of its form that was found first."""
     if awkward_terms(form):
         yield textbook_form(expression)
         if _terms(expression) <= _TERMS:
             yield expand(expression)
     if form != expression:
         yield from _flat(_simplest(form))
-    if cost(expression).total > _READ:
-        return
-    names = standard_names([], [expression])
-    standard = names.standard(expression)
-    yield from map(names.original, _flat(_simplest(standard)))
-    found = by_rates(standard, _coefficient)
+    found = by_rates(expression, _coefficient) if cost(expression).total <= _READ else None
     if found is not None:
-        yield names.original(found)
+        yield found
 
 
 def _simplest(expression: Expr, most: int = _TERMS) -> Expr:

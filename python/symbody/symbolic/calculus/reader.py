@@ -13,8 +13,9 @@ from .by_parameters import by_lengths, by_parameters
 from .cost import cost
 from .derivative import substitute
 from .difference import by_differences, with_differences
-from .reading import is_divisor, levels, multiples_of_angles, nodes_of, reading
-from .rewrite import simplify, textbook_form
+from .fractions_outside import with_fractions_outside
+from .reading import is_divisor, levels, multiples_of_angles, nodes_of, parts_of, reading
+from .rewrite import factor_terms, simplify, textbook_form
 from .squares import squared_sums, with_squares
 from .standard_names import AS_GIVEN, StandardNames
 
@@ -96,7 +97,7 @@ class Reader:
         form = textbook_form(expression)
         if operations > _EXPANDED >= cost(form).total:
             form = textbook_form(form)  # which is short enough now for all rules
-        form = self._by_bodies(expression, _by_signs(form), operations)
+        form = _with_factor_outside(self._by_bodies(expression, _by_signs(form), operations))
         shorter, used = by_differences(expression, self._differences)
         if used:
             other = with_differences(textbook_form(shorter), used)
@@ -120,6 +121,24 @@ class Reader:
         best = flat if flat is not None and is_flatter and _length(flat) <= _FLAT * _length(best) else best
         self._distances |= squared_sums(best)
         return best
+
+
+def _with_factor_outside(form: Expr) -> Expr:
+    """Return a sum of products with the factor outside that all of them have: ``m*(x**2/y**2 + 1)``."""
+    if form.kind != "sum" or any(_has_brackets(term) for term in parts_of(form, "sum")):
+        return form
+    other = with_fractions_outside(factor_terms(form))
+    shared = [part for part in parts_of(other, "product") if part.kind not in {"number", "sum"}]
+    return other if shared and _length(other) <= _length(form) + 1 else form
+
+
+def _has_brackets(term: Expr) -> bool:
+    """Return whether a term has a sum in it, other than a sum of parameters as a factor."""
+    factors = parts_of(term, "product")
+    sums = [factor for factor in factors if factor.kind == "sum"]
+    within = [part for factor in factors for part in (factor.args if factor in sums else (factor,))]
+    is_moving = any(leaf.kind == "time_function" for factor in sums for leaf in factor.free_symbols)
+    return is_moving or any(node.kind == "sum" for part in within for node in nodes_of(part))
 
 
 def _shortest_factor(expression: Expr) -> Expr:

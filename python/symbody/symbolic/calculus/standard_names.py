@@ -14,10 +14,10 @@ from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 
 from .derivative import substitute
-from .reading import nodes_of
+from .reading import nodes_of, parts_of
 
 _TIME = _core.time()
-_RANKED = 8
+_RANKED = 20
 """The most new variables of an expression that are told apart by their places in it."""
 
 
@@ -89,9 +89,9 @@ def _occurrence(leaf: Expr, new: set[Expr], expression: Expr, standing: Mapping[
     """
     digests = dict[int, bytes]()
     for node in nodes_of(expression):
-        parts = [digests[part.id] for part in node.args]
-        if node.kind in _COMMUTATIVE:
-            parts.sort()
+        is_commutative = node.kind in _COMMUTATIVE
+        parts = [digests[part.id] for part in (parts_of(node, node.kind) if is_commutative else node.args)]
+        parts = sorted(parts) if is_commutative else parts
         head = f"{_head(node, leaf, new, standing)} {len(parts)} "
         digests[node.id] = blake2b(b"".join((head.encode(), *parts)), digest_size=_DIGEST).digest()
     return digests[expression.id]
