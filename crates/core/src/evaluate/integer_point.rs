@@ -160,30 +160,11 @@ impl Graph {
         }
         values.get(root).or_else(|| {
             let radicals = self.radicals(&order, |id| values.get(id))?;
-            self.mean_of_conjugates(&radicals, |conjugation, field| {
+            mean_of_conjugates(&radicals, |conjugation, field| {
                 let point = IntegerPoint { conjugation: Some(conjugation), ..point };
                 self.values_at(&order, point, field).remove(&root)
             })
         })
-    }
-
-    /// The mean of the conjugates of a value that a point of integers has in a field, if that is rational.
-    fn mean_of_conjugates(
-        &self,
-        radicals: &Radicals,
-        value: impl Fn(&Conjugation<'_>, FieldId) -> Option<Quadratic>,
-    ) -> Option<Number> {
-        let mean = |field: FieldId| {
-            let f = field.field();
-            let (mut sum, mut count) = (f.number(&Number::integer(0)), 0);
-            for conjugation in radicals.conjugations() {
-                sum = f.add(&sum, &value(&conjugation, field)?);
-                count += 1;
-            }
-            Some(f.mul(&f.number(&Number::rational(1, count)), &sum))
-        };
-        let [first, second] = FieldId::HASH.map(mean);
-        rational(fingerprint([&first?, &second?]))
     }
 
     /// The values of nodes and of what is below them at two points of integers, and at two more where functions are drawn.
@@ -241,7 +222,7 @@ impl Graph {
         rational(fingerprint([&first?, &second?])).or_else(|| {
             let values = self.rationals(&order, point.with_poles_zero());
             let radicals = self.radicals(&order, |id| values.get(id))?;
-            self.mean_of_conjugates(&radicals, |conjugation, field| {
+            mean_of_conjugates(&radicals, |conjugation, field| {
                 somehow(field, IntegerPoint { conjugation: Some(conjugation), ..point })
             })
         })
@@ -508,6 +489,24 @@ impl Graph {
             Some(f.add(&sum, &f.mul(&f.number(coefficient), &value)))
         })
     }
+}
+
+/// The mean of the conjugates of a value that a point of integers has in a field, if that is rational.
+fn mean_of_conjugates(
+    radicals: &Radicals,
+    value: impl Fn(&Conjugation<'_>, FieldId) -> Option<Quadratic>,
+) -> Option<Number> {
+    let mean = |field: FieldId| {
+        let f = field.field();
+        let (mut sum, mut count) = (f.number(&Number::integer(0)), 0);
+        for conjugation in radicals.conjugations() {
+            sum = f.add(&sum, &value(&conjugation, field)?);
+            count += 1;
+        }
+        Some(f.mul(&f.number(&Number::rational(1, count)), &sum))
+    };
+    let [first, second] = FieldId::HASH.map(mean);
+    rational(fingerprint([&first?, &second?]))
 }
 
 /// The rational number that has a value, if that is not too large.

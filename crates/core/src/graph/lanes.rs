@@ -38,7 +38,7 @@ pub(crate) struct Lanes {
     /// Nodes that are a number times powers of positive factors.
     monomials: FxHashMap<Id, Option<Monomial>>,
     /// Those where signs are the ones of a lane.
-    monomials_in_lanes: FxHashMap<(Id, FieldId), Option<Monomial>>,
+    monomials_by_signs: FxHashMap<(Id, FieldId), Option<Monomial>>,
     /// How arguments of sines (false) and exponentials (true) are split, see `evaluate::argument`.
     splits: FxHashMap<(Id, bool, Option<FieldId>), Split>,
     /// Whether nodes hold signs and no roots.
@@ -145,7 +145,7 @@ impl Lanes {
             self.solutions.clear();
             self.splits.retain(|(_, _, lane), _| lane.is_none());
             self.exponents.retain(|(_, lane), _| lane.is_none());
-            self.monomials_in_lanes.clear();
+            self.monomials_by_signs.clear();
         }
     }
 
@@ -234,11 +234,11 @@ impl Lanes {
     }
 
     pub(crate) fn monomial_in(&self, id: Id, lane: FieldId) -> Option<&Option<Monomial>> {
-        self.monomials_in_lanes.get(&(id, lane))
+        self.monomials_by_signs.get(&(id, lane))
     }
 
     pub(crate) fn insert_monomial_in(&mut self, id: Id, lane: FieldId, monomial: Option<Monomial>) {
-        self.monomials_in_lanes.insert((id, lane), monomial);
+        self.monomials_by_signs.insert((id, lane), monomial);
     }
 
     pub(crate) fn complex(&self, id: Id) -> Option<bool> {
