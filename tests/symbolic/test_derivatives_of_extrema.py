@@ -35,7 +35,7 @@ def test_arguments_that_agree_count_once(name: str) -> None:
         assert derivative.evaluate({**fixed, x: place}) == pytest.approx(slope, abs=1e-8)
 
 
-@pytest.mark.parametrize("extremum", (Max, Min))
+@pytest.mark.parametrize("extremum", [Max, Min])
 def test_the_weights_of_all_arguments_add_up_to_one(extremum: Callable[..., Expr]) -> None:
     a, b, c, d = symbols("a b c d")
     weights = gradient(extremum(a, b, c, d), [a, b, c, d])
