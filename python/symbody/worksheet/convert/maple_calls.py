@@ -14,6 +14,7 @@ from symbody.symbolic import Expr, Matrix
 from symbody.worksheet.convert.names import NoText, identifier
 from symbody.worksheet.convert.operations import SUM, grouped
 from symbody.worksheet.convert.operators import condition
+from symbody.worksheet.convert.scalar_text import scalar_text
 from symbody.worksheet.convert.selections import key
 from symbody.worksheet.convert.sequences import comprehension, items
 from symbody.worksheet.convert.sheet_names import names_in
@@ -42,6 +43,17 @@ def _plain(function: str, *counts: int) -> Call:
         if counts and len(arguments) not in counts and "*" not in written:
             raise NoText(function)
         return f"{function}({written})"
+
+    return write
+
+
+def _elementary(name: str) -> Call:
+    """Return the writer of a function, which is that of Python for its numbers."""
+    exact = _plain(f"sb.{name}", 1)
+
+    def write(text: Writer, arguments: Arguments) -> str:
+        is_decimal = len(arguments) == 1 and isinstance(text.value(text.text(arguments[0])), float)
+        return f"math.{name}({text.text(arguments[0])})" if is_decimal else exact(text, arguments)
 
     return write
 
@@ -79,7 +91,7 @@ def _mapped(text: Writer, arguments: Arguments) -> str:
         return text.text(syntax.Call(function=function, arguments=tuple(arguments[1:]), place=function.place))
     if isinstance(found, Matrix) and not rest:
         return f"{grouped(over)}.map(lambda each: {_applied(text, function, found[0, 0], ())})"
-    if not isinstance(found, list | tuple) or not found:
+    if not isinstance(found, list | tuple | np.ndarray) or not len(found):
         raise NoText("map")
     return f"[{_applied(text, function, found[0], tuple(rest))} for each in {over}]"
 
@@ -160,9 +172,17 @@ def _count(text: Writer, arguments: Arguments) -> str:
 def _side(index: int) -> Call:
     def write(text: Writer, arguments: Arguments) -> str:
         whole = text.text(arguments[0])
-        if not isinstance(text.value(whole), dict):
+        found = text.value(whole)
+        if isinstance(found, tuple) and len(found) == 2:
+            return f"{grouped(whole)}[{index}]"
+        if not isinstance(found, dict) or len(found) != 1:
             raise NoText("lhs" if index == 0 else "rhs")
-        return f"next(iter({whole}.{'keys' if index == 0 else 'values'}()))"
+        (key,) = found
+        return (
+            scalar_text(key, text.names)
+            if index == 0
+            else f"{grouped(whole)}[{scalar_text(key, text.names)}]"
+        )
 
     return write
 
@@ -202,6 +222,12 @@ def _converted(text: Writer, arguments: Arguments) -> str:
 
 def _matrix(text: Writer, arguments: Arguments) -> str:
     """Return a matrix of rows, or of a list of entries."""
+    arguments, shape, fill = _matrix_options(text, arguments)
+    if shape == "identity":
+        return f"sb.identity({text.text(arguments[0])})"
+    if fill:
+        height, width = (text.text(arguments[k]) for k in (0, -1))
+        return f"sb.Matrix([[{fill}]*{width}]*{height})"
     counts = [text.text(each) for each in arguments[:2]]
     if len(arguments) == 3 and all(each.isdigit() for each in counts):
         rows, columns = map(int, counts)
@@ -220,6 +246,22 @@ def _matrix(text: Writer, arguments: Arguments) -> str:
         if isinstance(found, list) and all(isinstance(each, list) for each in found):
             return f"sb.Matrix({counts[0]})"
     raise NoText("Matrix")
+
+
+def _matrix_options(text: Writer, arguments: Arguments) -> tuple[Arguments, str, str]:
+    """Return the arguments of a matrix without its options, the shape, and what fills it."""
+    kept, shape, fill = [], "", ""
+    for argument in arguments:
+        match argument:
+            case syntax.Infix(operator="=", left=syntax.Name(name="shape"), right=syntax.Name(name=name)):
+                shape = name
+            case syntax.Infix(operator="=", left=syntax.Name(name="fill"), right=value):
+                fill = text.text(value)
+            case syntax.Infix(operator="=", left=syntax.Name(name="attributes" | "datatype" | "storage")):
+                pass
+            case _:
+                kept.append(argument)
+    return tuple(kept), shape, fill
 
 
 def _column(text: Writer, arguments: Arguments) -> str:
@@ -256,6 +298,8 @@ def _in_decimals(text: Writer, arguments: Arguments) -> str:
         return f"np.array({whole}, dtype=float)"
     if isinstance(found, dict) and all(map(_is_constant, found.values())):
         return f"{{name: float(each) for name, each in {grouped(whole)}.items()}}"
+    if isinstance(found, Expr | list | dict):
+        return whole  # the program stays exact
     raise NoText("evalf")
 
 
@@ -366,9 +410,7 @@ def _texts(text: Writer, arguments: Arguments) -> str:
 
 
 MAPLE: Mapping[str, Call] = {
-    **{
-        name: _plain(f"sb.{name}", 1) for name in ("sin", "cos", "tan", "sqrt", "exp", "sinh", "cosh", "tanh")
-    },
+    **{name: _elementary(name) for name in ("sin", "cos", "tan", "sqrt", "exp", "sinh", "cosh", "tanh")},
     "arcsin": _plain("sb.asin", 1),
     "arccos": _plain("sb.acos", 1),
     "arctan": _arctangent,

@@ -13,6 +13,7 @@ from typing import Any
 from symbody.geometry import Frame, Point, Vector
 from symbody.multibody import Body, Force, Torque
 from symbody.symbolic import Expr, Matrix
+from symbody.worksheet.convert.code_calls import is_code
 from symbody.worksheet.convert.expressions import PythonText
 from symbody.worksheet.convert.files import FILES
 from symbody.worksheet.convert.linear_models import linear_lines
@@ -23,6 +24,7 @@ from symbody.worksheet.convert.operators import condition
 from symbody.worksheet.convert.picture_calls import PICTURES
 from symbody.worksheet.convert.selections import index, key
 from symbody.worksheet.convert.sequences import items
+from symbody.worksheet.convert.substitutions import value_entries
 from symbody.worksheet.convert.tyres import tyre_lines
 from symbody.worksheet.sheet import syntax
 
@@ -52,6 +54,8 @@ def lines_of(statement: syntax.Statement, text: PythonText, *, keeps: bool = Tru
             return _for(text, statement)
         case syntax.If():
             return _if(text, statement)
+        case syntax.Use(body=body):
+            return [line for each in body for line in lines_of(each, text, keeps=False)]
         case syntax.Try(body=body, handlers=handlers):
             return _try(text, body, handlers)
     if isinstance(statement, syntax.Save):
@@ -92,7 +96,8 @@ def _line(statement: syntax.Statement, text: PythonText) -> str:
 def _assignment(
     text: PythonText, targets: tuple[syntax.Expression, ...], value: syntax.Expression
 ) -> list[str]:
-    names = {target.name for target in targets if isinstance(target, syntax.Name)}
+    names = {name for target in targets for name in _whole_name(target)}
+    text.names.as_pairs = bool(names & text.names.sided)
     text.as_differences = text.names.as_differences = bool(names & text.names.solved)
     target = target_text(text, targets[0]) if isinstance(targets[0], syntax.Name) else ""
     lines = mode_lines(text, value, target)
@@ -117,6 +122,13 @@ def _assignment(
     return [*tables, f"{', '.join(found)} = {written}"]
 
 
+def _whole_name(target: syntax.Expression) -> Iterator[str]:
+    """Return the name that an assignment changes, of which it may be an entry."""
+    whole = target.whole if isinstance(target, syntax.Selection) else target
+    if isinstance(whole, syntax.Name):
+        yield whole.name
+
+
 def _tuple_items(written: str) -> list[str]:
     """Return the texts of the items of a tuple that is written out."""
     node = ast.parse(written, mode="eval").body
@@ -138,8 +150,38 @@ def _one(text: PythonText, target: syntax.Expression, value: syntax.Expression) 
             return [f"{identifier(name)} = {text.text(value)}"]
         case _, syntax.Call(function=syntax.Name(name="make_TIRE"), arguments=arguments):
             return [*_table_of(text, target), *tyre_lines(text, target_text(text, target), arguments)]
+    if isinstance(target, syntax.Name) and target.name in text.names.values_of:
+        given = value_entries(text, value)
+        if given:
+            return [f"{identifier(target.name)} = {given}"]
+    changed = _entry_of_matrix(text, target, value)
+    if changed:
+        return changed
+    if target_text(text, target) == text.text(value):
+        return []  # as ``e := eval(e)``
     lines = _table_of(text, target)
     return [*lines, f"{target_text(text, target)} = {text.text(value)}"]
+
+
+def _entry_of_matrix(text: PythonText, target: syntax.Expression, value: syntax.Expression) -> list[str]:
+    """Return the lines that give a matrix another entry: matrices don't change; nothing for another target."""
+    match target:
+        case syntax.Selection(whole=syntax.Name(name=name), indices=indices):
+            whole = identifier(name)
+            found = text.names.values.get(whole)
+            if not isinstance(found, Matrix):
+                return []
+            places = [index(text, each) for each in indices]
+            if len(places) == 1:
+                places = [*places, "0"] if found.shape[1] == 1 else ["0", *places]
+            rows = text.names.own("rows")
+            entry = f"{rows}{''.join(f'[{place}]' for place in places)}"
+            return [
+                f"{rows} = {whole}.tolist()",
+                f"{entry} = {text.text(value)}",
+                f"{whole} = sb.Matrix({rows})",
+            ]
+    return []
 
 
 def target_text(text: PythonText, target: syntax.Expression) -> str:
@@ -280,6 +322,8 @@ def _value_lines(
         shown: whether its value is printed.
         keeps: whether the next statement needs it.
     """
+    if is_code(item):
+        return [f"print({written})"]
     if _acts(item):
         return [written] if not keeps else [f"last = {written}"]
     text.shown.append(written)
