@@ -123,7 +123,7 @@ def test_a_gyroscope_steadies_a_ship() -> None:
 
 
 def test_what_rests_has_no_drift_of_energy() -> None:
-    """Errors of the integration move it a little, and its kinetic energy is far below the rounding of its potential energy."""
+    """Errors of the integration move it a little; its kinetic energy is far below the rounding of the potential one."""
     block = Link("block", 7.3)
     guide = prismatic("guide", ground, block, axis="Z")
     made = assemble([guide])
