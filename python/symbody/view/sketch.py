@@ -16,6 +16,7 @@ from symbody.view.drawable_motion import DrawableMotion
 from symbody.view.drawing_options import DrawingOptions
 from symbody.view.mark import Dot, Ellipse, Label, Line, Mark, Patch, Place, Sketch, outermost
 from symbody.view.scene import scene
+from symbody.view.solid import corners
 
 Array = NDArray[np.float64]
 
@@ -197,10 +198,16 @@ class _Projection:
                 yield Label(start, axes["name"], "#1c2733")
 
     def _body_axes(self) -> Iterator[Line]:
-        """Yield the axes x, y and z of each body, in the colours of the ground's; particles have none."""
+        """Yield the axes x, y and z of each body, in the colours of the ground's; particles have none.
+
+        They are no longer than half of the body.
+        """
         for body in self.content["bodies"]:
             if body["has_axes"]:
-                start, *tips = self._tripod(body["pose"], BODY_AXES * self.radius)
+                extent = max(
+                    (float(np.ptp(corners(part), axis=0).max()) for part in body["parts"]), default=np.inf
+                )
+                start, *tips = self._tripod(body["pose"], min(BODY_AXES * self.radius, extent / 2))
                 yield from (
                     Line(start, tip, color, 1.2) for tip, color in zip(tips, AXIS_COLORS, strict=True)
                 )

@@ -99,7 +99,8 @@ class CanonicalEquations:
             balance = [push - force for push, force in zip(pushes, forces.entries, strict=True)]
             residuals = with_multipliers(balance, system)
         assembly = Assembly(W, tuple(-force for force in forces.entries))
-        return Equations(system, without_idle_symbols(residuals), Derived(assembly.without_idle_symbols()))
+        balanced = Derived(without_idle_symbols(residuals))
+        return Equations(system, balanced, Derived(assembly.without_idle_symbols()))
 
     def __repr__(self) -> str:
         states = ", ".join(map(str, (*self.coordinates, *self.momenta, *self.system.states)))

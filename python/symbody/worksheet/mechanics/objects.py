@@ -263,8 +263,17 @@ class Reader:
         name = value.name if isinstance(value, Reference) else ""
         if kind_of(table) == "TORQUE":
             return multibody.Torque(vector, on=on, reaction=reaction, name=name)
-        at = self.point(get(table, "applied") or table)
-        return multibody.Force(vector, at=at, on=on, reaction=reaction, name=name)
+        return multibody.Force(vector, at=self._place(table, name), on=on, reaction=reaction, name=name)
+
+    def _place(self, table: Table, name: str) -> Point:
+        """Return the point at which a force acts. One that was saved without its point has only its name."""
+        value = get(table, "applied") or table
+        if isinstance(self.session.resolve(value), Expr | Reference):
+            raise WorksheetError(
+                f"{self.where}: the force {name or '?'} is applied at {self.session.text(value)[:40]}, which has no "
+                "value; expected a point: save it with the force, or assign it first"
+            )
+        return self.point(value)
 
     def _side(self, table: Table, name: str) -> Body | None:
         value = get(table, name)
