@@ -168,6 +168,32 @@ def test_any_cut_or_change_is_no_crash() -> None:
                 continue
 
 
+def test_deep_formulas_take_little_time() -> None:
+    formula = X
+    for _ in range(30):
+        formula = up(fenced(formula), mn("2"))
+    assert formula_text(formula).count("^2") == 30
+    with pytest.raises(UnknownEncoding):
+        stored_formula(encoded(Element("mrow", (formula,) * 2)).replace("=", "") + "LUk")
+    for _ in range(30):
+        formula = up(fenced(formula), mn("2"))
+    with pytest.raises(UnknownEncoding, match="too deep"):
+        stored_formula(encoded(formula))
+
+
+def test_references_do_not_make_formulas_of_any_size() -> None:
+    """Each element holds the next one twice, the second time by its number."""
+    depth = 40
+    text = '-I%mrowG6"6$' * depth + '-I#miG6"6#Q"x6"'
+    # The element at level k begins at object 1 + 4 k: an element, its name, the name's attributes, its sequence.
+    for level in range(depth, 0, -1):
+        number = 1 + 4 * level
+        digit = chr(33 + number) if number < 58 else chr(91 + number % 16) + chr(107 + number // 16)
+        text += f"F{digit}"
+    with pytest.raises(UnknownEncoding, match="more than 100000 elements"):
+        stored_formula(base64.b64encode(text.encode()).decode())
+
+
 SHEET = (
     '<Worksheet><Group><Input><Text-field prompt="&gt; " style="2D Input"><Equation executable="true" style="{}" '
     'input-equation="{}" display="{}">{}</Equation></Text-field></Input></Group></Worksheet>'

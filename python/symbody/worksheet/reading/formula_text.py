@@ -227,9 +227,13 @@ def _bracketed(text: str) -> str:
 
 
 def _of(part: Element, count: int) -> list[str]:
+    return [_joined(pieces).strip() for pieces in _pieces_of(part, count)]
+
+
+def _pieces_of(part: Element, count: int) -> list[list[_Piece]]:
     if len(part.parts) != count:
         raise UnknownFormula(f"an element {part.tag} of {len(part.parts)} parts")
-    return [_inner(each) for each in part.parts]
+    return [_pieces(each) for each in part.parts]
 
 
 def _fraction(part: Element) -> _Piece:
@@ -241,16 +245,17 @@ def _fraction(part: Element) -> _Piece:
 
 def _power(part: Element) -> _Piece:
     """Return a power; where its base is a bracket, a function may stand before it: ``sin(x)^2``."""
-    base, exponent = _of(part, 2)
+    below, above = _pieces_of(part, 2)
+    base, exponent = _joined(below).strip(), _joined(above).strip()
     if not re.search(r"\w", exponent):
         raise UnknownFormula(f"a power {exponent[:20]!r}")
     if base == "exp(1)":
         return _Piece(f"exp({exponent})", "operand")
-    kinds = [piece.kind for piece in _pieces(part.parts[0]) if piece.kind != "gap"]
+    kinds = [piece.kind for piece in below if piece.kind != "gap"]
     is_bracket = kinds in (["bracket"], ["arguments"])
-    above = exponent if exponent in {"%T", "%H"} else _bracketed(exponent)
+    exponent = exponent if exponent in {"%T", "%H"} else _bracketed(exponent)
     return _Piece(
-        f"{base if is_bracket else _bracketed(base)}^{above}", "bracket" if is_bracket else "operand"
+        f"{base if is_bracket else _bracketed(base)}^{exponent}", "bracket" if is_bracket else "operand"
     )
 
 
@@ -264,12 +269,13 @@ def _index(part: Element) -> _Piece:
 def _fenced(part: Element) -> _Piece:
     ends = (part.attributes.get("open", "("), part.attributes.get("close", ")"))
     left, right = (_OPERATORS.get(each, html.unescape(each)) for each in ends)
-    inner = ",".join(_inner(each) for each in part.parts)
+    items = [_pieces(each) for each in part.parts]
+    inner = ",".join(_joined(pieces).strip() for pieces in items)
     if (left, right) == ("|", "|"):
         return _Piece(f"abs({inner})", "operand")
     if (left, right) not in _BRACKETS:
         raise UnknownFormula(f"brackets {left}{right}")
-    if left == "(" and any(piece.text == "," for each in part.parts for piece in _pieces(each)):
+    if left == "(" and any(piece.text == "," for pieces in items for piece in pieces):
         return _Piece(f"({inner})", "arguments")
     return _Piece(f"{left}{inner}{right}", "bracket" if left in "([" else "operand")
 
