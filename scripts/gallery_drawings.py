@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import pairwise
+from math import cos, pi, sin
 
 from symbody import Body, Point, ground, rotate, translate
 from symbody.models import ClassicSystem
@@ -138,11 +140,71 @@ def _snakeboard(model: ClassicSystem) -> DrawingOptions:
     )
 
 
+def _furuta_pendulum(model: ClassicSystem) -> DrawingOptions:
+    """The arm ends at the pin; the pendulum hangs there, with its centre of mass in the middle."""
+    bodies, l1, l2, L1 = _bodies(model), model["l1"], model["l2"], model["L1"]
+    shapes = {
+        bodies["arm"]: Cylinder(0.012, (-l1, 0, 0), (L1 - l1, 0, 0)),
+        bodies["pendulum"]: Cylinder(0.008, (0, 0, l2), (0, 0, -l2)),
+    }
+    return DrawingOptions(shapes=shapes)
+
+
+def _ring(radius: float, tube: float, parts: int = 24) -> list[Cylinder]:
+    """A ring in the plane of x and z."""
+    angles = [2 * pi * k / parts for k in range(parts + 1)]
+    corners = [(radius * cos(angle), 0.0, radius * sin(angle)) for angle in angles]
+    return [Cylinder(tube, start, end) for start, end in pairwise(corners)]
+
+
+def _gyroscope_in_gimbals(model: ClassicSystem) -> DrawingOptions:
+    """Two rings: the outer one is carried along z, and carries the inner one along x."""
+    bodies, tube = _bodies(model), 0.008
+    outer, inner, rotor = 0.3, 0.22, 0.14
+    shapes = {
+        bodies["outer gimbal"]: [
+            *_ring(outer, tube),
+            *(Cylinder(tube / 2, (0, 0, side * outer), (0, 0, side * 1.3 * outer)) for side in (-1, 1)),
+        ],
+        bodies["inner gimbal"]: [
+            *_ring(inner, tube),
+            *(Cylinder(tube / 2, (side * inner, 0, 0), (side * outer, 0, 0)) for side in (-1, 1)),
+        ],
+        bodies["rotor"]: [
+            Cylinder(rotor, (0, 0, -0.02), (0, 0, 0.02)),
+            Cylinder(tube / 2, (0, 0, -inner), (0, 0, inner)),
+        ],
+    }
+    return DrawingOptions(shapes=shapes)
+
+
+def _andrews_mechanism(model: ClassicSystem) -> DrawingOptions:
+    """Each body by rods between its pins, whose places are counted from its centre of mass."""
+    n = model.names
+    pins = {
+        "K1": ((n["ra"], 0), [(0, 0), (n["rr"], 0)]),
+        "K2": ((-n["da"], 0), [(0, 0), (-n["d"], 0)]),
+        "K3": ((n["sb"], -n["sa"]), [(0, 0), (0, -n["ss"]), (n["sd"], -n["sc"]), (0, 0)]),
+        "K4": ((0, n["ea"] - n["e"]), [(0, 0), (0, -n["e"])]),
+        "K5": ((n["ta"], n["tb"]), [(0, 0), (n["zt"], 0)]),
+        "K6": ((n["zf"] - n["fa"], 0), [(0, 0), (n["zf"], 0)]),
+        "K7": ((-n["ub"], -n["ua"]), [(0, 0), (0, -n["u"])]),
+    }
+    shapes = {}
+    for name, ((x0, y0), places) in pins.items():
+        corners = [(x - x0, y - y0, 0) for x, y in places]
+        shapes[_bodies(model)[name]] = [Cylinder(4e-4, start, end) for start, end in pairwise(corners)]
+    return DrawingOptions(shapes=shapes)
+
+
 _DRAWINGS: dict[str, Callable[[ClassicSystem], DrawingOptions]] = {
+    "andrews_mechanism": _andrews_mechanism,
     "ball_and_beam": _ball_and_beam,
     "cart_pole": _cart_pole,
     "chaplygin_sleigh": _chaplygin_sleigh,
     "full_car": _full_car,
+    "furuta_pendulum": _furuta_pendulum,
+    "gyroscope_in_gimbals": _gyroscope_in_gimbals,
     "half_car": _half_car,
     "quarter_car": _quarter_car,
     "rattleback": _rattleback,

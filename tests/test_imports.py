@@ -54,6 +54,15 @@ def test_modules(code: str, loaded: str) -> None:
     assert in_a_new_process(LOADED % code) == loaded
 
 
+def test_equations_of_particles_need_no_numbers() -> None:
+    code = """
+from symbody import Body, System, functions_of_time, newton_euler, translate
+x = functions_of_time("x")
+assert newton_euler(System([Body(translate(x, 0, 0), 1)], coordinates=[x])).residuals
+"""
+    assert in_a_new_process(LOADED % code) == f"symbody | {MODELS}"
+
+
 def test_numbers_are_loaded_with_their_first_use() -> None:
     """A motion is computed without what fits splines, finds eigenvalues or draws."""
     packages, _, layers = in_a_new_process(

@@ -55,6 +55,7 @@ from symbody.document.sections.equations import ROWS
 from symbody.document.sections.nomenclature import Entry, row_meaning
 from symbody.document.subject import Subject
 from symbody.dynamics.display.summary import READABLE
+from symbody.dynamics.equations.equations import Derived
 from symbody.errors import ModelNotice, PictureError, ReportError, SymbodyError
 from symbody.models import ClassicSystem, four_bar, full_car, motorcycle, n_pendulum
 from tests.view.browser import browser
@@ -257,9 +258,8 @@ def test_a_driven_support_has_no_balance_of_power() -> None:
 @pytest.mark.parametrize("law", LAWS)
 def test_a_wrong_equation_is_found(equations: Equations, law: str) -> None:
     """A term is lost: the power no longer balances; the mass matrix and the system are as before."""
-    broken = Equations(
-        equations.system, (equations.residuals[0] + tau, *equations.residuals[1:]), equations.assemble
-    )
+    wrong = Derived((equations.residuals[0] + tau, *equations.residuals[1:]))
+    broken = Equations(equations.system, wrong, equations.assemble)
     assert (LAWS[law](Subject(broken, None, {}, {}, {})) == HOLDS) == ("power" not in law)
 
 

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import pytest
 
 from symbody import (
     Body,
+    Expr,
     Force,
     Frame,
     Point,
@@ -26,6 +29,9 @@ from symbody import (
     time_derivative,
     translate,
 )
+from symbody.errors import ModelError
+from symbody.models import rolling_disc
+from symbody.symbolic import derivation
 
 m, l, g, d, omega, zeta = symbols("m l g d omega zeta")
 x, y, theta, F = functions_of_time("x y theta F")
@@ -69,6 +75,28 @@ def test_the_residuals_by_their_parts(formalism: type) -> None:
             for k, multiplier in enumerate(equations.multipliers)
         )
         assert equations.residuals[i] == inertia - equations.forcing[i] - reaction
+
+
+def test_what_is_read_first_and_where_changes_nothing() -> None:
+    """Residuals, and mass matrix and bias, are derived when they are first read, by derivations of their own."""
+    disc = rolling_disc().system
+    first, second, third = (newton_euler(disc) for _ in range(3))
+    assert "residuals" not in vars(first)
+    known = ids(first.residuals), ids((*first.mass_matrix.entries, *first.bias))
+    with derivation():
+        kept = [2 * entry for entry in (*second.mass_matrix.entries, *second.bias)]
+        assert (ids(second.residuals), ids(entry / 2 for entry in kept)) == known
+    with derivation(fresh=True, order=0):  # which drops terms of all that is made in it
+        assert ids(third.residuals) == known[0]
+
+
+def test_the_system_is_checked_at_once() -> None:
+    with pytest.raises(ModelError, match="the coordinate y appears in no frame"):
+        newton_euler(System([Body(translate(x, 0, 0), m)], coordinates=[x, y]))
+
+
+def ids(expressions: Iterable[Expr]) -> list[int]:
+    return [expression.id for expression in expressions]
 
 
 def test_who_is_who() -> None:

@@ -293,7 +293,7 @@ class Arithmetic:
 
     def _real_function(self, name: str, values: Sequence[Value]) -> Value:
         if name == "abs":
-            return abs(values[0]) if self.is_complex or self._is_real(values[0]) else None
+            return abs(values[0])
         if not all(map(self._is_real, values)):
             return None
         match name:

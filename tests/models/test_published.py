@@ -14,6 +14,7 @@ from scipy.integrate import solve_ivp
 from symbody import (
     Equations,
     Expr,
+    System,
     cos,
     embedded,
     ground,
@@ -329,6 +330,42 @@ def test_the_snakeboard_goes_along_a_circle_by_the_turns_of_its_rotor() -> None:
     heading = 0.3 + way / radius
     assert_allclose(motion[x] - motion[x][0], radius * (np.sin(heading) - np.sin(0.3)), atol=1e-8)
     assert_allclose(motion[y] - motion[y][0], radius * (np.cos(0.3) - np.cos(heading)), atol=1e-8)
+
+
+def by_the_momentum_equation(A: float, B: float, values: dict[str, float], end: float) -> np.ndarray:
+    """Return x, y and theta of the snakeboard at an instant of the drive gait, ``psi = A sin t, phi = B sin t``.
+
+    By the published equation of the momentum p; the wheels give ``theta' = v tan(phi)/l``, and p the forward speed v,
+    ``p = 2 m l v + Jr sin(2 phi) psi'``.
+    """
+    m, Jr, l = (values[name] for name in ("m", "Jr", "l"))
+
+    def rates(t: float, state: np.ndarray) -> list[float]:
+        p, _, _, theta = state
+        phi, dphi, dpsi = B * np.sin(t), B * np.cos(t), A * np.cos(t)
+        v = (p - Jr * np.sin(2 * phi) * dpsi) / (2 * m * l)
+        dp = 2 * Jr * np.cos(phi) ** 2 * dphi * dpsi - np.tan(phi) * dphi * p
+        return [dp, v * np.cos(theta), v * np.sin(theta), v * np.tan(phi) / l]
+
+    found = solve_ivp(rates, (0, end), np.zeros(4), method="DOP853", rtol=1e-11, atol=1e-13)
+    return found.y[1:, -1]
+
+
+@pytest.mark.parametrize("cycles", [1, 3])
+def test_the_drive_gait_of_the_snakeboard_goes_as_far_as_the_momentum_equation_says(cycles: int) -> None:
+    """The gait with one frequency, which gains speed along the board [Ostrowski et al. 1994, sec. 5]."""
+    model, A, B = models.snakeboard(), 0.7, 0.3
+    system, psi, phi = model.system, model["psi"], model["phi"]
+    gait = [psi - A * sin(time), phi - B * sin(time)]
+    driven = System(system.bodies, (), system.coordinates, [*system.conditions, *gait])
+    end = 2 * np.pi * cycles
+    start = dict.fromkeys(system.coordinates, 0.0)
+    motion = simulate(newton_euler(driven), model.parameters, start, [0, end], **TIGHT)
+    values = {name: model.parameters[model[name]] for name in ("m", "Jr", "l")}
+    expected = by_the_momentum_equation(A, B, values, end)
+    found = [motion[model[name]][-1] for name in ("x", "y", "theta")]
+    assert_allclose(found, expected, rtol=1e-7, atol=1e-9)
+    assert abs(expected[0]) > 0.01
 
 
 def test_balancing_robot() -> None:

@@ -64,6 +64,16 @@ def test_models_in_collections(model: sb.Equations) -> None:
     assert len(repr(model)) < 100
 
 
+def test_high_equations_are_one_formula_within_others() -> None:
+    frame, bodies = ground, []
+    for place, angle in enumerate(functions_of_time("q1:5")):
+        frame = frame * rotate("YZ"[place > 0], angle) * translate(0, -symbols(f"l{place}"), 0)
+        bodies.append(Body(frame, symbols(f"m{place}")))
+    chain = newton_euler(System(bodies, coordinates=[*functions_of_time("q1:5")]))
+    assert "align*" in latex(chain) == chain.latex()
+    assert "align*" not in latex([chain, a]) + latex({"chain": chain})
+
+
 def test_what_a_notebook_shows_as_a_table_is_shown_as_it_prints() -> None:
     assert describe(cost(a * b)) == str(cost(a * b))
 

@@ -27,7 +27,7 @@ from symbody import (
     t,
     translate,
 )
-from symbody.dynamics.equations.equations import Assembly
+from symbody.dynamics.equations.equations import Assembly, Derived
 
 from .classic import Classic
 
@@ -93,7 +93,7 @@ def linearised(system: System) -> Equations:
         first(residual, accelerations) + each
         for residual, each in zip(equations.residuals, bias, strict=True)
     )
-    return Equations(system, residuals, lambda _: Assembly(Matrix(rows), bias))
+    return Equations(system, Derived(residuals), Derived(Assembly(Matrix(rows), bias)))
 
 
 def _entry(residual: Expr, unknown: Expr, rest: dict[Expr, int]) -> Expr:

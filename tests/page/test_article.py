@@ -20,6 +20,7 @@ from symbody import (
     symbols,
     translate,
 )
+from symbody.symbolic.expression.latex_layout import aligned, in_pages
 from tests.page.test_rules import arm
 
 
@@ -34,11 +35,26 @@ def chain(names: str) -> Equations:
     return newton_euler(System(bodies, coordinates=[*functions_of_time(names)], gravity=gravity))
 
 
+def high_formula() -> str:
+    """Return the highest formula that is one."""
+    rows = [rf"x_{{{place}}} &= \frac{{a}}{{b}}" for place in range(100)]
+    return next(
+        text for n in range(99, 0, -1) if (text := in_pages(aligned(rows[:n]))).startswith(r"\begin{aligned}")
+    )
+
+
 @pytest.mark.needs("pdflatex")
 def test_equations_fit_an_article_and_break_across_pages(tmp_path: Path) -> None:
-    """`align*` in the place of `aligned` is broken between pages, as the documentation says."""
-    machines = [chain("q1 q2"), chain("q1 q2 q3 q4"), chain("alpha beta gamma"), newton_euler(arm("ZYY"))]
-    formulas = "\n".join(each.latex().replace("{aligned}", "{align*}") for each in machines)
+    """What is higher than a page is broken between pages, and what isn't is one formula."""
+    small, machines = (
+        chain("q1 q2"),
+        [chain("q1 q2 q3 q4"), chain("alpha beta gamma delta"), newton_euler(arm("ZYYX"))],
+    )
+    high = [each.latex() for each in machines]
+    assert all(r"\begin{align*}" in each for each in high)
+    assert small.latex().startswith(r"\begin{aligned}")
+    assert r"\begin{aligned}" in machines[0]._page.latex()
+    formulas = "\n\n".join([rf"\[ {small.latex()} \]", *high, rf"\[ {high_formula()} \]"])
     file = tmp_path / "equations.tex"
     file.write_text(
         r"\documentclass[a4paper,11pt]{article}\usepackage{amsmath}\allowdisplaybreaks\begin{document}"

@@ -145,6 +145,10 @@ EQUALITIES: tuple[Equality, ...] = (
         ("atan2(0, x**2)", "0"),
     ),
     *missed(
+        "the logarithm of a negative base is drawn for the base, not for its modulus",
+        ("abs(x**y)", "abs(x)**y"),
+    ),
+    *missed(
         "a sum of squares or of positive terms need not be a square in a finite field",
         ("abs(x**2 + 1)", "x**2 + 1"),
         ("sign(x**2 + y**2 + 1)", "1"),
@@ -209,6 +213,30 @@ EQUALITIES: tuple[Equality, ...] = (
         ("sqrt(6 - 2*sqrt(5))", "sqrt(5) - 1"),
         ("sin(pi/5)", "sqrt(10 - 2*sqrt(5))/4"),
         ("cos(pi/8)", "sqrt(2 + sqrt(2))/2"),
+    ),
+    *known(
+        "the modulus of a root is the root of the modulus; a length is known to be real",
+        ("abs(sqrt(x))", "sqrt(abs(x))"),
+        ("abs(sqrt(x))**2", "abs(x)"),
+        ("abs(x**(1/4))**4", "abs(x)"),
+        ("abs(sqrt(-x**2 - 1))**2", "abs(x**2 + 1)"),
+        ("abs(sqrt(x)*y)", "sqrt(abs(x))*abs(y)"),
+        ("abs(sqrt(x**2 + y**2)*z)", "sqrt(x**2 + y**2)*abs(z)"),
+    ),
+    *known(
+        "the rational part of an exponent or of a factor is found beside roots, too",
+        ("2**(sqrt(x**2 + y**2) + 1)", "2*2**sqrt(x**2 + y**2)"),
+        ("2**(sqrt(x**2 + y**2) + z)", "2**sqrt(x**2 + y**2)*2**z"),
+        ("2**(sqrt(2) + 1)", "2*2**sqrt(2)"),
+        ("z**(sqrt(x**2 + y**2) + 1)", "z*z**sqrt(x**2 + y**2)"),
+        ("exp((sqrt(x**2 + y**2) + 1)*log(3))", "3*exp(sqrt(x**2 + y**2)*log(3))"),
+        ("67**(1/sqrt(x**2 + y**2) + 2)", "4489*67**(1/sqrt(x**2 + y**2))"),
+    ),
+    *known(
+        "the logarithm of what signs choose is that of what is chosen in each lane",
+        ("log(Piecewise((exp(x), y), otherwise=exp(z)))", "Piecewise((x, y), otherwise=z)"),
+        ("log(cosh(x) + sign(x)*sinh(x))", "abs(x)"),
+        ("log(Max(exp(x), exp(y)))", "log(exp(Piecewise((x, exp(x) - exp(y)), otherwise=y)))"),
     ),
     *known(
         "the logarithm of a positive monomial is a sum",
@@ -333,6 +361,11 @@ class Difference:
 DIFFERENCES: tuple[Difference, ...] = (
     Difference("abs(x)", "x", "x < 0"),
     Difference("abs(x)", "-x", "x > 0"),
+    Difference("abs(sqrt(x))**2", "x", "x < 0"),
+    Difference("abs(sqrt(-x**2 - 1))**2", "-x**2 - 1", "every x"),
+    Difference("abs(x**(1/4))**4", "x", "x < 0"),
+    Difference("abs(x**y)**2", "x**(2*y)", "x = -2, y = 1/2"),
+    Difference("abs(sqrt(x) + 1)**2", "(sqrt(x) + 1)**2", "x < 0"),
     Difference("abs(x) + x", "0", "x > 0"),
     Difference("abs(x) - x", "0", "x < 0"),
     Difference("sign(x) + 1", "0", "x > 0"),

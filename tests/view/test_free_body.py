@@ -42,6 +42,9 @@ from symbody import (
     translate,
 )
 from symbody.errors import ViewError
+from symbody.view.drawing_options import DrawingOptions
+from symbody.view.free_body import _three_digits
+from symbody.view.scene import scene
 
 HEIGHT = re.compile(r'viewBox="0 0 (\S+) (\S+)"')
 LINE = re.compile(r'<line x1="(\S+)" y1="(\S+)" x2="(\S+)" y2="(\S+)" stroke="(#\w+)" stroke-width="2"')
@@ -342,3 +345,39 @@ def test_forces_at_different_points_are_seen_apart(tmp_path):
     ends = {(float(x), float(y)) for x, y, _, _, color in LINE.findall(drawn) if color == "#c0392b"}
     assert min(abs(a[0] - b[0]) + abs(a[1] - b[1]) for a in ends for b in ends if a != b) > 30
     assert len(ends) >= 3
+
+
+def gearbox():
+    small, large, stepped = (Link(name, Iz=1e-3) for name in ("small", "large", "stepped"))
+    P, Q = revolute("P", ground, small), revolute("Q", ground, stepped, at=(0.08, 0, 0))
+    R = revolute("R", ground, large, at=(0.08, 0.12, 0))
+    made = assemble([P, Q, R, gear("one", P, Q, 0.02, 0.06), gear("two", Q, R, 0.03, 0.09)])
+    drive = motor(P.coordinate, 0.2, on=made.body(small), name="drive")
+    return simulate(newton_euler(made.system([drive])), t=(0, 0.1))
+
+
+def test_wheels_are_discs_up_to_the_points_where_teeth_touch(tmp_path):
+    """Each wheel has the radius at which it meshes, about its axis; a stepped one has two."""
+    content = scene(gearbox(), DrawingOptions(), "")
+    radii = {body["name"]: sorted(part["radius"] for part in body["parts"]) for body in content["bodies"]}
+    assert list(radii) == ["small", "stepped", "large"]
+    for name, expected in (("small", [0.02]), ("stepped", [0.03, 0.06]), ("large", [0.09])):
+        np.testing.assert_allclose(radii[name], expected, rtol=1e-12)
+    for part in (part for body in content["bodies"] for part in body["parts"]):
+        along = np.subtract(part["to"], part["from"])
+        np.testing.assert_allclose(along[:2], 0.0, atol=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("size", "text"),
+    [
+        (4321.0, "4320"),
+        (0.012345, "0.0123"),
+        (44.0, "44"),
+        (1.5e8, "1.5e+08"),
+        (9.9996, "10"),
+        (2e-5, "2e-05"),
+    ],
+)
+def test_magnitudes_have_three_digits(size, text):
+    assert _three_digits(size) == text

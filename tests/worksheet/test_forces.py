@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from symbody.worksheet.interpreter.interpret import Interpreter
-from tests.worksheet.printed_by import printed
+from tests.worksheet.printed_by import failures, printed
 
 SLIDER = """
 with(MBSymba_r6):
@@ -84,3 +84,23 @@ def test_the_lateral_velocity_of_a_cambered_tyre_is_short() -> None:
     lines, _ = told(", rho*sin(phi(t)), R-rho+rho*cos(phi(t))", "tire_kinematics(tire)[3];")
     assert "theta" not in lines[-1]
     assert len(lines[-1]) < 120
+
+
+def test_a_force_whose_point_has_no_value() -> None:
+    text = (
+        "with(MBSymba_r6): b := make_BODY(translate(x(t),0,0), m): P := origin(b[frame]): "
+        "F := make_FORCE(make_VECTOR(ground,X,0,0), P, b): unassign('P'): newton_equations({b, F});"
+    )
+    (message,) = failures(text)
+    assert message == (
+        "newton_equations: the force F is applied at P, which has no value; expected a point: save it with the force, "
+        "or assign it first"
+    )
+
+
+def test_a_force_in_a_table_is_told_by_its_entry() -> None:
+    text = (
+        "with(MBSymba_r6): b[1] := make_BODY(translate(x(t),0,0), m): c := make_BODY(ground, m): "
+        "F[2] := make_FORCE(make_VECTOR(ground,X,0,0), origin(b[1][frame]), b[1]): newton_equations({c, F[2]}):"
+    )
+    assert printed(text)[-1] == "<F[2]> FORCE is not valid: it must be applied to a BODY"

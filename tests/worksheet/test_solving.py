@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.worksheet.printed_by import printed
+from tests.worksheet.printed_by import failures, printed
 
 CASES = {
     "one unknown alone": (
@@ -91,3 +91,8 @@ CASES = {
 @pytest.mark.parametrize(("sheet", "expected"), CASES.values(), ids=CASES.keys())
 def test_solving(sheet: str, expected: list[str]) -> None:
     assert printed(sheet) == expected
+
+
+def test_fsolve_names_values_of_functions_that_have_no_number() -> None:
+    (message,) = failures("fsolve({cos(p)+phi(0)=1, s=2}, {p=0..2, s=1..3});")
+    assert "fsolve: phi(0) is in the equations, and not solved for" in message

@@ -68,6 +68,8 @@ def report_impossible_inertia(body: MassDistribution) -> None:
     """
     if _is_planar(body) or not all(moment.is_constant for moment in body.moments):
         return
+    if all(entry.is_zero for entry in body.inertia_entries):  # a particle, which needs no numbers
+        return
     J = _tensor(body)
     taken_away = np.linalg.eigvalsh(J)[2] <= 0 and not _is_positive(body.mass)
     if taken_away or _is_possible(J):

@@ -14,7 +14,7 @@ from symbody.symbolic.calculus.derivative import (
     time_derivative,
     time_derivatives,
 )
-from symbody.symbolic.calculus.idle import idle_symbols, without_idle_symbols
+from symbody.symbolic.calculus.idle import idle_symbols, with_numbers_for_idle_symbols, without_idle_symbols
 from symbody.symbolic.calculus.readable import readable
 from symbody.symbolic.calculus.rewrite import (
     coeff,
@@ -190,6 +190,7 @@ __all__ = [
     "time_limit",
     "to_sympy",
     "truncated",
+    "with_numbers_for_idle_symbols",
     "with_shared_sums",
     "without_idle_symbols",
     "zeros",

@@ -42,8 +42,8 @@ _WHERE = "free_body_diagram"
 LONGEST = 0.6
 """The length of the longest force, and of the largest moment, in radii of the part."""
 
-LEAST = 1e-6
-"""Forces and moments below this part of the largest one are not drawn."""
+LEAST = 1e-5
+"""Forces and moments below this part of the largest one are not drawn: they are rounding, or can't be seen."""
 
 BALANCED = 1e-9
 """Forces and moments whose resultant is below this part of the largest are an action and its reaction."""
@@ -293,7 +293,7 @@ def _entries(
     arm = max(largest[False] * radius, largest[True])
     return [
         {
-            "name": f"{each.name} {size:.3g} {'N m' if each.is_moment else 'N'}",
+            "name": f"{each.name} {_three_digits(size)} {'N m' if each.is_moment else 'N'}",
             "at": place.tolist(),
             "vector": (vector * LONGEST * radius / largest[each.is_moment]).tolist(),
             "color": COLORS[each.kind],
@@ -302,6 +302,12 @@ def _entries(
         for each, place, vector, size in zip(given, places, vectors, sizes, strict=True)
         if size > LEAST * (arm if each.is_moment else largest[False])
     ]
+
+
+def _three_digits(size: float) -> str:
+    """Return a magnitude with three digits: 4320 and 0.0123, and powers of ten for what is much larger or smaller."""
+    rounded = float(f"{size:.3g}")
+    return np.format_float_positional(rounded, trim="-") if 1e-3 <= rounded < 1e6 else f"{rounded:g}"
 
 
 def _vectors(motion: DrawableMotion, given: Sequence[_Acting]) -> Array:

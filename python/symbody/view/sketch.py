@@ -16,6 +16,7 @@ from symbody.view.drawable_motion import DrawableMotion
 from symbody.view.drawing_options import DrawingOptions
 from symbody.view.mark import Dot, Ellipse, Label, Line, Mark, Patch, Place, Sketch, outermost
 from symbody.view.scene import scene
+from symbody.view.solid import corners
 
 Array = NDArray[np.float64]
 
@@ -100,7 +101,7 @@ class _Projection:
         height = extent[1] * self.scale + 2 * MARGIN
         self.origin = np.array([WIDTH, height]) / 2 - self.scale * (low + high) / 2
         marks = tuple(_spread(self._marks()))
-        return Sketch(_width(marks) if "actions" in self.content else WIDTH, round(float(height), 2), marks)
+        return Sketch(_width(marks), _height(marks, float(height)), marks)
 
     def _marks(self) -> list[Mark]:
         solids = sorted(self._solids(), key=lambda each: each[0])
@@ -197,10 +198,16 @@ class _Projection:
                 yield Label(start, axes["name"], "#1c2733")
 
     def _body_axes(self) -> Iterator[Line]:
-        """Yield the axes x, y and z of each body, in the colours of the ground's; particles have none."""
+        """Yield the axes x, y and z of each body, in the colours of the ground's; particles have none.
+
+        They are no longer than half of the body.
+        """
         for body in self.content["bodies"]:
             if body["has_axes"]:
-                start, *tips = self._tripod(body["pose"], BODY_AXES * self.radius)
+                extent = max(
+                    (float(np.ptp(corners(part), axis=0).max()) for part in body["parts"]), default=np.inf
+                )
+                start, *tips = self._tripod(body["pose"], min(BODY_AXES * self.radius, extent / 2))
                 yield from (
                     Line(start, tip, color, 1.2) for tip, color in zip(tips, AXIS_COLORS, strict=True)
                 )
@@ -329,8 +336,18 @@ def _is_free(place: Place, width: float, taken: Sequence[Place], heads: Sequence
 
 
 def _width(marks: Sequence[Mark]) -> float:
-    """Return the width that holds all names: those of forces are longer than the margin."""
-    return max([WIDTH, *(mark.at[0] + 8 * len(mark.text) + 10 for mark in marks if isinstance(mark, Label))])
+    """Return the width that holds all names, some of which are longer than the margin."""
+    ends = (mark.at[0] + _LETTER * len(mark.text) + 10 for mark in marks if isinstance(mark, Label))
+    return max([WIDTH, *ends])
+
+
+def _height(marks: Sequence[Mark], height: float) -> float:
+    """Return the height that holds all names, some of which are moved down."""
+    return round(max([height, *(mark.at[1] + 6 for mark in marks if isinstance(mark, Label))]), 2)
+
+
+_LETTER = 8
+"""The width of a letter at most, in points."""
 
 
 def _faces(part: Mapping[str, Any]) -> list[Array]:

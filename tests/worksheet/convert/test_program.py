@@ -21,12 +21,12 @@ from symbody.worksheet.convert import convert_file
 from symbody.worksheet.convert.names import identifier
 from symbody.worksheet.convert.program import Converted, converted
 from symbody.worksheet.convert.same import same
+from symbody.worksheet.convert.statement_kinds import loop_variables
 from symbody.worksheet.evaluation.session import Session
 from symbody.worksheet.interpreter.interpret import Interpreter
 from symbody.worksheet.reading import names_in_code, read_source, statements
 from symbody.worksheet.reading.files import source_cells
 from symbody.worksheet.sheet.source import Remark, SyntaxMistake
-from symbody.worksheet.sheet.syntax import For
 from tests.repeated import repeated
 from tests.worksheets.test_seeds import FOLDERS, NEWTON, TRIFILAR
 
@@ -54,8 +54,7 @@ def session_of(path: Path, folder: Path) -> tuple[Session, set[str]]:
     used = names_in_code(cells)
     for cell in cells:
         for statement in statements(cell, used):
-            if isinstance(statement, For) and statement.variable:
-                loops.add(statement.variable)
+            loops.update(loop_variables(statement))
             if not isinstance(statement, Remark | SyntaxMistake):
                 with suppress(WorksheetError):
                     interpreter.execute(statement)
@@ -129,12 +128,12 @@ def test_seeds_are_converted_completely(seed: str, folder: Path, capsys: pytest.
 
 @pytest.mark.repeated
 def test_hardly_any_statement_remains_a_remark(folder: Path) -> None:
-    """What remains is drawings, inert integrals, comparisons as values: 3.4 % of all; the aim is 3 %."""
+    """What remains is drawings, comparisons as values, rules of several arguments: 2.3 % of all, and 8.5 % values."""
     seeds = [path for each in FOLDERS[:1] for path in sorted(each.iterdir())]
     made = [program_of(path, folder) for path in (*sorted(VALID.iterdir()), *seeds)]
     total = sum(each.code + each.values + each.left_out for each in made)
-    assert sum(each.left_out for each in made) < 0.035 * total
-    assert sum(each.code for each in made) > 0.75 * total
+    assert sum(each.left_out for each in made) < 0.03 * total
+    assert sum(each.values for each in made) < 0.1 * total
 
 
 def test_long_lines_are_broken() -> None:
@@ -367,3 +366,89 @@ def test_tracking_equations_are_those_of_the_pose() -> None:
     ((solved,)) = run(text)["s"]
     assert solved[sb.diff(x, sb.t)] == sb.symbols("V") * sb.cos(psi) - v * sb.sin(psi)
     assert solved[sb.diff(psi, sb.t)] == r
+
+
+def test_what_is_put_in_is_one_dictionary_of_plain_numbers() -> None:
+    text = program(
+        "data := [m = 1200, k = 2e5, c = .5]: w := subs(data, sqrt(k/m)*c): r := 0.1: y := 2.5*m*r:", "data"
+    )
+    assert "data = {m: 1200, k: 2e5, c: 0.5}\nw = sb.subs(sb.sqrt(k/m)*c, data)\n" in text
+    assert "y = 2.5*m*r\n" in text
+    values, m = run(text), sb.symbols("m")
+    assert float(values["w"]) == pytest.approx(0.5 * np.sqrt(2e5 / 1200), rel=1e-12)
+    assert values["y"] == m / 4
+
+
+def test_sides_of_equations_are_those_of_pairs() -> None:
+    text = program(
+        "s := x^2 = a + b: r := sqrt(rhs(s)): e := y = c: z := rhs(e): L := [p + q = 1, p - q = 3]: v := rhs~(L): "
+        "u := subs(e, y^2):",
+        "sides",
+    )
+    assert "# values" not in text
+    assert "s = (x**2, a + b)\nr = sb.sqrt(s[1])\ne = {y: c}\nz = e[y]\n" in text
+    a, b, c = sb.symbols("a b c")
+    made = run(text)
+    assert (made["r"], made["z"], made["v"], made["u"]) == (sb.sqrt(a + b), c, [1, 3], c**2)
+
+
+def test_a_symbol_beside_a_function_of_its_name() -> None:
+    text = program("SR := {V(t) = V, v(t) = 0}: e := subs(SR, diff(V(t),t) + V(t)*v(t) + V(t)^2):", "steady")
+    assert 'V_ = sb.symbols("V")\n' in text
+    assert "SR = {V: V_, v: 0}\n" in text
+    assert run(text)["e"] == sb.symbols("V") ** 2
+
+
+def test_eigenvalues_and_roots_are_those_of_numpy() -> None:
+    text = program(
+        "with(LinearAlgebra): A := <0,1;-a,-2>: E := evalf(Eigenvalues(subs(a = 5, A))): "
+        "R := [fsolve(x^3 - x, x)]: Z := fsolve(s^2 + 2*s + 5, s, complex):",
+        "spectrum",
+    )
+    assert "# values" not in text
+    made = run(text)
+    assert sorted(made["E"], key=np.imag) == pytest.approx([-1 - 2j, -1 + 2j])
+    assert sorted(made["Z"], key=np.imag) == pytest.approx([-1 - 2j, -1 + 2j])
+    assert made["R"] == pytest.approx([-1, 0, 1])
+
+
+def test_entries_of_a_matrix_are_assigned() -> None:
+    text = program(
+        "M := matrix(2,2): for i to 2 do for j to 2 do M[i,j] := i*x + j end do end do: d := M[2,1]:",
+        "entries",
+    )
+    assert "rows[i - 1][j - 1] = i*x + j\n" in text
+    x = sb.symbols("x")
+    assert run(text)["M"] == sb.Matrix([[x + 1, x + 2], [2 * x + 1, 2 * x + 2]])
+
+
+def test_rules_of_derivatives_are_rates() -> None:
+    text = program(
+        "with(MBSymba_r6): `diff/psi` := proc(t) w(t)/cos(phi(t)) end proc: "
+        "K := kinetic_energy(make_BODY(rotate('Z',psi(t)), 0, 0, 0, J)): diff(sin(psi(t)), t);",
+        "rules",
+    )
+    assert "rates_of_time[sb.diff(psi, sb.t)] = w/sb.cos(phi)\n" in text
+    w, phi = sb.functions_of_time("w phi")
+    assert run(text)["K"] == sb.symbols("J") * (w / sb.cos(phi)) ** 2 / 2
+
+
+def test_what_prints_only_shows_no_older_value() -> None:
+    text = program('a := 3*x: sprintf("%d", 4): lprint(x + 1); codegen[fortran](x^2);', "printed")
+    assert "print(x + 1)\n" in text
+    assert 'print(sympy.fcode(sb.to_sympy(x**2), assign_to="cg"))\n' in text
+
+
+def test_the_moving_frame_becomes_small_with_its_velocities() -> None:
+    text = program(
+        "with(MBSymba_r6): use_moving_frame(V, v(t), 0, 0, 0, r(t)): linear_modeling({v(t), r(t), phi(t)}): "
+        "b := make_BODY(rotate('X', phi(t))*translate(0,0,-h), m): y := comp_Y(newton_equations(b)): "
+        "e := [subs(diff(phi(t),t) = p(t), y) = F(t), diff(phi(t),t) = p(t), diff(p(t),t) = -k*phi(t)]: "
+        "A, B := state_space(e, t, [v(t), phi(t), p(t)], [F(t), r(t)]):",
+        "leaning",
+    )
+    assert "# " not in text
+    v, r, phi = sb.functions_of_time("v r phi")
+    values, (m, h, V) = run(text), sb.symbols("m h V")
+    marks = {sb.small(each): each for each in (v, r, phi)}
+    assert values["y"].subs(marks) == m * (sb.diff(v, sb.t) + V * r + h * sb.diff(phi, sb.t, 2))

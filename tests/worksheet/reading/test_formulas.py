@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import base64
+from itertools import pairwise
 
 import pytest
+from lark import Token
 
 from symbody.worksheet.reading import statements
 from symbody.worksheet.reading.files import source_cells
 from symbody.worksheet.reading.formula_text import UnknownFormula, formula_text
+from symbody.worksheet.reading.parse import tokens_of
 from symbody.worksheet.reading.stored_formula import Element, UnknownEncoding, stored_formula
-from symbody.worksheet.sheet.source import SyntaxMistake
+from symbody.worksheet.sheet.source import Cell, Line, SyntaxMistake
+from tests.worksheets.sheet import VALID
 
 OF_MAPLE = """
 LUklbXJvd0c2Iy9JK21vZHVsZW5hbWVHNiJJLFR5cGVzZXR0aW5nR0koX3N5c2xpYkdGJzYuLUkjbWlHRiQ2JVEiQUYnLyUnaXRhbGljR1EldHJ1ZUYn
@@ -90,6 +94,7 @@ FORMULAS = [
     (row(X, GAP, mo("+"), GAP, Y), "x+y"),
     (row(mi("f"), fenced(X)), "f(x)"),
     (row(mi("f"), GAP, fenced(X)), "f*(x)"),
+    (row(mi("f"), GAP, fenced(X, mo(","), Y)), "f(x,y)"),
     (row(mi("sin"), mo("&ApplyFunction;"), fenced(mi("&theta;"), fenced(T))), "sin(theta(t))"),
     (row(mi("sin"), up(fenced(X), mn("2"))), "sin(x)^2"),
     (row(up(X, mn("2")), Y), "x^2*y"),
@@ -110,6 +115,7 @@ FORMULAS = [
         "if x<0 then y end if",
     ),
     (row(Element("ms", ('a "b"',)), mo(";")), '"a \\"b\\"";'),
+    (Element("ms", ("\\n",)), '"\\n"'),
     (row(X, mo(";"), Element("mspace", (), {"linebreak": "newline"}), Y), "x;\ny"),
     (row(mo("("), X, mo(")"), GAP, Y), "(x)*y"),
     (row(X, mo("&union;"), Y), "x union y"),
@@ -162,6 +168,32 @@ def test_any_cut_or_change_is_no_crash() -> None:
                 continue
 
 
+def test_deep_formulas_take_little_time() -> None:
+    formula = X
+    for _ in range(30):
+        formula = up(fenced(formula), mn("2"))
+    assert formula_text(formula).count("^2") == 30
+    with pytest.raises(UnknownEncoding):
+        stored_formula(encoded(Element("mrow", (formula,) * 2)).replace("=", "") + "LUk")
+    for _ in range(30):
+        formula = up(fenced(formula), mn("2"))
+    with pytest.raises(UnknownEncoding, match="too deep"):
+        stored_formula(encoded(formula))
+
+
+def test_references_do_not_make_formulas_of_any_size() -> None:
+    """Each element holds the next one twice, the second time by its number."""
+    depth = 40
+    text = '-I%mrowG6"6$' * depth + '-I#miG6"6#Q"x6"'
+    # The element at level k begins at object 1 + 4 k: an element, its name, the name's attributes, its sequence.
+    for level in range(depth, 0, -1):
+        number = 1 + 4 * level
+        digit = chr(33 + number) if number < 58 else chr(91 + number % 16) + chr(107 + number // 16)
+        text += f"F{digit}"
+    with pytest.raises(UnknownEncoding, match="more than 100000 elements"):
+        stored_formula(base64.b64encode(text.encode()).decode())
+
+
 SHEET = (
     '<Worksheet><Group><Input><Text-field prompt="&gt; " style="2D Input"><Equation executable="true" style="{}" '
     'input-equation="{}" display="{}">{}</Equation></Text-field></Input></Group></Worksheet>'
@@ -199,3 +231,33 @@ def test_formulas_without_terminators_in_one_cell() -> None:
     assert len([*statements(cell)]) == 2
     assert not any(isinstance(each, SyntaxMistake) for each in statements(cell))
     assert cell.prose == ("so", "so")
+
+
+def as_formula(tokens: list[Token]) -> Element:
+    """Return tokens as Maple stores what is typed in two dimensions: blanks as signs, and brackets as one element."""
+    stack: list[list[Element]] = [[]]
+    for before, token in pairwise([tokens[0], *tokens]):
+        if token.column != (before.column if token is before else before.end_column):
+            stack[-1].append(GAP)
+        if token.type in {"LPAR", "LSQB", "LBRACE"}:
+            stack.append([])
+        elif token.type in {"RPAR", "RSQB", "RBRACE"}:
+            inside = stack.pop()
+            left, right = {"RPAR": "()", "RSQB": "[]", "RBRACE": "{}"}[token.type]
+            stack[-1].append(fenced(*inside, left=left, right=right))
+        else:
+            tag = {"NAME": "mi", "BACKQUOTED": "mi", "INTEGER": "mn", "DECIMAL": "mn", "STRING": "ms"}
+            text = token[1:-1] if token.type == "STRING" else str(token)
+            stack[-1].append(Element(tag.get(token.type, "mo"), (text,)))
+    return row(*stack[0])
+
+
+@pytest.mark.parametrize("name", ["pendulum_newton.mpl", "four_bar.mpl", "car.mpl", "satellite_wheels.mpl"])
+def test_a_sheet_typed_in_two_dimensions_has_the_same_statements(name: str) -> None:
+    """Its lines follow one another as tokens; the entries of functions, ``x(t) := e``, would be definitions."""
+    (cell,) = source_cells((VALID / name).read_text(encoding="utf-8"))
+    wanted = [*statements(cell)]
+    tokens = [token for line in cell.input for token in tokens_of(line)]
+    text = formula_text(stored_formula(encoded(as_formula(tokens))))
+    found = [*statements(Cell((Line(text, 1),), remarks_lost_marks=False))]
+    assert found == wanted

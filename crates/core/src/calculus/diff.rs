@@ -268,7 +268,7 @@ impl Graph {
             }
             Function::Abs => self.apply(Function::Sign, args),
             Function::Sign => Ok(Id::ZERO),
-            Function::Min | Function::Max => self.extremum_partial(function, args, k, id),
+            Function::Min | Function::Max => self.extremum_partial(function, args, k),
             Function::Power if k == 0 => {
                 let quotient = self.div(id, x)?;
                 self.mul(args[1], quotient)
@@ -281,17 +281,20 @@ impl Graph {
         }
     }
 
-    /// For two arguments, max(a, b) = (a + b + |a - b|)/2, so the partial derivative is (1 + sign(a - b))/2. For more,
-    /// it is one where the argument is the extremum and zero elsewhere.
-    fn extremum_partial(&mut self, function: Function, args: &[Id], k: usize, id: Id) -> Result<Id, Error> {
-        if let &[a, b] = args {
-            let ahead = if (k == 0) == (function == Function::Max) { self.sub(a, b) } else { self.sub(b, a) };
+    /// The partial derivative of max(max(max(a, b), c), ...) by argument k: the product of those of each max(m, a) = (m + a +
+    /// |m - a|)/2 on the way, which are (1 + sign(m - a))/2 and (1 + sign(a - m))/2. So the weights of all arguments add up to
+    /// one, also where several of them are the extremum.
+    fn extremum_partial(&mut self, function: Function, args: &[Id], k: usize) -> Result<Id, Error> {
+        let half = self.number_id(&Number::rational(1, 2));
+        let mut weights = Vec::new();
+        for last in k.max(1)..args.len() {
+            let before = if last == 1 { args[0] } else { self.apply(function, &args[..last])? };
+            let (kept, other) = if last == k { (args[k], before) } else { (before, args[last]) };
+            let ahead = if function == Function::Max { self.sub(kept, other) } else { self.sub(other, kept) };
             let sign = self.apply(Function::Sign, &[ahead])?;
-            let half = self.number_id(&Number::rational(1, 2));
-            return Ok(self.sum(&[(half, Id::ONE), (half, sign)]));
+            weights.push((self.sum(&[(half, Id::ONE), (half, sign)]), NumberId::ONE));
         }
-        let beyond = if function == Function::Min { self.sub(args[k], id) } else { self.sub(id, args[k]) };
-        self.apply(Function::Piecewise, &[Id::ZERO, beyond, Id::ONE])
+        self.product(&weights)
     }
 
     /// The partial derivative by a branch is one where the branch is chosen; that by a condition is zero.

@@ -138,6 +138,9 @@ impl Graph {
         let is_certain = match function {
             Function::Abs | Function::Sign => !self.flags(args[0]).has(Flags::BRANCH),
             Function::Sin | Function::Cos | Function::Tan => !self.flags(args[0]).has(Flags::INVERSE),
+            Function::Exp => {
+                !self.flags(args[0]).has(Flags::BRANCH) || !self.flags(args[0]).has(Flags::INVERSE)
+            }
             Function::Power => self.kind(args[0]) != Kind::Function(Function::Exp),
             _ => true,
         };

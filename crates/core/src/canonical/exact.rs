@@ -101,18 +101,22 @@ impl Graph {
         self.get_number(exponent).abs().compare(&largest).is_le()
     }
 
-    /// |a**2 b| = a**2 |b|: even powers leave a modulus.
+    /// |a**2 b| = a**2 |b| for a real a: even powers leave a modulus. And |sqrt(a) b| = sqrt(|a|) |b|, where a may be negative.
     fn modulus_of_product(&mut self, product: Id) -> Result<Option<Id>, Error> {
         let one = Number::integer(1);
         let Some(factors) = self.factors_with_even_powers(product) else { return Ok(None) };
         let (mut outside, mut inside) = (Vec::new(), Vec::new());
         for (base, exponent) in factors {
-            let integral = exponent.is_integer();
+            let integral = exponent.is_integer() && self.has_real_values(base);
+            if self.is_root_outside(base, &exponent) {
+                outside.push((self.apply(Function::Abs, &[base])?, self.number_id(&exponent)));
+                continue;
+            }
             let even = if exponent.is_even() { exponent.clone() } else { exponent.sub(&one) };
             if integral {
                 outside.push((base, self.number_id(&even)));
             }
-            if !exponent.is_even() {
+            if !integral || !exponent.is_even() {
                 let left = if integral { one.clone() } else { exponent };
                 inside.push((base, self.number_id(&left)));
             }
@@ -142,7 +146,15 @@ impl Graph {
             collected.push(self, base, &exponent);
         }
         let factors = collected.factors;
-        factors.iter().any(|(_, e)| !e.is_one() && e.is_integer()).then_some(factors)
+        let leaves = |(base, e): &(Id, Number)| {
+            !e.is_one() && e.is_integer() && self.has_real_values(*base) || self.is_root_outside(*base, e)
+        };
+        factors.iter().any(leaves).then_some(factors)
+    }
+
+    /// Whether a power is a root of what may be negative, which leaves a modulus as a root of the modulus.
+    fn is_root_outside(&self, base: Id, exponent: &Number) -> bool {
+        !exponent.is_integer() && !self.is_nowhere_negative(base)
     }
 
     fn at_number(&mut self, function: Function, number: &Number, args: &[Id]) -> Result<Option<Id>, Error> {

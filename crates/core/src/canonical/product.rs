@@ -226,7 +226,7 @@ impl Graph {
     fn merge_moduli(&mut self, out: &mut Collector) -> Result<(), Error> {
         let is_modulus = |graph: &Self, (base, exponent): &(Id, Number)| {
             graph.kind(*base) == Kind::Function(Function::Abs)
-                && graph.is_real(*base)
+                && graph.children(*base).first().is_some_and(|&argument| graph.has_real_values(argument))
                 && exponent.is_integer()
         };
         if !out.factors.iter().any(|factor| is_modulus(self, factor)) {
@@ -314,7 +314,9 @@ impl Graph {
                 out.push(self, power, &Number::integer(1));
                 Ok(())
             }
-            View::Function(Function::Abs, args) if exponent.is_even() && self.is_real(base) => {
+            View::Function(Function::Abs, args)
+                if exponent.is_even() && self.has_real_values(args.get(0)) =>
+            {
                 let argument = args.get(0);
                 self.collect_power(out, argument, exponent)
             }

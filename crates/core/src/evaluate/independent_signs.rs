@@ -54,7 +54,7 @@ impl Graph {
         }
         let View::Function(function, args) = self.view(node) else { return Coin::Other(sign) };
         let vector = match function {
-            Function::Abs | Function::Sign => self.sign_vector(args.get(0)),
+            Function::Abs | Function::Sign if place == 0 => self.sign_vector(args.get(0)),
             Function::Piecewise => self.sign_vector(args.get(2 * place + 1)),
             Function::Min | Function::Max if args.len() == 2 => {
                 let (a, b) = (args.get(0), args.get(1));

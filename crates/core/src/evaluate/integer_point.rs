@@ -13,6 +13,7 @@ use crate::value::{
     Element, Field, FieldId, Key, Number, Quadratic, fingerprint, likely_number, prime_factors,
 };
 
+use super::conjugates::{Conjugation, Radicals};
 use super::logarithm_part::Part;
 
 /// Larger expressions have no value here.
@@ -50,13 +51,15 @@ pub(super) struct IntegerPoint<'a> {
     signs: Option<FieldId>,
     /// Whether poles are zero, so that other terms of a sum have their values.
     poles_are_zero: bool,
+    /// What roots are multiplied by.
+    conjugation: Option<&'a Conjugation<'a>>,
 }
 
 impl<'a> IntegerPoint<'a> {
     pub(super) const PLAIN: Self = Self::numbered(0);
 
     pub(super) const fn numbered(number: u64) -> Self {
-        Self { grown: None, atom: None, number, signs: None, poles_are_zero: false }
+        Self { grown: None, atom: None, number, signs: None, poles_are_zero: false, conjugation: None }
     }
 
     /// The plain point with the signs of a lane.
@@ -166,9 +169,19 @@ impl Graph {
     /// The value of a node at an integer point, if it is a rational number there.
     pub(super) fn at_integers(&self, root: Id, point: IntegerPoint<'_>) -> Option<Number> {
         let order = self.short_order(&[root])?;
-        let values = self.rationals(&order, point);
-        let is_pole = values.element(root).is_none();
-        if is_pole { self.rationals(&order, point.with_poles_zero()).get(root) } else { values.get(root) }
+        let mut values = self.rationals(&order, point);
+        let mut point = point;
+        if values.element(root).is_none() {
+            point = point.with_poles_zero();
+            values = self.rationals(&order, point);
+        }
+        values.get(root).or_else(|| {
+            let radicals = self.radicals(&order, |id| values.get(id))?;
+            mean_of_conjugates(&radicals, |conjugation, field| {
+                let point = IntegerPoint { conjugation: Some(conjugation), ..point };
+                self.values_at(&order, point, field).remove(&root)
+            })
+        })
     }
 
     /// The values of nodes and of what is below them at two points of integers, and at two more where functions are drawn.
@@ -190,12 +203,16 @@ impl Graph {
     }
 
     /// The n for which the value of a node is 2^n times as large if generators are larger than at the plain point.
-    pub(super) fn doublings_at_integers(&self, root: Id, doublings: &Doublings) -> Option<i64> {
+    pub(super) fn doublings_at_integers(
+        &self,
+        root: Id,
+        doublings: &Doublings,
+        at: IntegerPoint<'_>,
+    ) -> Option<i64> {
         let order = self.short_order(&[root])?;
         let [first, second] = FieldId::HASH.map(|field| {
-            let plain = self.values_at(&order, IntegerPoint::PLAIN, field);
-            let point =
-                IntegerPoint { grown: Some(Grown { plain: &plain, doublings }), ..IntegerPoint::PLAIN };
+            let plain = self.values_at(&order, at, field);
+            let point = IntegerPoint { grown: Some(Grown { plain: &plain, doublings }), ..at };
             let grown = self.values_at(&order, point, field);
             let ratio = field.field().div(grown.get(&root)?, plain.get(&root)?);
             field.field().power_of_two(&ratio, MOST_DOUBLINGS)
@@ -222,9 +239,17 @@ impl Graph {
                 _ => f.half(&f.sub(&at(1)?, &at(-1)?)),
             })
         };
-        let [first, second] = FieldId::HASH
-            .map(|field| growth(field, point).or_else(|| growth(field, point.with_poles_zero())));
-        rational(fingerprint([&first?, &second?]))
+        let somehow = |field: FieldId, point: IntegerPoint<'_>| {
+            growth(field, point).or_else(|| growth(field, point.with_poles_zero()))
+        };
+        let [first, second] = FieldId::HASH.map(|field| somehow(field, point));
+        rational(fingerprint([&first?, &second?])).or_else(|| {
+            let values = self.rationals(&order, point.with_poles_zero());
+            let radicals = self.radicals(&order, |id| values.get(id))?;
+            mean_of_conjugates(&radicals, |conjugation, field| {
+                somehow(field, IntegerPoint { conjugation: Some(conjugation), ..point })
+            })
+        })
     }
 
     /// The nodes below a node and itself, children first, if they are not many.
@@ -282,7 +307,14 @@ impl Graph {
                 if value.is_zero() && exponent.is_negative() {
                     return point.poles_are_zero.then(|| value.clone());
                 }
-                Some(f.mul(&product, &self.power_of(base, value, exponent, f)))
+                let power = self.power_of(base, value, exponent, f);
+                let product = f.mul(&product, &power);
+                Some(match point.conjugation {
+                    Some(conjugation) if !exponent.is_integer() => {
+                        f.mul(&product, &f.unit(&conjugation.turn_of(base, exponent)))
+                    }
+                    _ => product,
+                })
             }),
             View::Function(function, args) => {
                 let args: Vec<Id> = self.represented(args).collect();
@@ -330,7 +362,11 @@ impl Graph {
             }
             Function::Atan => integer(point.inverse(self, &Atom::Atan(args[0]))),
             Function::Atan2 => integer(point.inverse(self, &Atom::Atan2(args[0], args[1]))),
+            Function::Abs if self.has_modulus_at(args[0], of(args[0])?) => f.absolute_value(of(args[0])?),
             Function::Abs => f.mul(of(args[0])?, &self.sign_at(args[0], of(args[0])?, point, f)),
+            Function::Sign if self.has_modulus_at(args[0], of(args[0])?) => {
+                f.div(of(args[0])?, &f.absolute_value(of(args[0])?))
+            }
             Function::Sign => self.sign_at(args[0], of(args[0])?, point, f),
             Function::Min | Function::Max => {
                 args.iter().try_for_each(|&arg| of(arg).map(drop))?;
@@ -356,6 +392,11 @@ impl Graph {
                 f.piecewise(&all, &signs)
             }
         })
+    }
+
+    /// Whether a node that has this value has no sign there.
+    fn has_modulus_at(&self, id: Id, value: &Quadratic) -> bool {
+        !value.is_real() && !self.has_real_values(id)
     }
 
     /// The sign of a node that has this value, or that in the lane of the point.
@@ -472,6 +513,24 @@ impl Graph {
             Some(f.add(&sum, &f.mul(&f.number(coefficient), &value)))
         })
     }
+}
+
+/// The mean of the conjugates of a value that a point of integers has in a field, if that is rational.
+fn mean_of_conjugates(
+    radicals: &Radicals,
+    value: impl Fn(&Conjugation<'_>, FieldId) -> Option<Quadratic>,
+) -> Option<Number> {
+    let mean = |field: FieldId| {
+        let f = field.field();
+        let (mut sum, mut count) = (f.number(&Number::integer(0)), 0);
+        for conjugation in radicals.conjugations() {
+            sum = f.add(&sum, &value(&conjugation, field)?);
+            count += 1;
+        }
+        Some(f.mul(&f.number(&Number::rational(1, count)), &sum))
+    };
+    let [first, second] = FieldId::HASH.map(mean);
+    rational(fingerprint([&first?, &second?]))
 }
 
 /// The rational number that has a value, if that is not too large.

@@ -11,7 +11,7 @@ pub(super) const DEPTH: u32 = 16;
 impl Graph {
     /// What the logarithm of a node needs to be known in a field.
     pub(super) fn push_needed_by_logarithm(&self, id: Id, field: FieldId, out: &mut Vec<(Id, FieldId)>) {
-        let Some(parts) = self.logarithm_parts(id) else {
+        let Some(parts) = self.logarithm_parts_in(id, field) else {
             out.push((id, field.unturned()));
             out.extend(field.turned_by().map(|by| (id, by)));
             return;
@@ -31,7 +31,7 @@ impl Graph {
     /// The value of log(id) in a field.
     pub(super) fn logarithm_in(&self, id: Id, field: FieldId) -> Quadratic {
         let f = field.field();
-        let Some(parts) = self.logarithm_parts(id) else {
+        let Some(parts) = self.logarithm_parts_in(id, field) else {
             let drawn = f.opaque(Key::new("logarithm of"), &[&self.value_in(id, field.unturned())]);
             let is_turned = field.turned_by().is_some_and(|by| self.is_negative_in(id, by));
             return if is_turned { f.add(&drawn, &self.value_in(Id::PI, field)) } else { drawn };
@@ -88,13 +88,13 @@ impl Graph {
         if self.split_logarithm(id, &Number::integer(1), DEPTH, &mut parts) {
             return Some(parts);
         }
-        let Monomial { number, root, powers } = self.monomial(id)?;
-        let powers = powers.into_iter().map(|(generator, coefficient)| match generator {
-            Generator::Symbol(symbol) => Part::Logarithm(coefficient, symbol),
-            Generator::Exponential(argument) => Part::Exponent(coefficient, argument),
-            Generator::Power { base, exponent } => Part::Power(coefficient, exponent, base),
-        });
-        Some(std::iter::once(Part::Number(root, number)).chain(powers).collect())
+        self.monomial(id).map(parts_of_monomial)
+    }
+
+    /// The parts where signs are those of a lane: the logarithm of a piecewise function is that of a branch.
+    fn logarithm_parts_in(&self, id: Id, field: FieldId) -> Option<Vec<Part>> {
+        let known = self.logarithm_parts(id);
+        known.or_else(|| self.monomial_in(id, field.of_signs()).map(parts_of_monomial))
     }
 
     pub(super) fn atomic_logarithm(&self, id: Id, field: FieldId) -> Quadratic {
@@ -146,6 +146,15 @@ impl Graph {
             _ => false,
         }
     }
+}
+
+fn parts_of_monomial(Monomial { number, root, powers }: Monomial) -> Vec<Part> {
+    let powers = powers.into_iter().map(|(generator, coefficient)| match generator {
+        Generator::Symbol(symbol) => Part::Logarithm(coefficient, symbol),
+        Generator::Exponential(argument) => Part::Exponent(coefficient, argument),
+        Generator::Power { base, exponent } => Part::Power(coefficient, exponent, base),
+    });
+    std::iter::once(Part::Number(root, number)).chain(powers).collect()
 }
 
 /// The sum of the logarithms of the prime factors.

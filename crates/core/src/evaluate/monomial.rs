@@ -11,7 +11,7 @@ use rustc_hash::FxHashMap;
 use crate::graph::{Assumption, Function, Generator, Graph, Id, Ids, Monomial, View};
 use crate::value::{Field, FieldId, Number, Quadratic, fingerprint};
 
-use super::integer_point::Doublings;
+use super::integer_point::{Doublings, IntegerPoint};
 use super::logarithm::DEPTH;
 use super::node::power_of_number;
 
@@ -48,19 +48,8 @@ impl Graph {
         let denominator = self.denominator_of_exponents(id)?;
         // By how many doublings a generator is larger at its point of integers.
         let unit = denominator.lcm(&DOUBLINGS);
-        let mut powers = Vec::new();
-        for (generator, doublings) in self.basis(&generators, unit)? {
-            let exponent = self.doublings_at_integers(id, &doublings)?;
-            if exponent != 0 {
-                powers.push((generator, Number::rational(exponent, unit)));
-            }
-        }
-        let product = |field: FieldId| {
-            powers.iter().fold(field.field().one(), |product, (generator, exponent)| {
-                let power = field.field().rational_power(&self.generator_in(generator, field), exponent);
-                field.field().mul(&product, &power)
-            })
-        };
+        let powers = self.powers_of_basis(id, &generators, unit, IntegerPoint::PLAIN)?;
+        let product = |field: FieldId| self.product_of_powers(&powers, field);
         let content = self.rational_content(id, FieldId::HASH[0].field());
         let degrees = ROOTS.into_iter().chain([denominator]);
         let (root, number) = root_of_number(&content, degrees, |field| {
@@ -72,6 +61,57 @@ impl Graph {
         };
         let in_hash_lanes = FieldId::HASH.into_iter().all(|field| self.value_in(id, field) == whole(field));
         (in_hash_lanes && self.is_everywhere(id, whole)).then_some(Monomial { number, root, powers })
+    }
+
+    /// The same where signs are those of a lane, if the node holds signs and no roots.
+    pub(super) fn monomial_in(&self, id: Id, lane: FieldId) -> Option<Monomial> {
+        let id = self.representative(id);
+        if !self.has_signs_alone(id) {
+            return None;
+        }
+        if let Some(known) = self.lanes.borrow().monomial_in(id, lane) {
+            return known.clone();
+        }
+        let monomial = self.find_monomial_in(id, lane);
+        self.lanes.borrow_mut().insert_monomial_in(id, lane, monomial.clone());
+        monomial
+    }
+
+    fn find_monomial_in(&self, id: Id, lane: FieldId) -> Option<Monomial> {
+        let generators = self.generators(id).filter(|found| !found.is_empty() && !self.is_complex(id))?;
+        let unit = self.denominator_of_exponents(id)?.lcm(&DOUBLINGS);
+        let point = IntegerPoint::with_signs_of(lane);
+        let number = self.at_integers(id, point).filter(|n| !n.is_zero() && !n.is_negative())?;
+        let powers = self.powers_of_basis(id, &generators, unit, point)?;
+        let f = lane.field();
+        let whole = f.mul(&f.number(&number), &self.product_of_powers(&powers, lane));
+        let root = Number::integer(1);
+        (self.value_in(id, lane) == whole).then_some(Monomial { number, root, powers })
+    }
+
+    /// The powers of the generators of a basis in a node, read off at a point of integers.
+    fn powers_of_basis(
+        &self,
+        id: Id,
+        generators: &[Generator],
+        unit: i64,
+        point: IntegerPoint<'_>,
+    ) -> Option<Vec<(Generator, Number)>> {
+        let mut powers = Vec::new();
+        for (generator, doublings) in self.basis(generators, unit)? {
+            let exponent = self.doublings_at_integers(id, &doublings, point)?;
+            if exponent != 0 {
+                powers.push((generator, Number::rational(exponent, unit)));
+            }
+        }
+        Some(powers)
+    }
+
+    fn product_of_powers(&self, powers: &[(Generator, Number)], field: FieldId) -> Quadratic {
+        let f = field.field();
+        powers.iter().fold(f.one(), |product, (generator, exponent)| {
+            f.mul(&product, &f.rational_power(&self.generator_in(generator, field), exponent))
+        })
     }
 
     /// A multiple of the denominators of all exponents below a node, where those of roots inside roots are multiplied.

@@ -391,7 +391,10 @@ impl Graph {
                 let modulus = f.opaque(Key::new("modulus"), &[&f.unsigned(&value(first)).0]);
                 if function == Function::Abs { modulus } else { f.div(&value(first), &modulus) }
             }
-            Function::Abs => f.mul(&self.sign_in(first, field), &value(first)),
+            Function::Abs => self.modulus_in(first, field),
+            Function::Sign if !self.has_sign_in(first, field) => {
+                f.div(&value(first), &self.modulus_in(first, field))
+            }
             Function::Sign => self.sign_in(first, field),
             Function::Min | Function::Max => {
                 let signs = field.of_signs();
@@ -495,7 +498,7 @@ pub(super) fn power_of_number(number: &Number, exponent: &Number, f: &Field) -> 
 }
 
 /// The power of a content in a field.
-fn power_of_content(content: &Content, exponent: &Number, f: &Field) -> Quadratic {
+pub(super) fn power_of_content(content: &Content, exponent: &Number, f: &Field) -> Quadratic {
     content.iter().fold(f.one(), |product, (prime, power)| {
         f.mul(&product, &power_of_prime(prime, &power.mul(exponent), f))
     })

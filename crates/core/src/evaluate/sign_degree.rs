@@ -139,6 +139,7 @@ impl Graph {
     fn signs_of_function(&self, function: Function, args: &[Id], token: u64) -> Signs {
         let all = args.iter().fold(none(), |all, &arg| union(&all, &self.signs(arg)));
         let own = match function {
+            Function::Abs | Function::Sign if !self.has_real_values(args[0]) => 2, // that of its norm, too
             Function::Abs | Function::Sign | Function::Atan2 | Function::Power => 1,
             Function::Min | Function::Max => args.len() - 1,
             Function::Piecewise => args.len() / 2,

@@ -76,7 +76,7 @@ impl Graph {
     }
 
     /// Whether a node holds signs, but no roots that have signs: a root at a point of integers has none of a lane.
-    fn has_signs_alone(&self, id: Id) -> bool {
+    pub(super) fn has_signs_alone(&self, id: Id) -> bool {
         if !self.flags(id).has(Flags::BRANCH) {
             return false;
         }

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use crate::value::{Element, FieldId, Key, Number, Quadratic, fingerprint};
 
 use super::node::{Assumption, Id, NumberId, View};
+use super::real_range::RealRange;
 
 /// Values of nodes in the fields of all lanes, as far as they were asked for.
 ///
@@ -36,12 +37,16 @@ pub(crate) struct Lanes {
     exponents: FxHashMap<(Id, Option<FieldId>), Number>,
     /// Nodes that are a number times powers of positive factors.
     monomials: FxHashMap<Id, Option<Monomial>>,
+    /// Those where signs are the ones of a lane.
+    monomials_by_signs: FxHashMap<(Id, FieldId), Option<Monomial>>,
     /// How arguments of sines (false) and exponentials (true) are split, see `evaluate::argument`.
     splits: FxHashMap<(Id, bool, Option<FieldId>), Split>,
     /// Whether nodes hold signs and no roots.
     signs_alone: FxHashMap<Id, bool>,
     /// Whether the values of nodes that hold complex symbols depend on these.
     complex: FxHashMap<Id, bool>,
+    /// What forms tell of the values of nodes for real variables.
+    real_ranges: FxHashMap<Id, RealRange>,
 }
 
 /// The values of a node in all lanes but the hash lanes.
@@ -140,6 +145,7 @@ impl Lanes {
             self.solutions.clear();
             self.splits.retain(|(_, _, lane), _| lane.is_none());
             self.exponents.retain(|(_, lane), _| lane.is_none());
+            self.monomials_by_signs.clear();
         }
     }
 
@@ -227,12 +233,28 @@ impl Lanes {
         self.monomials.insert(id, monomial);
     }
 
+    pub(crate) fn monomial_in(&self, id: Id, lane: FieldId) -> Option<&Option<Monomial>> {
+        self.monomials_by_signs.get(&(id, lane))
+    }
+
+    pub(crate) fn insert_monomial_in(&mut self, id: Id, lane: FieldId, monomial: Option<Monomial>) {
+        self.monomials_by_signs.insert((id, lane), monomial);
+    }
+
     pub(crate) fn complex(&self, id: Id) -> Option<bool> {
         self.complex.get(&id).copied()
     }
 
     pub(crate) fn insert_complex(&mut self, id: Id, is_complex: bool) {
         self.complex.insert(id, is_complex);
+    }
+
+    pub(crate) fn real_range(&self, id: Id) -> Option<RealRange> {
+        self.real_ranges.get(&id).copied()
+    }
+
+    pub(crate) fn insert_real_range(&mut self, id: Id, range: RealRange) {
+        self.real_ranges.insert(id, range);
     }
 
     pub(crate) fn split(&self, id: Id, of_exponential: bool, lane: Option<FieldId>) -> Option<Split> {

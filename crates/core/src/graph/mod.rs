@@ -12,6 +12,7 @@ mod cost;
 mod function;
 mod lanes;
 mod node;
+mod real_range;
 mod representatives;
 mod simplest_form;
 mod table;
@@ -28,6 +29,7 @@ pub(crate) use lanes::{
 };
 pub use node::{Assumption, Factors, Id, Ids, NumberId, Terms, View};
 pub(crate) use node::{Flags, Kind};
+pub(crate) use real_range::RealRange;
 pub(crate) use representatives::Standing;
 pub(crate) use simplest_form::{Part, SimplestForm};
 pub use table::{Graph, LARGEST_ORDER};

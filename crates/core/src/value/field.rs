@@ -209,6 +209,21 @@ impl Field {
         if self.closure.is_positive(a) { a.clone() } else { self.neg(a) }
     }
 
+    /// The absolute value of what may lie outside GF(p): the root |N|^(1/n) of the norm N from a field of degree n. It is
+    /// multiplicative, that of a unit of the circle is 1, and that of a root is the root of that of the radicand.
+    pub(crate) fn absolute_value(&self, a: &Quadratic) -> Quadratic {
+        if let Quadratic::Extended(extended) = a {
+            if let Some((coefficient, _)) = extended.single_term() {
+                return self.absolute_value(coefficient);
+            }
+            let drawn = self.opaque(Key::new("absolute value"), &[&self.unsigned(a).0]);
+            return self.mul(&drawn, &drawn);
+        }
+        let (norm, degree) = self.closure.whole_norm(a);
+        let magnitude = self.modulus(&Quadratic::Real(norm));
+        self.rational_power(&magnitude, &Number::rational(1, i64::try_from(degree).unwrap_or(1)))
+    }
+
     /// The first value whose condition is positive, as the sum of the values times indicators (1 + sign)/2.
     ///
     /// Values and conditions alternate, as in the arguments of the function, and `signs` has the signs of all of them.

@@ -52,6 +52,11 @@ impl Quadratic {
         }
     }
 
+    /// Whether the element is one of GF(p).
+    pub(crate) fn is_real(&self) -> bool {
+        matches!(self, Self::Real(_))
+    }
+
     pub(super) fn is_extended(&self) -> bool {
         matches!(self, Self::Extended(_))
     }
@@ -254,6 +259,16 @@ impl Closure {
         let (low, high) = a.split_at(a.len() / 2);
         let high = self.times_nonsquare(&self.product(high, high));
         self.sum(&self.product(low, low), &self.opposite(&high))
+    }
+
+    /// The norm to GF(p) and the degree of the field of the coordinates.
+    pub(super) fn whole_norm(&self, a: &Quadratic) -> (u64, u64) {
+        let mut norm = a.coordinates().to_vec();
+        let degree = norm.len() as u64;
+        while norm.len() > 1 {
+            norm = self.norm(&norm);
+        }
+        (norm[0], degree)
     }
 
     fn reciprocal(&self, a: &[u64]) -> Vec<u64> {

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from symbody.document.document import Block, Heading, prose
 from symbody.document.formula import equalities
 from symbody.document.subject import Subject
-from symbody.multibody import kinetic_energy
-from symbody.multibody.energy import known_potential, potentials
+from symbody.multibody import System, kinetic_energy
+from symbody.multibody.energy import gravitational_energy, known_potential, potentials
 from symbody.symbolic import Expr, gradient, jacobian, number
 
 
@@ -29,8 +29,28 @@ def energies(subject: Subject) -> list[Block]:
     values: list[Expr | Sequence[Expr]] = list(found.values())
     if not subject.is_large:
         (T,) = system.by_speeds([found.pop("T")])
-        values = [_quadratic(T, system.speeds, subject), *subject.read([*found.values()])]
+        values = [_quadratic(T, system.speeds, subject), *(_by_cause(system, subject) for _ in found)]
     return [Heading("Energies"), *equalities(prose(sentence), names, values, system)]
+
+
+def _by_cause(system: System, subject: Subject) -> Sequence[Expr]:
+    """Return the potential energy as a sum: the weight of each body, and the energy of each load."""
+    gravity = system.gravity if system.root.carrier is None else None
+    weights = [] if gravity is None else [gravitational_energy([body], gravity) for body in system.bodies]
+    loads = potentials(system.loads, system.bodies)
+    terms = subject.read([each for each in (*_together(weights, subject), *loads) if not each.is_zero])
+    return terms or [number(0)]
+
+
+def _together(weights: Sequence[Expr], subject: Subject) -> Sequence[Expr]:
+    """Return the energies of weights, or their sum if it is much shorter."""
+    total = sum(weights, start=number(0))
+    (short,), each = subject.read([total]), subject.read(weights)
+    return [total] if len(str(short)) < _SHORT * sum(len(str(one)) for one in each) else weights
+
+
+_SHORT = 0.8
+"""The length of the energy of all weights, at most, in relation to that of each, where it is printed."""
 
 
 def _quadratic(T: Expr, speeds: Sequence[Expr], subject: Subject) -> list[Expr]:

@@ -9,7 +9,7 @@ from symbody.document.formula import equalities
 from symbody.document.subject import Subject
 from symbody.dynamics.display.summary import sizes_by_speed
 from symbody.symbolic import Expr, cost, latex
-from symbody.symbolic.expression.latex_layout import LINE, width
+from symbody.symbolic.expression.latex_layout import LINE, one_formula, width
 from symbody.symbolic.given.arguments import counted
 
 ROWS = 100
@@ -31,7 +31,7 @@ def equations(subject: Subject) -> list[Block]:
         sentence += f" and {counted(len(found.constraints), 'constraint')}"
     if found.states:
         sentence += f", with {counted(len(found.states), 'state')} beside the mechanics"
-    text = found.latex() if found.is_readable else None
+    text = one_formula(found.latex()) if found.is_readable else None
     if text is not None and text.count(r"\\ ") < ROWS:
         return [Heading("Equations of motion"), prose(f"{sentence}."), Formula(text)]
     return [Heading("Equations of motion"), *_summary(subject, sentence), *_mass_matrix(subject)]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from itertools import groupby
 
 from symbody.document.document import NO_BREAK, Block, Heading, Math, Picture, Table, Words, prose
@@ -118,15 +119,16 @@ def _loads(system: System) -> list[Block]:
             rows.append(((name,), ("force",), law, ("its line",), (joined_by_and(members),)))
             continue
         for action, on in zip(load.actions, members, strict=True):
-            rows.append(_load_row(name, "force" if action.is_force else "torque", action.vector, on))
+            kind = "force" if action.is_force else "torque"
+            rows.append(_load_row(name, kind, action.vector, on, _axes(action.vector, names)))
     gravity = system.gravity
     if gravity is not None:
-        rows.append(_load_row("gravity", "acceleration", gravity, "all bodies"))
+        rows.append(_load_row("gravity", "acceleration", gravity, "all bodies", _axes(gravity, names)))
     return [Table(("load", "kind", "components", "in the axes of", "on"), tuple(rows))] if rows else []
 
 
-def _load_row(name: str, kind: str, vector: Vector, on: str) -> tuple[Words, ...]:
-    return (name,), (kind,), _components(vector), (_axes(vector),), (on,)
+def _load_row(name: str, kind: str, vector: Vector, on: str, axes: str) -> tuple[Words, ...]:
+    return (name,), (kind,), _components(vector), (axes,), (on,)
 
 
 def _components(vector: Vector) -> Words:
@@ -136,10 +138,15 @@ def _components(vector: Vector) -> Words:
     return (f"expressions of {counted(cost(vector.components).total, 'operation')}",)
 
 
-def _axes(vector: Vector) -> str:
-    """Return what the frame is called, without the chain of a frame whose name would fill the table."""
-    text = brief(vector.frame)
-    return text if len(text) <= _LONGEST_NAME else "a chain of frames"
+def _axes(vector: Vector, names: Mapping[Body, str]) -> str:
+    """Return what the axes are called: by the name of the frame, or of a body with these axes."""
+    frame = vector.frame
+    if frame.name or frame.parent is None:
+        return brief(frame)
+    rows = frame.pose.rows
+    bodies = (name for body, name in names.items() if body.frame.pose.rows == rows)
+    text = str(frame)
+    return next(bodies, text if len(text) <= _LONGEST_NAME else "a chain of frames")
 
 
 _LONGEST_NAME = 40

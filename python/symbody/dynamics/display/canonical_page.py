@@ -10,7 +10,7 @@ from symbody.multibody import System
 from symbody.symbolic import Expr, cost, latex, symbol
 from symbody.symbolic.calculus.reader import Reader
 from symbody.symbolic.expression.html_table import html_table
-from symbody.symbolic.expression.latex_layout import ARTICLE, aligned, broken
+from symbody.symbolic.expression.latex_layout import ARTICLE, aligned, broken, in_pages
 from symbody.symbolic.given.arguments import counted
 
 from .determinant import over_determinant, printed_rows
@@ -66,7 +66,7 @@ class CanonicalPage:
         for name, side in zip(names, sides[:n], strict=True):
             made += broken(f"{name} &= ", side, ARTICLE)
         made += [row for side in sides[n:] for row in broken("&", f"{side} = 0", ARTICLE)]
-        return aligned(made)
+        return in_pages(aligned(made))
 
     def _named_rows(self, notation: str) -> tuple[list[Definition], list[str]]:
         """Return named quantities, and the right sides of all rows."""

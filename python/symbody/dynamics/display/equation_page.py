@@ -7,7 +7,14 @@ from functools import cached_property
 
 from symbody.multibody import Variables
 from symbody.symbolic import Expr
-from symbody.symbolic.expression.latex_layout import ARTICLE, aligned, broken, displayed
+from symbody.symbolic.expression.latex_layout import (
+    ARTICLE,
+    aligned,
+    broken,
+    displayed,
+    in_pages,
+    one_formula,
+)
 
 from .balance import Balance
 from .page import lines_of
@@ -48,16 +55,17 @@ class EquationPage:
         """Return the equation in LaTeX, after the quantities that have names; it is broken at terms."""
         definitions, (left, right) = self._row("latex")
         rows = [row for name, value in definitions for row in broken(f"{name} &= ", value, ARTICLE)]
-        return aligned([*rows, *broken("&", f"{left} = {right}", ARTICLE)])
+        return in_pages(aligned([*rows, *broken("&", f"{left} = {right}", ARTICLE)]))
 
     def _repr_latex_(self) -> str:
-        return displayed(self.latex())
+        return displayed(one_formula(self.latex()))
 
     def _row(self, notation: str) -> tuple[list[Definition], list[str]]:
         count, balance = len(self.balance.left), self.balance
         named = [side for pair in self.named for side in pair]
         shared, texts = printed([*balance.left, *balance.right, *named], notation, self.system)
-        sides = [written(texts[:count]), written(texts[count : len(texts) - len(named)])]
+        right = written(texts[count : len(texts) - len(named)], is_ordered=len(balance.constraints) > 1)
+        sides = [written(texts[:count]), right]
         names = texts[len(texts) - len(named) :]
         given = in_order_of_use([*shared, *zip(names[::2], names[1::2], strict=True)])
         return shortened(sides, (), _used(given, sides), notation)

@@ -114,7 +114,10 @@ class Page:
             return [next(remaining) for _ in range(count)]
 
         rows = [
-            (written(taken(len(balance.left))), written(taken(len(balance.right))))
+            (
+                written(taken(len(balance.left))),
+                written(taken(len(balance.right)), is_ordered=len(balance.constraints) > 1),
+            )
             for balance in self.balances
         ]
         rows += [(next(remaining), "0") for _ in self.constraints]

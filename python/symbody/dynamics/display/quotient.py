@@ -28,8 +28,8 @@ def quotient(e: Expr) -> Quotient:
 
     >>> from symbody import symbols
     >>> a, b, c = symbols("a b c")
-    >>> quotient(a / (b + c / a))
-    Quotient(top=a**2, bottom={c + a*b: 1})
+    >>> quotient(a / (1 + c / a))
+    Quotient(top=a**2, bottom={a + c: 1})
     """
     if e.kind == "sum":
         parts = [quotient(term) for term in e.args]

@@ -74,14 +74,14 @@ def _minuses(listing: Listing) -> int:
     return sum(text.count("-") for text in listing[1])
 
 
-def written(terms: Iterable[str]) -> str:
-    """Return the sum of printed terms; one with a plus sign comes first.
+def written(terms: Iterable[str], *, is_ordered: bool = False) -> str:
+    """Return the sum of printed terms; one with a plus sign comes first, unless they are in an order that counts.
 
-    >>> written(["-a*b", "c - d"])
-    'c - d - a*b'
+    >>> written(["-a*b", "c - d"]), written(["-a*lambda1", "b*lambda2"], is_ordered=True)
+    ('c - d - a*b', '-a*lambda1 + b*lambda2')
     """
     texts = list(terms)
-    first = next((k for k, text in enumerate(texts) if not text.startswith("-")), 0)
+    first = 0 if is_ordered else next((k for k, text in enumerate(texts) if not text.startswith("-")), 0)
     texts[: first + 1] = [texts[first], *texts[:first]] if texts else []
     return (
         "".join(

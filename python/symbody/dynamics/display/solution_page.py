@@ -8,7 +8,7 @@ from functools import cached_property
 
 from symbody.multibody import Variables
 from symbody.symbolic import Expr, cost, latex, substitute
-from symbody.symbolic.expression.latex_layout import ARTICLE, aligned, broken
+from symbody.symbolic.expression.latex_layout import ARTICLE, aligned, broken, in_pages
 from symbody.symbolic.given.arguments import counted
 
 from .determinant import over_determinant, printed_rows
@@ -59,7 +59,7 @@ class SolutionPage:
         made = [line for name, value in named for line in broken(f"{name} &= ", value, ARTICLE)]
         if self._solved:
             made.append(rf"&{', '.join(map(latex, self._solved))} \colon \text{{{self._note}}}")
-        return aligned(made)
+        return in_pages(aligned(made))
 
     @cached_property
     def _solved(self) -> dict[Expr, Expr]:

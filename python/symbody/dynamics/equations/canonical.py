@@ -21,7 +21,7 @@ from symbody.symbolic import (
     without_idle_symbols,
 )
 from symbody.symbolic.expression.container import Container, contains, substituted
-from symbody.symbolic.expression.latex_layout import displayed
+from symbody.symbolic.expression.latex_layout import displayed, one_formula
 
 from .constraint_force import with_multipliers
 from .equations import Assembly, Derived, Equations
@@ -99,7 +99,8 @@ class CanonicalEquations:
             balance = [push - force for push, force in zip(pushes, forces.entries, strict=True)]
             residuals = with_multipliers(balance, system)
         assembly = Assembly(W, tuple(-force for force in forces.entries))
-        return Equations(system, without_idle_symbols(residuals), Derived(assembly.without_idle_symbols()))
+        balanced = Derived(without_idle_symbols(residuals))
+        return Equations(system, balanced, Derived(assembly.without_idle_symbols()))
 
     def __repr__(self) -> str:
         states = ", ".join(map(str, (*self.coordinates, *self.momenta, *self.system.states)))
@@ -129,7 +130,7 @@ class CanonicalEquations:
         """The equations in LaTeX if they are short enough to be read below a cell."""
         if cost([self.hamiltonian, *self.rates.values()]).total > _AT_ONCE:
             return None
-        return None if self.description().count("\n") > _READABLE else displayed(self.latex())
+        return None if self.description().count("\n") > _READABLE else displayed(one_formula(self.latex()))
 
     def _repr_latex_(self) -> str | None:
         return self._latex_of_notebook

@@ -8,7 +8,7 @@ from functools import lru_cache
 
 from symbody.multibody import Variables
 
-from .equations import Assembly, Equations
+from .equations import Assembly, Derived, Equations
 
 
 def leaving_out(eqs: Equations, places: Collection[int]) -> Equations:
@@ -28,7 +28,7 @@ def leaving_out(eqs: Equations, places: Collection[int]) -> Equations:
 def _leaving_out(eqs: Equations, places: tuple[int, ...]) -> Equations:
     system = eqs.system.leaving_out(places)
     return replace(
-        eqs, system=system, residuals=system.without_left_out(eqs.residuals), assemble=_Inherited(eqs)
+        eqs, system=system, derive=Derived(system.without_left_out(eqs.residuals)), assemble=_Inherited(eqs)
     )
 
 

@@ -58,13 +58,16 @@ def derived(
         tree = checked_tree(system, where)
         if check is not None:
             check(tree, where)
-        with _after_recursion(system, by_recursion) as recursion:
-            if recursion:
-                with_multipliers(recursion, system)
-            completed = with_multipliers(_by_speeds(residuals, system), system)
-            found = truncated(completed, MOTION)
-    shared = in_shared_sums(without_idle_symbols(found), system)
-    return Equations(system, shared, partial(_assemble, residuals, inertia))
+    return Equations(system, partial(_derive, residuals), partial(_assemble, residuals, inertia))
+
+
+def _derive(residuals: Residuals, system: System) -> tuple[Expr, ...]:
+    with derivation(fresh=True, order=ENERGY), _after_recursion(system, by_recursion) as recursion:
+        if recursion:
+            with_multipliers(recursion, system)
+        completed = with_multipliers(_by_speeds(residuals, system), system)
+        found = truncated(completed, MOTION)
+    return in_shared_sums(without_idle_symbols(found), system)
 
 
 def _assemble(residuals: Residuals, inertia: Callable[[System], Matrix] | None, system: System) -> Assembly:

@@ -17,6 +17,7 @@ from symbody.multibody import System
 from symbody.symbolic import (
     ENERGY,
     MOTION,
+    Expr,
     derivation,
     truncated,
     without_idle_symbols,
@@ -46,11 +47,15 @@ def newton_euler(system: System) -> Equations:
     """
     check_independent(system)
     with derivation(fresh=True, order=order_of(system)):
-        tree = checked_tree(system, "newton_euler")
-        check_rigid(tree, "newton_euler")
-        with shortest_derivation(system, residuals) as needed:
-            found = truncated(with_multipliers(needed, system), MOTION)
-    return Equations(system, in_shared_sums(without_idle_symbols(found), system), _assemble)
+        check_rigid(checked_tree(system, "newton_euler"), "newton_euler")
+    return Equations(system, _derive, _assemble)
+
+
+def _derive(system: System) -> tuple[Expr, ...]:
+    order = order_of(system)
+    with derivation(fresh=True, order=order), shortest_derivation(system, residuals) as needed:
+        found = truncated(with_multipliers(needed, system), MOTION)
+    return in_shared_sums(without_idle_symbols(found), system)
 
 
 def _assemble(system: System) -> Assembly:

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from symbody.dynamics.tree.anchored_action import anchor_of, components_at_anchor
+from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree
 from symbody.errors import ModelError
+from symbody.geometry import Frame
 from symbody.multibody import Action, System
 from symbody.multibody.load import action_velocity
-from symbody.symbolic import Expr, Matrix, dot3, jacobian, number
+from symbody.symbolic import Expr, Matrix, dot3, free_symbols, jacobian, number
 from symbody.symbolic.given.arguments import brief
 
 
@@ -17,19 +19,20 @@ def with_added_mass(mass_matrix: Matrix, system: System) -> Matrix:
 
     The sum is symmetric only if ``dQ/du'`` is, which is up to the loads.
     """
-    actions = [action for action in system.actions if _holds_acceleration(action, system)]
+    actions = _accelerated(system)
     return mass_matrix - _slopes(actions, system) if actions else mass_matrix
 
 
 def has_added_mass(system: System) -> bool:
     """Return whether some load depends on accelerations."""
-    return any(_holds_acceleration(action, system) for action in system.actions)
+    return bool(_accelerated(system))
 
 
 def check_loads(system: System, where: str) -> None:
     """Raise an error that names the first load, or the gravity, for which the equations can't be solved."""
-    for load in system.loads:
-        actions = [a for a in load.actions if a.body in system.bodies and _holds_acceleration(a, system)]
+    accelerated = _accelerated(system)
+    for load in system.loads if accelerated else ():
+        actions = [action for action in accelerated if action in load.actions]
         if not actions:
             continue
         jerk = _rate(_leaves(actions), system, 3)
@@ -65,8 +68,36 @@ def _slopes(actions: Iterable[Action], system: System) -> Matrix:
     return jacobian(forces, system.accelerations)
 
 
-def _holds_acceleration(action: Action, system: System) -> bool:
-    return _rate(_leaves([action]), system, 2) is not None
+def _accelerated(system: System) -> list[Action]:
+    """Return the actions that hold accelerations; few systems have any, which is seen before vectors are projected."""
+    if not system.actions or _rate(_given_leaves(system), system, 2) is None:
+        return []
+    return [action for action in system.actions if _rate(_leaves([action]), system, 2) is not None]
+
+
+def _given_leaves(system: System) -> frozenset[Expr]:
+    """Return the symbols and functions of time in all actions as they are given, and in the frames of their axes."""
+    values, frames = list[Expr](), dict[bytes, Frame]()
+    for action in system.actions:
+        values += action.vector.components
+        frames[action.vector.frame.key] = action.vector.frame
+        if action.point is not None:
+            values += action.point.coordinates
+            frames[action.point.frame.key] = action.point.frame
+    return free_symbols(values) | _leaves_of_frames(frames.values(), frame_tree(system))
+
+
+def _leaves_of_frames(frames: Iterable[Frame], tree: FrameTree) -> frozenset[Expr]:
+    """Return the symbols and functions of time in the motions of frames and of those before them."""
+    known, found = set[bytes](), set[Expr]()
+    for frame in (*tree.frames, *frames):
+        link: Frame | None = frame
+        while link is not None and link.key not in known:
+            known.add(link.key)
+            if link.motion is not None:
+                found |= link.motion.leaves
+            link = link.parent
+    return frozenset(found)
 
 
 def _leaves(actions: Iterable[Action]) -> frozenset[Expr]:

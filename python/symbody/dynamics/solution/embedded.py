@@ -81,9 +81,8 @@ def embedded(eqs: Equations, independent: Speeds | None = None) -> Equations:
             product + rest for product, rest in zip(products.entries, assembly.bias, strict=True)
         )
         energy = None if eqs.energy is None else system.by_speeds([eqs.energy])[0]
-    return Equations(
-        system, without_idle_symbols(residuals), Derived(assembly.without_idle_symbols()), energy
-    )
+    balanced = Derived(without_idle_symbols(residuals))
+    return Equations(system, balanced, Derived(assembly.without_idle_symbols()), energy)
 
 
 def _check_states(eqs: Equations) -> None:

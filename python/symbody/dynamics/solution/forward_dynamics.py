@@ -42,7 +42,7 @@ from symbody.symbolic import (
     without_idle_symbols,
 )
 from symbody.symbolic.expression.container import Container, contains
-from symbody.symbolic.expression.latex_layout import displayed
+from symbody.symbolic.expression.latex_layout import displayed, one_formula
 from symbody.symbolic.given.arguments import brief, counted
 from symbody.symbolic.linear.block_triangular import LARGEST, block_triangular
 
@@ -93,7 +93,7 @@ class ForwardDynamics:
         return self._page(self.system).latex()
 
     def _repr_latex_(self) -> str:
-        return displayed(self.latex())
+        return displayed(one_formula(self.latex()))
 
     def _page(self, system: Variables) -> SolutionPage:
         unknowns = (*system.accelerations, *system.multipliers)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import NamedTuple
+from weakref import WeakKeyDictionary
 
 from symbody.deferred import cached_property
 from symbody.errors import ModelError
@@ -30,8 +32,8 @@ class FrameTree:
         parents: the place of each frame's parent in the list.
         moved_by: for each frame, the speeds that move it in its parent, by their places in those of the system.
         carried: for each frame, whether speeds move it, or a frame before it.
-        actions: the actions of the loads on the bodies of the system.
         places: the places of frames in the list, by their keys; also of the frames whose origin was shifted.
+        actions: the actions of the loads on the bodies of the system.
         system: the system.
     """
 
@@ -39,8 +41,8 @@ class FrameTree:
     parents: tuple[int, ...]
     moved_by: tuple[tuple[int, ...], ...]
     carried: tuple[bool, ...]
-    actions: tuple[Action, ...]
     places: dict[bytes, int]
+    actions: tuple[Action, ...]
     system: System
     _twists: dict[tuple[int, int | None], dict[int, PartialTwist]] = field(default_factory=dict)
 
@@ -79,13 +81,38 @@ class FrameTree:
         return all(frame.is_rigid for frame in self.frames)
 
 
+class _Arrangement(NamedTuple):
+    """The frames of a tree and how they hang together, without the system to which they belong; see `FrameTree`."""
+
+    frames: tuple[Frame, ...]
+    parents: tuple[int, ...]
+    moved_by: tuple[tuple[int, ...], ...]
+    carried: tuple[bool, ...]
+    places: dict[bytes, int]
+
+
+_arranged: WeakKeyDictionary[System, dict[int | None, _Arrangement]] = WeakKeyDictionary()
+"""By system and by the order to which small variables are kept: the arrangement of its own frames."""
+
+
 def frame_tree(system: System) -> FrameTree:
-    """Return the tree of a system; it is built once per derivation."""
+    """Return the tree of a system, with partial twists that are derived once per derivation.
+
+    The frames are arranged once, by a derivation of their own: what is made of them doesn't depend on what came before.
+    """
     with derivation() as current:
         trees: dict[System, FrameTree] = current.cache.setdefault("frame tree", {})
         if system not in trees:
-            trees[system] = tree_of_forms(system, {})
+            known = _arranged.setdefault(system, {})
+            if current.order not in known:
+                with derivation(fresh=True, order=current.order):
+                    known[current.order] = _arrangement(system, {})
+            trees[system] = _tree(system, known[current.order])
         return trees[system]
+
+
+def _tree(system: System, arrangement: _Arrangement) -> FrameTree:
+    return FrameTree(*arrangement, system.actions, system)
 
 
 def targets(system: System) -> list[Frame]:
@@ -96,6 +123,10 @@ def targets(system: System) -> list[Frame]:
 
 def tree_of_forms(system: System, forms: Mapping[bytes, Frame]) -> FrameTree:
     """Return the tree of a system with the frames of its bodies and forces in other forms, by their keys."""
+    return _tree(system, _arrangement(system, forms))
+
+
+def _arrangement(system: System, forms: Mapping[bytes, Frame]) -> _Arrangement:
     given = targets(system)
     chosen = [by_speeds(forms.get(frame.key, frame), system) for frame in given]
     root = by_speeds(system.root, system)
@@ -113,7 +144,7 @@ def tree_of_forms(system: System, forms: Mapping[bytes, Frame]) -> FrameTree:
     carried = [bool(moved_by[0])]
     for place in range(1, len(ordered)):
         carried.append(carried[parents[place]] or bool(moved_by[place]))
-    return FrameTree(tuple(ordered), tuple(parents), moved_by, tuple(carried), system.actions, places, system)
+    return _Arrangement(tuple(ordered), tuple(parents), moved_by, tuple(carried), places)
 
 
 def _is_numeric(body: Body) -> bool:

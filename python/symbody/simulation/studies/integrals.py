@@ -8,6 +8,7 @@ from functools import lru_cache
 from itertools import count
 
 from symbody.dynamics import Equations
+from symbody.dynamics.equations.equations import Derived
 from symbody.symbolic import Expr, functions_of_time, time_derivative
 
 __all__ = ["with_integrals"]
@@ -20,7 +21,7 @@ def _extended(equations: Equations, integrands: tuple[Expr, ...]) -> tuple[Equat
     states = tuple(functions_of_time(name) for name, _ in zip(free, integrands, strict=False))
     rates = dict(zip(states, integrands, strict=True))
     system = equations.system.with_states(rates)
-    made = replace(equations, system=system)
+    made = replace(equations, system=system, derive=Derived(equations.residuals))
     # all of the integrand, also what small variables of the equations make negligible there
     vars(made)["state_rates"] = {**equations.state_rates, **_by_speeds(equations, rates)}
     return made, states

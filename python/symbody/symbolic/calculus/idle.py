@@ -13,7 +13,7 @@ from symbody.symbolic.expression.derivation import derivation
 from symbody.symbolic.expression.leaves import ExprLike
 from symbody.symbolic.expression.traverse import post_order
 
-__all__ = ["idle_symbols", "without_idle_symbols"]
+__all__ = ["idle_symbols", "with_numbers_for_idle_symbols", "without_idle_symbols"]
 
 
 def idle_symbols(expressions: Sequence[ExprLike]) -> tuple[Expr, ...]:
@@ -28,6 +28,18 @@ def idle_symbols(expressions: Sequence[ExprLike]) -> tuple[Expr, ...]:
     ((b, c), (c,))
     """
     return _core.idle_symbols(expressions)
+
+
+def with_numbers_for_idle_symbols(expressions: Sequence[Expr]) -> tuple[Expr, ...]:
+    """Return expressions with numbers for symbols that are idle in all of them; `without_idle_symbols` looks further.
+
+    >>> from symbody import symbols
+    >>> from symbody.symbolic import with_numbers_for_idle_symbols
+    >>> a, b, c = symbols("a b c")
+    >>> with_numbers_for_idle_symbols([(a * b + a * c) / (b + c)])
+    (a,)
+    """
+    return _core.without_idle_symbols(expressions, deriving=False)
 
 
 def without_idle_symbols(expressions: Sequence[Expr]) -> tuple[Expr, ...]:
@@ -45,10 +57,11 @@ def without_idle_symbols(expressions: Sequence[Expr]) -> tuple[Expr, ...]:
     """
     if not idle_symbols(expressions):
         return tuple(expressions)
-    forms = _core.without_idle_symbols(expressions, deriving=False)
+    forms = with_numbers_for_idle_symbols(expressions)
     with derivation(fresh=True):  # which makes one node of what has become equal, but keeps longer forms
         values = _core.without_idle_symbols(expressions, deriving=True)
-    return _without_factors(values if cost(values).total < cost(forms).total else forms)
+    with derivation(fresh=True):  # so that no derivation in which the forms are first needed changes them
+        return _without_factors(values if cost(values).total < cost(forms).total else forms)
 
 
 def _without_factors(expressions: tuple[Expr, ...]) -> tuple[Expr, ...]:

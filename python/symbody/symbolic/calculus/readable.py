@@ -13,6 +13,7 @@ from symbody.symbolic.given.arguments import expression_or_container
 
 from .by_rates import by_rates
 from .cost import cost
+from .over_divisors import over_divisors
 from .reading import awkward_terms, multiples_of_angles, nodes_of, reading
 from .rewrite import expand, expand_trig, short_form, simplify, textbook_form
 from .standard_names import standard_names
@@ -57,6 +58,26 @@ def readable(expression: Any) -> Any:
 
 
 def _most_readable(expression: Expr) -> Expr:
+    """Return the form that reads shortest; from that of a short expression, no shorter one is found."""
+    for _ in range(_ROUNDS if cost(expression).total <= _SHORT else 1):
+        found = _over_divisors(_more_readable(expression))
+        if found.same_form(expression):
+            break
+        expression = found
+    return expression
+
+
+_ROUNDS, _SHORT = 4, 30
+"""How often a form is looked for, at most, and the operations up to which it is: each is found from the one before."""
+
+
+def _over_divisors(form: Expr) -> Expr:
+    """Return a form with the terms of one divisor over it, unless that is longer: entries of a matrix are alike so."""
+    found = over_divisors(form)
+    return found if len(str(found)) <= len(str(form)) and found == form else form
+
+
+def _more_readable(expression: Expr) -> Expr:
     """Return the form that reads shortest in standard names, unless another one is shorter in the names of the user."""
     form = short_form(expression)
     if form.is_variable or form.is_number or len(str(form)) > _LONG:
@@ -111,9 +132,13 @@ def _coefficient(expression: Expr) -> Expr:
 
 
 def _best(forms: Iterable[Expr], given: Expr) -> Expr:
-    """Return the form that reads best, of those that have the value of the given expression."""
+    """Return the form that reads best, of those that have the value of the given expression; of equals the first."""
     angles = multiples_of_angles(given)
-    return min((form for form in forms if form == given), key=lambda form: reading(form, angles))
+    best, least = given, reading(given, angles)
+    for form in forms:
+        if len(str(form)) < least and form == given and (length := reading(form, angles)) < least:
+            best, least = form, length
+    return best
 
 
 def _terms(expression: Expr) -> int:

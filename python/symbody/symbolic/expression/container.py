@@ -14,7 +14,7 @@ from symbody.errors import ArgumentError
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 from symbody.symbolic.expression.array import array_like, is_array
-from symbody.symbolic.expression.latex_layout import aligned, bmatrix, upright, with_definitions
+from symbody.symbolic.expression.latex_layout import aligned, bmatrix, one_formula, upright, with_definitions
 from symbody.symbolic.expression.matrix import Matrix
 from symbody.symbolic.expression.text_layout import listed, matrix_text, named
 from symbody.symbolic.given.arguments import described, expression
@@ -135,12 +135,8 @@ def in_latex(value: Any, place: str, form: Callable[[Expr], Expr]) -> str:
 
     def collect(part: Any, path: str) -> None:
         entry = _entry(part)
-        if (
-            (entry is None or entry.layout is None)
-            and isinstance(part, Typeset)
-            and not isinstance(part, Expr)
-        ):
-            own[id(part)] = part.latex()
+        if _has_formula(part):
+            own[id(part)] = one_formula(part.latex())
         elif entry is None:
             leaves.append(form(expression(part, f"{place}, entry {path}" if path else place)))
         elif entry.layout is None:
@@ -154,6 +150,8 @@ def in_latex(value: Any, place: str, form: Callable[[Expr], Expr]) -> str:
             for each, name in zip(parts, names, strict=True):
                 collect(each, path + name)
 
+    if _has_formula(value):
+        return str(value.latex())
     collect(value, "")
     definitions, texts = _core.listing(leaves, "latex")
     remaining = iter(texts)
@@ -167,6 +165,16 @@ def in_latex(value: Any, place: str, form: Callable[[Expr], Expr]) -> str:
         return entry.layout(part, [laid_out(each) for each in (entry.shown or entry.parts)(part)])
 
     return with_definitions(definitions, laid_out(value))
+
+
+def _has_formula(value: Any) -> bool:
+    """Return whether a thing, not its parts, says how it looks in LaTeX."""
+    entry = _entry(value)
+    return (
+        (entry is None or entry.layout is None)
+        and isinstance(value, Typeset)
+        and not isinstance(value, Expr | type)
+    )
 
 
 def text_of(value: Any, text: Callable[[Any], str]) -> str | None:

@@ -14,7 +14,9 @@ __all__ = [
     "bmatrix",
     "broken",
     "displayed",
+    "in_pages",
     "lines",
+    "one_formula",
     "upright",
     "width",
     "with_definitions",
@@ -73,6 +75,39 @@ def bmatrix(texts: Sequence[str], columns: int) -> str:
 def aligned(rows: Iterable[str]) -> str:
     """Return rows below each other; the ampersand of each row marks where they are aligned."""
     return r"\begin{aligned} " + r" \\ ".join(rows) + r" \end{aligned}"
+
+
+def in_pages(formula: str) -> str:
+    r"""Return aligned rows that are higher than a page as the environment ``align*``, which is broken between pages.
+
+    It stands outside of formulas. What fits a page of the class `article` stays as it is.
+
+    >>> in_pages(r"\begin{aligned} a &= b \end{aligned}")
+    '\\begin{aligned} a &= b \\end{aligned}'
+    """
+    rows = formula.split(r" \\ ")
+    height = sum(_HIGH if r"\frac" in row else 1 for row in rows)
+    if height <= _ROWS or not formula.startswith(_ALIGNED[0]):
+        return formula
+    return formula.replace(_ALIGNED[0], _PAGES[0], 1).removesuffix(_ALIGNED[1]) + _PAGES[1]
+
+
+def one_formula(formula: str) -> str:
+    """Return the same as one formula, however high it is.
+
+    >>> text = aligned(["a &= b"] * 50)
+    >>> one_formula(in_pages(text)) == text != in_pages(text)
+    True
+    """
+    if not formula.startswith(_PAGES[0]):
+        return formula
+    return formula.replace(_PAGES[0], _ALIGNED[0], 1).removesuffix(_PAGES[1]) + _ALIGNED[1]
+
+
+_ALIGNED = (r"\begin{aligned}", r"\end{aligned}")
+_PAGES = (r"{\allowdisplaybreaks\begin{align*}", r"\end{align*}}")
+_ROWS, _HIGH = 32, 1.8
+"""The rows that fit a page of A4 in 11 points, and the height of one with a fraction among them."""
 
 
 def upright(text: str) -> str:

@@ -23,6 +23,7 @@ from symbody.worksheet.mathematics.root_finding import newton
 from symbody.worksheet.values.complex_number import I, has_i, of_number
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.numeric import as_float, decimal
+from symbody.worksheet.values.structure import tree_of, walk
 from symbody.worksheet.values.value import (
     NULL,
     Array,
@@ -225,7 +226,7 @@ def fsolve(session: Session, equations: Value, unknowns: Value | None = None, *o
     polynomial = None if several or starts else _polynomial(residuals, wanted)
     if polynomial is not None:
         return _real_roots(session, polynomial, ranges.get(wanted[0]), options)
-    others = {each for residual in residuals for each in residual.free_symbols} - set(wanted)
+    others = {each for residual in residuals for each in _names_in(residual)} - set(wanted)
     if others:
         names = ", ".join(sorted(session.text(each) for each in others))
         raise WorksheetError(
@@ -244,6 +245,12 @@ def fsolve(session: Session, equations: Value, unknowns: Value | None = None, *o
         made = _equations(found, wanted)
         return Listed(made) if isinstance(given, Listed) else set_of(made)
     return found[wanted[0]]
+
+
+def _names_in(residual: Expr) -> set[Expr]:
+    """Return what needs a number: symbols, functions of time, and functions that nobody has defined, ``phi(0)``."""
+    applied = {node.value for node in walk(tree_of(residual)) if node.value.kind == "application"}
+    return applied | {*residual.free_symbols}
 
 
 def _polynomial(residuals: list[Expr], wanted: list[Expr]) -> list[Expr] | None:

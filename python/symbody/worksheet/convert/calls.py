@@ -6,11 +6,16 @@ from symbody.symbolic import Expr
 from symbody.worksheet.builtins import FORMS, KERNEL, MISSING, PACKAGES
 from symbody.worksheet.commands import mbsymba
 from symbody.worksheet.convert.calculus_calls import CALCULUS
+from symbody.worksheet.convert.code_calls import CODE, is_code
+from symbody.worksheet.convert.condition_calls import CONDITIONS
+from symbody.worksheet.convert.elementary_calls import ELEMENTARY
 from symbody.worksheet.convert.files import FILES
+from symbody.worksheet.convert.frames import axis
 from symbody.worksheet.convert.joint_calls import JOINTS
 from symbody.worksheet.convert.list_calls import LISTS
 from symbody.worksheet.convert.maple_calls import MAPLE
 from symbody.worksheet.convert.matrix_calls import MATRICES
+from symbody.worksheet.convert.matrix_constructors import CONSTRUCTORS
 from symbody.worksheet.convert.mechanics_calls import MECHANICS
 from symbody.worksheet.convert.name_text import concatenation
 from symbody.worksheet.convert.names import NoText, identifier
@@ -20,22 +25,46 @@ from symbody.worksheet.convert.picture_calls import PICTURES
 from symbody.worksheet.convert.polynomial_calls import POLYNOMIALS
 from symbody.worksheet.convert.selections import indexed
 from symbody.worksheet.convert.sequences import item
+from symbody.worksheet.convert.spectrum_calls import SPECTRUM
 from symbody.worksheet.convert.writer import Writer
 from symbody.worksheet.sheet import syntax
 
 __all__ = ["arrow", "call"]
 
-_TABLES = (MECHANICS, JOINTS, MAPLE, CALCULUS, POLYNOMIALS, MATRICES, LISTS, NUMBERS, PICTURES, FILES)
+_TABLES = (
+    ELEMENTARY,
+    SPECTRUM,
+    MECHANICS,
+    JOINTS,
+    MAPLE,
+    CALCULUS,
+    POLYNOMIALS,
+    CONDITIONS,
+    CONSTRUCTORS,
+    MATRICES,
+    LISTS,
+    NUMBERS,
+    PICTURES,
+    FILES,
+)
 _OPERATORS = {"+", "-", "*", "/", "^", "."}
 
 
 def call(to: Writer, node: syntax.Call) -> str:
     """Return a call of a command or of a function of the sheet."""
     name, arguments = _called(node.function), node.arguments
+    if isinstance(node.function, syntax.Elementwise):
+        return _of_each(to, node.function.function, arguments)
     if name in _OPERATORS and len(arguments) > 1:
         return to.text(_between(name, arguments))
     if not name:
         return _call_of_value(to, node)
+    if is_code(node):
+        return CODE[name](to, arguments)
+    return _call_of_name(to, name, arguments)
+
+
+def _call_of_name(to: Writer, name: str, arguments: tuple[syntax.Expression, ...]) -> str:
     if len(arguments) == 1 and isinstance(arguments[0], syntax.Name) and arguments[0].name == "t":
         found = _function_of_time(to, name)
         if found:
@@ -53,6 +82,12 @@ def call(to: Writer, node: syntax.Call) -> str:
     if name not in _KNOWN and name not in to.names.values and arguments:
         return f'sb.function("{name}")({_arguments(to, arguments)})'  # nobody knows it: it comes back unevaluated
     raise NoText(name)
+
+
+def _of_each(to: Writer, function: syntax.Expression, arguments: tuple[syntax.Expression, ...]) -> str:
+    """Return ``f~(L)``: f of each item."""
+    each = syntax.Call(syntax.Name("map", place=function.place), (function, *arguments), place=function.place)
+    return to.text(each)
 
 
 def _between(operator: str, arguments: tuple[syntax.Expression, ...]) -> syntax.Expression:
@@ -101,6 +136,8 @@ def _arguments(to: Writer, nodes: tuple[syntax.Expression, ...]) -> str:
         match node:
             case syntax.Infix(operator="=", left=syntax.Name(name=name), right=right):
                 texts.append(f"{identifier(name)}={to.text(right)}")
+            case syntax.Delayed(body=syntax.Name(name="X" | "Y" | "Z")):
+                texts.append(axis(to, node))
             case _:
                 texts.append(item(to, node))
     return ", ".join(texts)
@@ -127,7 +164,7 @@ def _called(node: syntax.Expression) -> str:
         case syntax.Selection(
             whole=syntax.Name(name=package),
             indices=(syntax.Name(name=name) | syntax.Delayed(body=syntax.Name(name=name)),),
-        ) if package in _PACKAGES or package.startswith("MBSymba"):
+        ) if package in _PACKAGES or package.startswith("MBSymba") or name in SPECTRUM:
             return name
     return ""
 

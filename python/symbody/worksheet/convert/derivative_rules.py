@@ -8,7 +8,7 @@ from symbody.worksheet.convert.names import Names, NoText
 from symbody.worksheet.convert.writer import Writer
 from symbody.worksheet.sheet import syntax
 
-__all__ = ["PREFIX", "by_rules", "rule_lines"]
+__all__ = ["PREFIX", "by_rules", "rule_lines", "shown_by_rules"]
 
 PREFIX = "diff/"
 
@@ -48,3 +48,8 @@ def by_rules(names: Names, code: Sequence[str]) -> Iterator[list[str]]:
     for _ in range(2):
         value = f"sb.subs({value}, {names.rules})"
         yield [f"{head} = {value}"]
+
+
+def shown_by_rules(names: Names, shown: Sequence[str]) -> list[str]:
+    """Return expressions that are shown with the rates put into them."""
+    return [f"sb.subs({each}, {names.rules})" for each in shown] if names.rules else []

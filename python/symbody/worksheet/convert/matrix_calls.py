@@ -85,12 +85,6 @@ def _place(text: Writer, node: syntax.Expression) -> str:
     return str(int(written) - 1)
 
 
-def _norm(text: Writer, arguments: Arguments) -> str:
-    if len(arguments) != 2 or text.text(arguments[1]) != "2":
-        raise NoText("Norm")
-    return f"sb.sqrt(sum(each**2 for each in {_matrix(text, arguments[0])}.entries))"
-
-
 def _zeros(text: Writer, arguments: Arguments) -> str:
     counts = [text.text(each) for each in arguments]
     return f"sb.zeros({counts[0]}, {counts[-1]})"
@@ -128,6 +122,92 @@ def _characteristic(text: Writer, arguments: Arguments) -> str:
 _NULL_SPACE = "[sb.from_sympy(each) for each in {0}.to_sympy().nullspace()]"
 _SCALAR_PRODUCT = "sum(a*b for a, b in zip({0}.entries, {1}.entries))"
 
+
+def _norm_of(text: Writer, arguments: Arguments) -> str:
+    """Return a norm: Euclid's or Frobenius', the largest entry, or the largest sum of a row or a column."""
+    whole = _matrix(text, arguments[0])
+    named = arguments[1] if len(arguments) > 1 else syntax.Name("infinity", place=arguments[0].place)
+    kind = named.name.lower() if isinstance(named, syntax.Name) else text.text(named)
+    columns = text.value(whole).shape[1]
+    if kind == "frobenius" or (kind == "2" and columns == 1):
+        return f"sb.sqrt(sum(each**2 for each in {whole}.entries))"
+    if kind in {"infinity", "1"}:
+        rows = f"{whole}.tolist()" if kind == "infinity" else f"{whole}.T.tolist()"
+        return f"sb.Max(*(sum(map(abs, row)) for row in {rows}))"
+    raise NoText("Norm")
+
+
+def _direction(text: Writer, arguments: Arguments) -> str:
+    """Return ``Normalize(v, 2)``."""
+    whole = _matrix(text, arguments[0])
+    return f"{whole}/{_norm_of(text, arguments)}"
+
+
+def _unit(text: Writer, arguments: Arguments) -> str:
+    place, count = (text.text(each) for each in arguments)
+    return f"sb.identity({count})[:, {int(place) - 1}:{place}]"
+
+
+def _without(form: str) -> Call:
+    """Return the writer of a matrix without rows or columns, by a text with ``{0}`` for it and ``{1}`` for places."""
+
+    def write(text: Writer, arguments: Arguments) -> str:
+        whole = _matrix(text, arguments[0])
+        return form.format(whole, ", ".join(_places(text, arguments[1])))
+
+    return write
+
+
+def _places(text: Writer, node: syntax.Expression) -> list[str]:
+    """Return indices from zero of a place, of several, or of a range."""
+    match node:
+        case syntax.Infix(operator="..", left=first, right=last):
+            return [str(k) for k in range(int(_place(text, first)), int(_place(text, last)) + 1)]
+        case syntax.ListDisplay(items=items):
+            return [_place(text, each) for each in items]
+    return [_place(text, node)]
+
+
+def _beside(text: Writer, arguments: Arguments) -> str:
+    """Return matrices side by side."""
+    rows = ", ".join(f"{_matrix(text, each)}.tolist()" for each in arguments)
+    return f"sb.Matrix([sum(row, []) for row in zip({rows})])"
+
+
+def _below(text: Writer, arguments: Arguments) -> str:
+    """Return matrices one below the other; a list of entries is a row."""
+    parts = []
+    for each in arguments:
+        written = text.text(each)
+        parts.append(f"*{grouped(written)}.tolist()" if isinstance(text.value(written), Matrix) else written)
+    return f"sb.Matrix([{', '.join(parts)}])"
+
+
+def _minor(text: Writer, arguments: Arguments) -> str:
+    """Return a matrix without a row and a column."""
+    whole, row, column = _matrix(text, arguments[0]), _place(text, arguments[1]), _place(text, arguments[2])
+    kept = f"if j != {column}] for i, row in enumerate({whole}.tolist()) if i != {row}]"
+    return f"sb.Matrix([[each for j, each in enumerate(row) {kept})"
+
+
+def _second_derivatives(text: Writer, arguments: Arguments) -> str:
+    expression, variables = (text.text(each) for each in arguments)
+    return f"sb.jacobian([sb.diff({expression}, each) for each in {grouped(variables, SUM)}], {variables})"
+
+
+def _combined(text: Writer, arguments: Arguments) -> str:
+    """Return ``Zip(f, A, B)`` of two matrices."""
+    function, *pair = arguments
+    one, other = (_matrix(text, each) for each in pair)
+    return (
+        f"sb.Matrix.from_entries(*{one}.shape, "
+        f"[({text.text(function)})(a, b) for a, b in zip({one}.entries, {other}.entries)])"
+    )
+
+
+_ROWS = "sb.Matrix([row for k, row in enumerate({0}.tolist()) if k not in [{1}]])"
+_COLUMNS = "sb.Matrix([row for k, row in enumerate({0}.T.tolist()) if k not in [{1}]]).T"
+
 MATRICES: Mapping[str, Call] = {
     **dict.fromkeys(("Trace", "trace"), _form("sum({0}[i, i] for i in range({0}.shape[0]))")),
     **dict.fromkeys(("Rank", "rank"), _form("{0}.rank()")),
@@ -142,7 +222,20 @@ MATRICES: Mapping[str, Call] = {
     **dict.fromkeys(("Row", "row"), _row),
     **dict.fromkeys(("Column", "col"), _column),
     **dict.fromkeys(("SubMatrix", "submatrix", "SubVector"), _part),
-    **dict.fromkeys(("Norm", "VectorNorm", "norm"), _norm),
+    **dict.fromkeys(("Norm", "VectorNorm", "MatrixNorm", "norm"), _norm_of),
+    "Normalize": _direction,
+    "UnitVector": _unit,
+    **dict.fromkeys(("DeleteRow", "delrows"), _without(_ROWS)),
+    **dict.fromkeys(("DeleteColumn", "delcols"), _without(_COLUMNS)),
+    **dict.fromkeys(("augment", "concat"), _beside),
+    "stackmatrix": _below,
+    "Minor": lambda text, arguments: f"{_minor(text, arguments)}.det()",
+    "minor": _minor,
+    "hessian": _second_derivatives,
+    "Zip": _combined,
+    "ZeroVector": lambda text, arguments: f"sb.zeros({text.text(arguments[0])}, 1)",
+    **dict.fromkeys(("Dimension", "vectdim"), _form("{0}.shape[0]")),
+    "Dimensions": _form("{0}.shape"),
     "ZeroMatrix": _zeros,
     **dict.fromkeys(("CharacteristicPolynomial", "charpoly"), _characteristic),
     **dict.fromkeys(("ReducedRowEchelonForm", "gaussjord", "rref"), _by_sympy("rref()[0]")),

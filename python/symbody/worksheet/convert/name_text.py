@@ -10,7 +10,7 @@ from symbody.worksheet.sheet import syntax
 
 __all__ = ["concatenation", "name_text"]
 
-_CONSTANTS = {"Pi": "sb.pi", "t": "sb.t", "true": "True", "false": "False"}
+_CONSTANTS = {"Pi": "sb.pi", "t": "sb.t", "true": "True", "false": "False", "I": "1j"}
 
 
 def name_text(to: Writer, node: syntax.Name) -> str:
@@ -20,7 +20,7 @@ def name_text(to: Writer, node: syntax.Name) -> str:
         return to.names.master or "sb.ground"
     if name == "nargs" and to.names.arguments:
         return f"len({to.names.arguments})"
-    if name in {"NULL", "infinity", "I"}:
+    if name in {"NULL", "infinity"}:
         raise NoText(name)
     return _CONSTANTS.get(name) or to.names.bare_text(name)
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import TypeAlias
 
 from symbody.symbolic import Expr
 from symbody.worksheet.convert.names import NoText
-from symbody.worksheet.convert.operations import SUM, grouped
+from symbody.worksheet.convert.operations import SUM, grouped, plain_decimal
+from symbody.worksheet.convert.spectrum_calls import all_roots
+from symbody.worksheet.convert.substitutions import differences
 from symbody.worksheet.convert.writer import Arguments, Writer
 from symbody.worksheet.sheet import syntax
 
@@ -21,8 +23,25 @@ def _root(text: Writer, arguments: Arguments) -> str:
     residual = residual_text(text, arguments[0])
     if isinstance(text.value(residual), list):
         return _roots(text, residual, arguments[1:])
+    options = [getattr(each, "name", "") for each in arguments[1:]]
+    if "complex" in options or not any(isinstance(each, syntax.Infix) for each in arguments[1:]):
+        variable = _unknown(
+            text, residual, [each for each in arguments[1:] if getattr(each, "name", "") != "complex"]
+        )
+        return all_roots(text, residual, variable, real="complex" not in options)
     variable, first, last = range_of(text, arguments[1:])
     return f"scipy.optimize.brentq(sb.lambdify([{variable}], {residual}), {first}, {last})"
+
+
+def _unknown(text: Writer, residual: str, given: Sequence[syntax.Expression]) -> str:
+    """Return the variable of an equation: the one that is given, or the only one that it has."""
+    if given:
+        return text.text(given[0])
+    found = text.value(residual)
+    variables = found.free_symbols if isinstance(found, Expr) else set()
+    if len(variables) != 1:
+        raise NoText("fsolve")
+    return text.names.text(next(iter(variables)).name)
 
 
 def _roots(text: Writer, residuals: str, arguments: Arguments) -> str:
@@ -63,7 +82,8 @@ def number_text(text: Writer, node: syntax.Expression) -> str:
         return written
     if not isinstance(found, Expr) or not found.is_constant:
         raise NoText("number")
-    return f"float({written})"
+    plain = plain_decimal(written)
+    return plain if plain != written else f"float({written})"
 
 
 def _motion(text: Writer, arguments: Arguments) -> str:
@@ -79,26 +99,44 @@ def _motion(text: Writer, arguments: Arguments) -> str:
         if initial:
             starts.append(initial)
         else:
-            equations.append(residual_text(text, each))
-    functions = sorted(
-        {
-            leaf.name
-            for each in equations
-            for leaf in text.value(each).free_symbols
-            if leaf.kind == "time_function"
-        }
-    )
+            equations.append(_residual_item(text, each))
+    found = text.value(f"[{', '.join(equations)}]")
+    if not isinstance(found, list) or not all(isinstance(each, Expr) for each in found):
+        raise NoText("dsolve")
+    leaves = {leaf for each in found for leaf in each.free_symbols}
+    functions = sorted({leaf.name for leaf in leaves if leaf.kind == "time_function"})
     unknowns = ", ".join(
         text.text(
             syntax.Call(syntax.Name(each, place=arguments[0].place), (_TIME,), place=arguments[0].place)
         )
         for each in functions
     )
-    listed = ", ".join(f"{grouped(each, SUM)}" for each in equations)
+    listed = ", ".join(each if each.startswith("*") else grouped(each, SUM) for each in equations)
     return (
         f"sb.simulate(sb.equations_from_differential([{listed}], [{unknowns}]), "
-        f"initial={{{', '.join(starts)}}}, t=(0, 10))"
+        f"initial={{{', '.join(starts)}}}, t={_times(text, arguments)})"
     )
+
+
+def _residual_item(text: Writer, node: syntax.Expression) -> str:
+    """Return an equation as the difference of its sides, or those of a list, as ``op(L)`` gives them."""
+    match node:
+        case syntax.Call(function=syntax.Name(name="op"), arguments=(whole,)):
+            return f"*{grouped(differences(text, residual_text(text, whole)))}"
+    return residual_text(text, node)
+
+
+def _times(text: Writer, arguments: Arguments) -> str:
+    """Return the times of a motion: those of the option ``range``, or ten units."""
+    for argument in arguments:
+        match argument:
+            case syntax.Infix(
+                operator="=",
+                left=syntax.Name(name="range"),
+                right=syntax.Infix(operator="..", left=first, right=last),
+            ):
+                return f"({number_text(text, first)}, {number_text(text, last)})"
+    return "(0, 10)"
 
 
 _TIME = syntax.Name("t", place=syntax.Place(1, 1, 1, 1))

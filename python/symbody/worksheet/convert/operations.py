@@ -3,9 +3,21 @@
 from __future__ import annotations
 
 import ast
+import math
 import re
+from decimal import Decimal
 
-__all__ = ["ATOM", "POWER", "PRODUCT", "SUM", "grouped", "integer_quotient", "product", "quotient"]
+__all__ = [
+    "ATOM",
+    "POWER",
+    "PRODUCT",
+    "SUM",
+    "grouped",
+    "integer_quotient",
+    "plain_decimal",
+    "product",
+    "quotient",
+]
 
 #: How strongly the parts of a text hold together.
 LAMBDA, COMPARISON, SUM, PRODUCT, SIGN, POWER, ATOM = range(7)
@@ -50,6 +62,16 @@ def integer_quotient(text: str) -> tuple[str, str] | None:
     """Return numerator and denominator of a quotient of integers, such as ``1/2``."""
     found = re.fullmatch(r'sb\.number\("(-?\d+)/(\d+)"\)', text)
     return (found[1], found[2]) if found else None
+
+
+def plain_decimal(text: str) -> str:
+    """Return a decimal as Python writes it, beside an expression, which takes it exactly; another text as it is."""
+    found = re.fullmatch(r'sb\.number\("(-?[\d.]+(?:e[+-]?\d+)?)"\)', text)
+    if not found or not math.isfinite(float(found[1])) or Decimal(repr(float(found[1]))) != Decimal(found[1]):
+        return text
+    return (
+        f"0{found[1]}" if found[1].startswith(".") else f"{found[1]}0" if found[1].endswith(".") else found[1]
+    )
 
 
 def product(left: str, right: str, sign: str = "*") -> str:

@@ -6,8 +6,17 @@ from collections.abc import Callable, Mapping
 
 from symbody.geometry import Frame
 from symbody.symbolic import Expr, Matrix
+from symbody.worksheet.convert.frames import axis
 from symbody.worksheet.convert.names import NoText
-from symbody.worksheet.convert.operations import COMPARISON, POWER, SUM, grouped, product, quotient
+from symbody.worksheet.convert.operations import (
+    COMPARISON,
+    POWER,
+    SUM,
+    grouped,
+    plain_decimal,
+    product,
+    quotient,
+)
 from symbody.worksheet.convert.writer import Writer
 from symbody.worksheet.sheet import syntax
 
@@ -48,6 +57,7 @@ def infix(to: Writer, node: syntax.Infix) -> str:
         return _equation(to, node)
     left, right = to.text(node.left), to.text(node.right)
     operator = node.operator
+    left, right = _beside(to, left, right), _beside(to, right, left)
     if operator in {"*", ".", "&*"}:
         return _product(to, left, right)
     if operator in {"+", "-"}:
@@ -58,6 +68,13 @@ def infix(to: Writer, node: syntax.Infix) -> str:
     if writer is None:
         raise NoText(operator)
     return writer(left, right)
+
+
+def _beside(to: Writer, text: str, other: str) -> str:
+    """Return an operand; a decimal beside an expression needs no words."""
+    return (
+        plain_decimal(text) if isinstance(to.value(other), Expr) and plain_decimal(other) == other else text
+    )
 
 
 def _with_identity(to: Writer, text: str, other: str) -> str:
@@ -90,7 +107,9 @@ def _equation(to: Writer, node: syntax.Infix) -> str:
     found = to.value(left)
     is_known = isinstance(found, Expr) and (found.is_variable or found.kind == "application")
     if is_known and not to.as_differences:
-        return f"{{{left}: {right}}}"
+        return f"{{{left}: {plain_decimal(right)}}}"
+    if to.names.as_pairs:
+        return f"({left}, {right})"
     if right == "0":
         return left
     return f"{grouped(left, SUM)} - {grouped(right, SUM + 1)}"
@@ -100,7 +119,11 @@ def condition(to: Writer, node: syntax.Expression) -> str:
     """Return a condition: an equation is a comparison there."""
     match node:
         case syntax.Infix(operator="=", left=left, right=right):
-            return f"{to.text(left)} == {to.text(right)}"
+            sides = (
+                axis(to, each) if isinstance(each, syntax.Delayed) else to.text(each)
+                for each in (left, right)
+            )
+            return " == ".join(sides)
         case syntax.Infix(operator="and" | "or" as operator, left=left, right=right):
             return f"{grouped(condition(to, left))} {operator} {grouped(condition(to, right))}"
         case syntax.Prefix(operator="not", operand=operand):

@@ -113,6 +113,23 @@ def _points(place: str) -> Call:
     return write
 
 
+def _together(text: Writer, arguments: Arguments) -> str:
+    """Return curves that are drawn elsewhere, in one picture."""
+    first = arguments[0]
+    nodes = first.items if isinstance(first, syntax.ListDisplay | syntax.SetDisplay) else arguments
+    shown = [node for node in nodes if not isinstance(node, syntax.Infix)]
+    pictures = [text.text(node) for node in shown]
+    if not pictures or not all(_are_curves(text.value(each)) for each in pictures):
+        raise NoText("display")
+    lines = ", ".join(f"*{each}" for each in pictures)
+    return f"{_PLANE}.plot(*[values for line in [{lines}] for values in line.get_data()])"
+
+
+def _are_curves(value: object) -> bool:
+    """Whether a value is what ``plot`` of Matplotlib gives in the plane."""
+    return isinstance(value, list) and bool(value) and all(type(each).__name__ == "Line2D" for each in value)
+
+
 PICTURES: Mapping[str, Call] = {
     "plot": _curve(),
     "logplot": _curve("semilogy"),
@@ -122,6 +139,7 @@ PICTURES: Mapping[str, Call] = {
     "spacecurve": _space_curve,
     "plot3d": _surface,
     "implicitplot": _implicit_curve,
+    "display": _together,
     "pointplot": _points(_PLANE),
     "pointplot3d": _points(_SPACE),
 }

@@ -18,9 +18,19 @@ from symbody.worksheet.convert.expressions import PythonText
 from symbody.worksheet.convert.layout import laid_out
 from symbody.worksheet.convert.names import Names, identifier
 from symbody.worksheet.convert.procedures import Procedures
-from symbody.worksheet.convert.sheet_names import functions_of_time, solved_names
-from symbody.worksheet.convert.statement_kinds import OF_MODES, is_loading, is_restart
-from symbody.worksheet.convert.statements import mentions
+from symbody.worksheet.convert.sheet_names import (
+    functions_of_time,
+    sided_names,
+    solved_names,
+    substituted_names,
+)
+from symbody.worksheet.convert.statement_kinds import (
+    OF_MODES,
+    is_loading,
+    is_restart,
+    loop_variables,
+    mentions,
+)
 from symbody.worksheet.convert.trial import as_code, prepare
 from symbody.worksheet.convert.written_values import as_values, update
 from symbody.worksheet.evaluation.session import Session
@@ -62,6 +72,8 @@ def converted(cells: Sequence[Cell], title: str, session: Session | None = None)
     names = Names(
         functions=set(functions_of_time(cells)),
         solved=set(solved_names(cells)),
+        sided=set(sided_names(cells)),
+        values_of=set(substituted_names(cells)),
         reserved=frozenset(map(identifier, names_in_code(cells))),
     )
     program = Draft(tuple(cells), Interpreter(session), names, PythonText(names), Procedures(names))
@@ -124,7 +136,7 @@ def _add(program: Draft, statement: syntax.Statement, *, keeps: bool) -> bool:
         return True
     session = program.interpreter.session
     changed = [name for name in session.names if session.assigned.get(name) != before.get(name)]
-    loops = {statement.variable} if isinstance(statement, syntax.For) else set()
+    loops = set(loop_variables(statement))
     changed = [name for name in changed if name not in OF_MODES | loops]
     if not as_code(program, statement, changed):
         as_values(program, statement, changed)

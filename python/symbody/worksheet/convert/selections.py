@@ -28,6 +28,8 @@ def selection(text: Writer, node: syntax.Selection) -> str:
         return indexed(text, node)
     whole = grouped(text.text(node.whole))
     found = text.value(whole)
+    if isinstance(found, dict) and found and all(isinstance(each, Expr) for each in found):
+        return f"list({whole}.items())[{place(text.text(node.indices[0]))}]"
     field = _field(node.indices)
     if isinstance(found, dict):
         return f"{whole}[{key(text, node.indices)}]"

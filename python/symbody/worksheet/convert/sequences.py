@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
+
 from symbody.worksheet.convert.frames import components
 from symbody.worksheet.convert.names import NoText, identifier
 from symbody.worksheet.convert.operations import SUM, grouped
@@ -32,10 +34,20 @@ def item(to: Writer, node: syntax.Expression) -> str:
             return f"*{to.text(node)}"
         case syntax.Infix(operator="$", left=each, right=syntax.Infix(operator="=") as span):
             return f"*{comprehension(to, each, span)}"
+        case syntax.Call(function=syntax.Name(name="solve" | "fsolve")):
+            roots = to.text(node)
+            return f"*{roots}" if _are_roots(to.value(roots)) else roots
         case syntax.SequenceDisplay(items=nodes):
             return items(to, nodes)
     text = to.text(node)
     return f"*{text}" if isinstance(node, syntax.Name) and isinstance(to.value(text), tuple) else text
+
+
+def _are_roots(value: object) -> bool:
+    """Whether a value is several roots of one unknown, which are a sequence in the worksheet."""
+    return isinstance(value, np.ndarray) or (
+        isinstance(value, list) and not any(isinstance(each, dict) for each in value)
+    )
 
 
 def listed(to: Writer, nodes: tuple[syntax.Expression, ...]) -> str:

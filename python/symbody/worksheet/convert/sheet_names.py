@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections import Counter
+from collections.abc import Iterator, Sequence, Set
 from dataclasses import fields, is_dataclass
 from typing import Any
 
@@ -11,7 +12,7 @@ from symbody.worksheet.reading import statements
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.sheet.source import Cell
 
-__all__ = ["functions_of_time", "names_in", "solved_names"]
+__all__ = ["functions_of_time", "names_in", "sided_names", "solved_names", "substituted_names"]
 
 
 def functions_of_time(cells: Sequence[Cell]) -> Iterator[str]:
@@ -22,21 +23,76 @@ def functions_of_time(cells: Sequence[Cell]) -> Iterator[str]:
 
 
 def solved_names(cells: Sequence[Cell]) -> Iterator[str]:
-    """Return the names in the first arguments of calls of solve."""
+    """Return the names in the first arguments of commands that take equations."""
     for cell in cells:
         for item in statements(cell):
-            yield from _solved_in(item)
+            yield from (name for node in _given(item, _SOLVING) for name in names_in(node))
 
 
-def _solved_in(node: Any) -> Iterator[str]:
+def sided_names(cells: Sequence[Cell]) -> Iterator[str]:
+    """Return the names whose sides are asked for, by lhs and rhs."""
+    for cell in cells:
+        for item in statements(cell):
+            for node in _given(item, {"lhs", "rhs"}):
+                whole = node.whole if isinstance(node, syntax.Selection) else node
+                if isinstance(whole, syntax.Name):
+                    yield whole.name
+
+
+def substituted_names(cells: Sequence[Cell]) -> Iterator[str]:
+    """Return the names that are used as arguments of subs and eval alone, where they say what is put in."""
+    used, put_in = Counter[str](), Counter[str]()
+    for cell in cells:
+        for item in statements(cell):
+            used.update(names_in(item))
+            put_in.update(_put_in(item))
+            if isinstance(item, syntax.Assignment):
+                put_in.update(each.name for each in item.targets if isinstance(each, syntax.Name))
+    yield from (name for name, count in used.items() if put_in[name] == count)
+
+
+def _put_in(node: Any) -> Iterator[str]:
+    """Return the names that subs and eval put in."""
     if isinstance(node, tuple):
         for each in node:
-            yield from _solved_in(each)
-    elif isinstance(node, syntax.Call) and node.arguments and getattr(node.function, "name", "") == "solve":
-        yield from names_in(node.arguments[0])
+            yield from _put_in(each)
+    elif is_dataclass(node):
+        match node:
+            case syntax.Call(function=syntax.Name(name="subs"), arguments=(*changes, _)):
+                yield from (name for each in changes for name in _opened(each))
+            case syntax.Call(function=syntax.Name(name="eval"), arguments=(_, syntax.Name(name=name))):
+                yield name
+        for each in fields(node):
+            yield from _put_in(getattr(node, each.name))
+
+
+def _opened(node: syntax.Expression) -> Iterator[str]:
+    """Return the name that a change is, or whose items are changes, ``op(L)``."""
+    match node:
+        case (
+            syntax.Name(name=name)
+            | syntax.Call(function=syntax.Name(name="op"), arguments=(syntax.Name(name=name),))
+        ):
+            yield name
+
+
+_SOLVING = frozenset({"solve", "first_order", "state_space", "GenerateMatrix", "genmatrix"})
+
+
+def _given(node: Any, commands: Set[str]) -> Iterator[syntax.Expression]:
+    """Return the first arguments of calls of commands, also of those for each entry of a list."""
+    if isinstance(node, tuple):
+        for each in node:
+            yield from _given(each, commands)
+    elif isinstance(node, syntax.Call) and node.arguments and _word(node.function) in commands:
+        yield node.arguments[0]
     elif is_dataclass(node):
         for each in fields(node):
-            yield from _solved_in(getattr(node, each.name))
+            yield from _given(getattr(node, each.name), commands)
+
+
+def _word(node: syntax.Expression) -> str:
+    return _word(node.function) if isinstance(node, syntax.Elementwise) else str(getattr(node, "name", ""))
 
 
 def names_in(node: Any) -> Iterator[str]:

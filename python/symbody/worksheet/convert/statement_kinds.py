@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from dataclasses import fields, is_dataclass
+from typing import Any
+
 from symbody.worksheet.sheet import syntax
 
-__all__ = ["OF_MODES", "begins_mode", "counts", "is_loading", "is_restart"]
+__all__ = ["OF_MODES", "begins_mode", "counts", "is_loading", "is_restart", "loop_variables", "mentions"]
 
 _LOADING = frozenset(
     {
@@ -37,6 +41,18 @@ def counts(expression: syntax.Expression) -> bool:
         ):
             return True
     return False
+
+
+def loop_variables(node: Any) -> Iterator[str]:
+    """Return the variables of a loop, and of the loops in it: Python leaves them one step behind."""
+    if isinstance(node, tuple):
+        for each in node:
+            yield from loop_variables(each)
+    elif isinstance(node, syntax.For | syntax.If | syntax.Try | syntax.Use):
+        if isinstance(node, syntax.For) and node.variable:
+            yield node.variable
+        for each in fields(node):
+            yield from loop_variables(getattr(node, each.name))
 
 
 def is_restart(statement: syntax.Statement) -> bool:
@@ -72,3 +88,12 @@ def is_loading(statement: syntax.Statement) -> bool:
         ):
             return name in _LOADING
     return isinstance(statement, syntax.Empty)
+
+
+def mentions(node: Any, kind: type) -> bool:
+    """Whether a node holds one of a kind."""
+    if isinstance(node, kind):
+        return True
+    if isinstance(node, tuple):
+        return any(mentions(each, kind) for each in node)
+    return is_dataclass(node) and any(mentions(getattr(node, each.name), kind) for each in fields(node))

@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+import re
+
 from symbody.symbolic import Expr
 from symbody.worksheet.convert.names import NoText
+from symbody.worksheet.convert.operations import plain_decimal
+from symbody.worksheet.convert.sequences import comprehension
+from symbody.worksheet.convert.spectrum_calls import all_roots
 from symbody.worksheet.convert.writer import Arguments, Writer
 from symbody.worksheet.sheet import syntax
 
@@ -15,6 +20,7 @@ __all__ = [
     "simplified",
     "solution",
     "substitution",
+    "value_entries",
 ]
 
 
@@ -26,12 +32,39 @@ def substitution(text: Writer, arguments: Arguments) -> str:
     for change in changes:
         made = _change(text, change)
         if made.startswith("{") and not _depends(text, plain, made):
-            plain.append(made[1:-1])
+            plain.append(f"**{made}" if " for " in made else made[1:-1])
             continue
         if plain:
-            written, plain = f"sb.subs({written}, {{{', '.join(plain)}}})", []
+            written, plain = f"sb.subs({written}, {_joined(plain)})", []
         written = f"sb.subs({written}, {made})"
-    return f"sb.subs({written}, {{{', '.join(plain)}}})" if plain else written
+    return f"sb.subs({written}, {_joined(plain)})" if plain else written
+
+
+def value_entries(text: Writer, node: syntax.Expression) -> str:
+    """Return a list or a set of equations ``x = value`` as one dictionary; nothing for another value."""
+    if not isinstance(node, syntax.ListDisplay | syntax.SetDisplay) or not all(
+        isinstance(each, syntax.Infix) and each.operator == "=" for each in node.items
+    ):
+        return ""
+    made = _change(text, node)
+    found = text.value(made)
+    is_given = isinstance(found, dict) and len(found) == len(node.items)
+    return made if is_given and all(isinstance(each, Expr) and each.is_variable for each in found) else ""
+
+
+def _joined(parts: list[str]) -> str:
+    """Return entries of dictionaries as one."""
+    if len(parts) == 1 and parts[0].startswith("**"):
+        return parts[0].removeprefix("**")
+    return f"{{{', '.join(parts)}}}"
+
+
+def _comprehended(written: str) -> str:
+    """Return ``[{x: a} for ...]`` as one dictionary."""
+    found = re.fullmatch(r"\[\{([^{}]*)\} for (.*)\]", written)
+    if not found:
+        return f"{{key: value for each in {written} for key, value in each.items()}}"
+    return f"{{{found[1]} for {found[2]}}}"
 
 
 def _depends(text: Writer, plain: list[str], made: str) -> bool:
@@ -48,15 +81,26 @@ def _depends(text: Writer, plain: list[str], made: str) -> bool:
 def _change(text: Writer, change: syntax.Expression) -> str:
     match change:
         case syntax.Infix(operator="=", left=left, right=right):
-            return f"{{{text.text(left)}: {text.text(right)}}}"
+            return f"{{{text.text(left)}: {plain_decimal(text.text(right))}}}"
+        case syntax.Call(
+            function=syntax.Name(name="seq"), arguments=(syntax.Infix(operator="=") as each, span)
+        ):
+            return _comprehended(comprehension(text, each, span))
+        case syntax.ListDisplay(items=(only,)) | syntax.SetDisplay(items=(only,)):
+            return _change(text, only)
         case syntax.SetDisplay(items=items) | syntax.ListDisplay(items=items):
             parts = [_change(text, each) for each in items]
             if all(part.startswith("{") for part in parts):
-                return f"{{{', '.join(part[1:-1] for part in parts)}}}"
+                inner = [f"**{part}" if " for " in part else part[1:-1] for part in parts]
+                return _joined(inner)
     made = text.text(change)
     found = text.value(made)
     if isinstance(found, dict):
         return made
+    if isinstance(found, tuple) and len(found) == 2 and isinstance(found[0], Expr):
+        return f"dict([{made}])"
+    if isinstance(found, list) and all(isinstance(each, tuple) for each in found):
+        return f"dict({made})"
     if isinstance(found, list) and all(isinstance(each, dict) for each in found):
         return f"{{key: value for each in {made} for key, value in each.items()}}"
     raise NoText("subs")
@@ -88,10 +132,23 @@ def _value_of(text: Writer, equation: str, unknown: str) -> str:
         return linear
     found = text.value(f"sb.solutions([{equation}], [{unknown}])")
     if not isinstance(found, list) or not found:
-        return linear
+        return _by_sympy(text, equation, unknown) or linear
     if len(found) == 1:
         return f"sb.solutions([{equation}], [{unknown}])[0][{unknown}]"
     return f"[each[{unknown}] for each in sb.solutions([{equation}], [{unknown}])]"
+
+
+def _by_sympy(text: Writer, equation: str, unknown: str) -> str:
+    """Return all roots that SymPy finds, if they are real expressions, or else those of a polynomial with numbers."""
+    found = f"sympy.solve(sb.to_sympy({equation}), sb.to_sympy({unknown}))"
+    roots = f"[sb.from_sympy(each) for each in {found}]"
+    values = text.value(roots)
+    if isinstance(values, list) and values:
+        return roots if len(values) > 1 else f"sb.from_sympy({found}[0])"
+    try:
+        return all_roots(text, equation, unknown, real=False)
+    except NoText:
+        return ""
 
 
 def isolated(text: Writer, arguments: Arguments) -> str:
@@ -123,6 +180,8 @@ def differences(text: Writer, equations: str) -> str:
     found = text.value(equations)
     if isinstance(found, list) and found and all(isinstance(each, dict) for each in found):
         return f"[left - right for each in {equations} for left, right in each.items()]"
+    if isinstance(found, list) and found and all(isinstance(each, tuple) for each in found):
+        return f"[left - right for left, right in {equations}]"
     return equations
 
 

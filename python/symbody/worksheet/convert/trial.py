@@ -7,7 +7,8 @@ import io
 from collections.abc import Iterator, Sequence
 
 from symbody.errors import SymbodyError
-from symbody.worksheet.convert.derivative_rules import PREFIX, by_rules, rule_lines
+from symbody.worksheet.convert.code_calls import is_code
+from symbody.worksheet.convert.derivative_rules import PREFIX, by_rules, rule_lines, shown_by_rules
 from symbody.worksheet.convert.draft import Draft, has
 from symbody.worksheet.convert.expressions import PythonText
 from symbody.worksheet.convert.names import NoText, identifier
@@ -25,7 +26,7 @@ __all__ = ["as_code", "prepare"]
 def prepare(program: Draft, statement: syntax.Statement, *, keeps: bool) -> None:
     """Write the lines of a statement, before it changes the names of the session."""
     program.code = None
-    program.names.as_differences = False
+    program.names.as_differences = program.names.as_pairs = False
     program.reason = "differs"
     program.names.late.clear()
     program.snapshot = program.names.snapshot()
@@ -49,6 +50,8 @@ def as_code(program: Draft, statement: syntax.Statement, changed: Sequence[str])
         program.names.restore(program.snapshot)
         program.procedures.drop()
         return False
+    if len(changed) == 1 and len(program.code) == 1:
+        program.names.made[identifier(changed[0])] = program.code[0]
     program.known |= dict.fromkeys(changed, program.code if len(changed) == 1 else [])
     program.lines += [*program.names.late, *program.code]
     if statement.__class__ is not syntax.Empty and not program.procedures.is_definition(statement):
@@ -70,6 +73,10 @@ def _versions(program: Draft, changed: Sequence[str]) -> Iterator[list[str]]:
     if program.reason.startswith("differs in"):
         yield from _to_first_order(program, code, changed)
         yield from by_rules(program.names, code)
+        shown = shown_by_rules(program.names, program.text.shown)
+        if shown and code == [f"print({', '.join(program.text.shown)})"]:
+            program.text.shown = shown
+            yield [f"print({', '.join(shown)})"]
 
 
 def _to_first_order(program: Draft, code: Sequence[str], changed: Sequence[str]) -> Iterator[list[str]]:
@@ -89,7 +96,7 @@ def _runs(program: Draft, statement: syntax.Statement, changed: Sequence[str]) -
         program.reason = repr(error)
         return False
     for name in changed:
-        if name.startswith(PREFIX):
+        if name.startswith(PREFIX) or is_code(getattr(statement, "value", None)):
             continue
         if identifier(name) not in values and program.procedures.knows(name):
             continue
@@ -108,7 +115,7 @@ def _runs(program: Draft, statement: syntax.Statement, changed: Sequence[str]) -
 
 def _shows_the_same(program: Draft, expression: syntax.Expression) -> bool:
     """Whether the last expression that the code shows has the value of the statement."""
-    if counts(expression):
+    if counts(expression) or is_code(expression):
         return True
     session, value = program.interpreter.session, program.interpreter.session.last[0]
     with contextlib.chdir(program.folder):

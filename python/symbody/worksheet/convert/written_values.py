@@ -85,6 +85,9 @@ def update(program: Draft, changed: Sequence[str], *, is_entry: bool) -> None:
         text = identifier(name)
         if name in changed or name not in session.names or has(program, name):
             continue
+        if isinstance(values.get(text), dict) and symbols:
+            del program.known[name]  # a solution whose unknowns have values now says nothing more
+            continue
         if _made_again(program, name):
             continue
         changes = ", ".join(f"{program.names.declared(each)}: {each}" for each in sorted(symbols))

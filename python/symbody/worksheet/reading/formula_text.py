@@ -24,8 +24,8 @@ class UnknownFormula(ValueError):
 class _Piece:
     """Text of a formula.
 
-    Its kind is ``operand``, ``number``, ``bracket`` (what follows a function), ``opening`` or ``closing`` of brackets
-    whose inside is not one part, ``operator``, ``word`` or ``gap``.
+    Its kind is ``operand``, ``number``, ``bracket`` (what follows a function), ``arguments`` (a bracket with commas),
+    ``opening`` or ``closing`` of brackets whose inside is not one part, ``operator``, ``word`` or ``gap``.
     """
 
     text: str
@@ -121,9 +121,9 @@ _DRAWN = {
     "mtable": "a matrix",
     "msubsup": "an index with a power",
 }
-_ENDS = frozenset({"operand", "number", "bracket", "closing"})
-_BEGINS = frozenset({"operand", "number", "bracket", "opening"})
-_OPENINGS = frozenset({"bracket", "opening"})
+_ENDS = frozenset({"operand", "number", "bracket", "arguments", "closing"})
+_BEGINS = frozenset({"operand", "number", "bracket", "arguments", "opening"})
+_OPENINGS = frozenset({"bracket", "arguments", "opening"})
 
 
 def _joined(pieces: Sequence[_Piece]) -> str:
@@ -134,8 +134,9 @@ def _joined(pieces: Sequence[_Piece]) -> str:
             gap = True
             text, last = (f"{text}\n", "operator") if piece.text == "\n" else (text, last)
             continue
+        is_heading = text.endswith("proc") and last == "word" and piece.kind in _OPENINGS
         text += _between(last, piece.kind, gap=gap, text=text) + piece.text
-        last, gap = piece.kind, False
+        last, gap = "word" if is_heading else piece.kind, False
     return text
 
 
@@ -144,7 +145,8 @@ def _between(last: str, kind: str, *, gap: bool, text: str) -> str:
     if last in _ENDS and kind in _BEGINS:
         if last == "number" and kind in _OPENINGS:
             raise UnknownFormula("a bracket behind a number, without a sign")
-        return "*" if gap or kind not in _OPENINGS else ""
+        is_product = kind != "arguments" and (gap or kind not in _OPENINGS)
+        return "*" if is_product else ""
     apart = "word" in {last, kind} or (gap and last == kind == "operator")
     return " " if apart and text[-1:].strip() else ""
 
@@ -205,7 +207,7 @@ def _number(part: Element) -> _Piece:
 
 
 def _string(part: Element) -> _Piece:
-    text = html.unescape(_content(part)).replace("\\", "\\\\").replace('"', '\\"')
+    text = re.sub(r'(?<!\\)"', r"\"", html.unescape(_content(part))).replace("\n", "\\n")
     return _Piece(f'"{text}"', "operand")
 
 
@@ -225,9 +227,13 @@ def _bracketed(text: str) -> str:
 
 
 def _of(part: Element, count: int) -> list[str]:
+    return [_joined(pieces).strip() for pieces in _pieces_of(part, count)]
+
+
+def _pieces_of(part: Element, count: int) -> list[list[_Piece]]:
     if len(part.parts) != count:
         raise UnknownFormula(f"an element {part.tag} of {len(part.parts)} parts")
-    return [_inner(each) for each in part.parts]
+    return [_pieces(each) for each in part.parts]
 
 
 def _fraction(part: Element) -> _Piece:
@@ -239,16 +245,17 @@ def _fraction(part: Element) -> _Piece:
 
 def _power(part: Element) -> _Piece:
     """Return a power; where its base is a bracket, a function may stand before it: ``sin(x)^2``."""
-    base, exponent = _of(part, 2)
+    below, above = _pieces_of(part, 2)
+    base, exponent = _joined(below).strip(), _joined(above).strip()
     if not re.search(r"\w", exponent):
         raise UnknownFormula(f"a power {exponent[:20]!r}")
     if base == "exp(1)":
         return _Piece(f"exp({exponent})", "operand")
-    kinds = [piece.kind for piece in _pieces(part.parts[0]) if piece.kind != "gap"]
-    is_bracket = kinds == ["bracket"]
-    above = exponent if exponent in {"%T", "%H"} else _bracketed(exponent)
+    kinds = [piece.kind for piece in below if piece.kind != "gap"]
+    is_bracket = kinds in (["bracket"], ["arguments"])
+    exponent = exponent if exponent in {"%T", "%H"} else _bracketed(exponent)
     return _Piece(
-        f"{base if is_bracket else _bracketed(base)}^{above}", "bracket" if is_bracket else "operand"
+        f"{base if is_bracket else _bracketed(base)}^{exponent}", "bracket" if is_bracket else "operand"
     )
 
 
@@ -262,11 +269,14 @@ def _index(part: Element) -> _Piece:
 def _fenced(part: Element) -> _Piece:
     ends = (part.attributes.get("open", "("), part.attributes.get("close", ")"))
     left, right = (_OPERATORS.get(each, html.unescape(each)) for each in ends)
-    inner = ",".join(_inner(each) for each in part.parts)
+    items = [_pieces(each) for each in part.parts]
+    inner = ",".join(_joined(pieces).strip() for pieces in items)
     if (left, right) == ("|", "|"):
         return _Piece(f"abs({inner})", "operand")
     if (left, right) not in _BRACKETS:
         raise UnknownFormula(f"brackets {left}{right}")
+    if left == "(" and any(piece.text == "," for pieces in items for piece in pieces):
+        return _Piece(f"({inner})", "arguments")
     return _Piece(f"{left}{inner}{right}", "bracket" if left in "([" else "operand")
 
 

@@ -25,7 +25,7 @@ __all__ = ["Element", "UnknownEncoding", "stored_formula"]
 
 _ONE, _LOW, _HIGH, _END = ord("!"), ord("["), ord("k"), ord("k") + 16
 _BYTE = 255
-_DEEPEST = 200
+_DEEPEST, _LARGEST = 200, 100_000
 
 
 class UnknownEncoding(ValueError):
@@ -77,6 +77,7 @@ class _Reading:
     def __init__(self, code: str) -> None:
         self.code, self.at = code, 0
         self.objects: list[_Object | None] = []
+        self.sizes: dict[int, int] = {}
 
     def object(self, depth: int) -> _Object:
         """Read an object."""
@@ -110,8 +111,16 @@ class _Reading:
                 left, right = self.object(depth), self.object(depth)
                 return {left.name: right} if isinstance(left, _Name) and isinstance(right, str) else {}
             case "-":
-                return _element(self.object(depth), self.object(depth))
+                return self._bounded(_element(self.object(depth), self.object(depth)))
         raise UnknownEncoding(f"an object of the kind {kind!r}")
+
+    def _bounded(self, element: Element) -> Element:
+        """Return an element; references to others can make a short text a formula of any size."""
+        size = 1 + sum(self.sizes.get(id(each), 1) for each in element.parts)
+        if size > _LARGEST:
+            raise UnknownEncoding(f"more than {_LARGEST} elements")
+        self.sizes[id(element)] = size
+        return element
 
     def _known(self, number: int) -> _Object:
         found = self.objects[number - 1] if 0 < number <= len(self.objects) else None

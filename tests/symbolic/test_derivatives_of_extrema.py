@@ -1,0 +1,49 @@
+"""Derivatives of Max and Min against finite differences, also where several arguments are the extremum."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from symbody import Abs, Expr, Max, Min, diff, functions_of_time, gradient, symbols, t, time_derivative
+
+x, y, w = symbols("x y w")
+
+AGREEING: dict[str, tuple[Expr, float]] = {
+    "modulus": (Max(x, Abs(x), w), 2.0),
+    "two moduli": (Max(x, Abs(x), Max(x, 0), w), 2.0),
+    "positive part": (Max(w, x, Max(x, 0)), 2.0),
+    "two bounds": (Max(w, Min(x, 1), Min(x, 2)), 0.5),
+    "opposite modulus": (Min(x, -Abs(x), Max(w, 0)), -2.0),
+    "saturated": (Max(x, 2 * x, Min(2 * x, 10), w), 2.0),
+    "unrelated": (Max(x**2, y, w, x + 3), 4.0),
+    "not the greatest": (Max(x, y + 9, w), 2.0),
+}
+
+
+@pytest.mark.parametrize("name", AGREEING)
+def test_arguments_that_agree_count_once(name: str) -> None:
+    extremum, place = AGREEING[name]
+    fixed = {y: 0.3, w: -1.0}
+
+    def at(value: float) -> float:
+        return extremum.evaluate({**fixed, x: value})
+
+    slope = (at(place + 1e-5) - at(place - 1e-5)) / 2e-5
+    for derivative in (diff(extremum, x), gradient(extremum, [x])[0]):
+        assert derivative.evaluate({**fixed, x: place}) == pytest.approx(slope, abs=1e-8)
+
+
+@pytest.mark.parametrize("extremum", [Max, Min])
+def test_the_weights_of_all_arguments_add_up_to_one(extremum: Callable[..., Expr]) -> None:
+    a, b, c, d = symbols("a b c d")
+    weights = gradient(extremum(a, b, c, d), [a, b, c, d])
+    for place in ({a: 1, b: 2, c: 3, d: 4}, {a: 2, b: 2, c: 1, d: 2}, {a: 0, b: 0, c: 0, d: 0}):
+        assert sum(weight.evaluate(place) for weight in weights) == 1
+
+
+def test_the_rate_of_an_extremum() -> None:
+    q = functions_of_time("q")
+    rate = time_derivative(Max(q, Abs(q), w))
+    assert rate.evaluate({q: 2, q.diff(t): 1, w: -1}) == 1
