@@ -109,7 +109,8 @@ def _integer(digits: str) -> int:
         return int(digits)
     middle = len(digits) // 2
     low = digits[middle:]
-    return _integer(digits[:middle]) * 10 ** len(low) + _integer(low)
+    power: int = 10 ** len(low)
+    return _integer(digits[:middle]) * power + _integer(low)
 
 
 @cache
