@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from symbody import Piecewise, diff, symbols
 
-LEVELS = 24  # where pairs of levels are compared again and again, each level takes five times the time
+LEVELS = 18  # where pairs of levels are compared again and again, each level takes five times the time
 
 conditions = symbols(f"q0:{LEVELS}")
 x = symbols("x")

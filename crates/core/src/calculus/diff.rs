@@ -64,6 +64,9 @@ impl Graph {
         self.check_variable(variable)?;
         let ids: Vec<Id> = ids.iter().map(|&id| self.adopt(id)).collect();
         let dependence = self.dependence(&ids, &[variable]);
+        if self.is_complex(variable) {
+            self.check_no_moduli(dependence.on(0))?;
+        }
         self.tangents(&ids, dependence.on(0), &mut |graph, id| {
             Ok(graph.same(id, variable).then_some(Id::ONE))
         })
@@ -198,6 +201,21 @@ impl Graph {
             terms.push((factor, term));
         }
         Ok(self.sum(&terms))
+    }
+
+    /// Check that there are no moduli or signs of what is complex: these have no derivative by a complex variable.
+    fn check_no_moduli(&self, mut nodes: impl Iterator<Item = Id>) -> Result<(), Error> {
+        let argument = |id: Id| match self.view(id) {
+            View::Function(Function::Abs | Function::Sign, args) => Some(args.get(0)),
+            _ => None,
+        };
+        match nodes.find(|&id| argument(id).is_some_and(|u| self.is_complex(u))) {
+            Some(id) => Err(Error::NoDerivative {
+                expression: self.to_quotation(id),
+                symbol: self.complex_symbol(id),
+            }),
+            None => Ok(()),
+        }
     }
 
     /// d|u| = |u| du/u and d sign(u) = 0 of a complex u, if du/u is real: the argument of u stays the same.
@@ -425,6 +443,9 @@ impl Graph {
         let dependence = self.dependence(&ids, variables);
         let mut rows = vec![vec![Id::ZERO; variables.len()]; ids.len()];
         for (j, &variable) in variables.iter().enumerate() {
+            if self.is_complex(variable) {
+                self.check_no_moduli(dependence.on(j))?;
+            }
             let column = self.tangents(&ids, dependence.on(j), &mut |graph, id| {
                 Ok(graph.same(id, variable).then_some(Id::ONE))
             })?;
