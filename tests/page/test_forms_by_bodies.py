@@ -9,6 +9,7 @@ import pytest
 from symbody import (
     Body,
     Equations,
+    Point,
     System,
     Vector,
     describe,
@@ -140,3 +141,19 @@ def test_differences_of_products_of_speeds_are_products() -> None:
     assert "**" not in str(terms[0])
     (flat,) = joined([(2 * a * x, left * right), (a * x, right**2)], AS_IT_IS)
     assert {"2*left*right", "right**2"} == set(re.findall(r"\((.*)\)", str(flat))[0].split(" + "))
+
+
+def test_weight_of_a_long_arm_is_read_though_inertia_is_long() -> None:
+    """Six general bodies: the sum of the angles of two parallel axes stands in the terms of weight."""
+    q, frame, bodies = functions_of_time("q1 q2 q3 q4 q5 q6"), ground, []
+    for i, (axis, angle) in enumerate(zip("ZYYXYX", q, strict=True)):
+        length, reach, mass, Ix, Iy, Iz = symbols(f"a{i} b{i} m{i} Ix{i} Iy{i} Iz{i}")
+        frame = frame * rotate(axis, angle)
+        bodies.append(Body(Point(frame, reach, reach, 0), mass, Ix, Iy, Iz))
+        frame = frame * translate(length, 0, 0)
+    equations = newton_euler(System(bodies, [], [*q], gravity=Vector(ground, 0, 0, -g)))
+    for angle in q[3:]:
+        (text,) = (text for text in equations.equation_of(angle).texts if ":=" not in text)
+        weight = text[text.rindex("g*") :]
+        assert not re.search(r"[cs]2\*[cs]3", weight), weight
+        assert "c23" in weight or "s23" in weight, weight

@@ -96,3 +96,11 @@ def test_a_force_whose_point_has_no_value() -> None:
         "newton_equations: the force F is applied at P, which has no value; expected a point: save it with the force, "
         "or assign it first"
     )
+
+
+def test_a_force_in_a_table_is_told_by_its_entry() -> None:
+    text = (
+        "with(MBSymba_r6): b[1] := make_BODY(translate(x(t),0,0), m): c := make_BODY(ground, m): "
+        "F[2] := make_FORCE(make_VECTOR(ground,X,0,0), origin(b[1][frame]), b[1]): newton_equations({c, F[2]}):"
+    )
+    assert printed(text)[-1] == "<F[2]> FORCE is not valid: it must be applied to a BODY"

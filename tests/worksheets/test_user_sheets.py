@@ -220,3 +220,12 @@ def test_robot_arm(tmp_path: Path) -> None:
     residuals = sb.newton_euler(system).residuals
     torques = sheet["torques"]
     assert [torques[tau] for tau in sb.functions_of_time("tau1 tau2 tau3")] == list(residuals)
+
+
+def test_mass_on_a_spring_typed_in_two_dimensions(tmp_path: Path) -> None:
+    """A document of new releases: formulas in paragraphs, without terminators, and a function by ``p(x, y) := ..``."""
+    sheet, x = Sheet("mass_on_a_spring.mw", tmp_path), sb.functions_of_time("x")
+    body = sb.Body(sb.translate(x, 0, 0), m)
+    spring = sb.Force(sb.ground, -k * x, 0, 0, at=body.center_of_mass, on=body)
+    assert sheet["eq"] == sb.newton_equations([body, spring]).components[0]
+    assert sheet["a"] == -k * x / m

@@ -437,3 +437,18 @@ def test_what_prints_only_shows_no_older_value() -> None:
     text = program('a := 3*x: sprintf("%d", 4): lprint(x + 1); codegen[fortran](x^2);', "printed")
     assert "print(x + 1)\n" in text
     assert 'print(sympy.fcode(sb.to_sympy(x**2), assign_to="cg"))\n' in text
+
+
+def test_the_moving_frame_becomes_small_with_its_velocities() -> None:
+    text = program(
+        "with(MBSymba_r6): use_moving_frame(V, v(t), 0, 0, 0, r(t)): linear_modeling({v(t), r(t), phi(t)}): "
+        "b := make_BODY(rotate('X', phi(t))*translate(0,0,-h), m): y := comp_Y(newton_equations(b)): "
+        "e := [subs(diff(phi(t),t) = p(t), y) = F(t), diff(phi(t),t) = p(t), diff(p(t),t) = -k*phi(t)]: "
+        "A, B := state_space(e, t, [v(t), phi(t), p(t)], [F(t), r(t)]):",
+        "leaning",
+    )
+    assert "# " not in text
+    v, r, phi = sb.functions_of_time("v r phi")
+    values, (m, h, V) = run(text), sb.symbols("m h V")
+    marks = {sb.small(each): each for each in (v, r, phi)}
+    assert values["y"].subs(marks) == m * (sb.diff(v, sb.t) + V * r + h * sb.diff(phi, sb.t, 2))

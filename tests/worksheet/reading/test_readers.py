@@ -233,6 +233,14 @@ def test_words_are_output_where_one_is_missing(value: str) -> None:
     assert source_cells("> is(m, a-b):\n\nm\n")[0].printed == ()
 
 
+def test_code_that_is_executed_when_the_file_is_opened() -> None:
+    cells = source_cells(
+        '<Worksheet><Startup-Code startupcode="a := 3:&#xA;b := a+1:"/><Startup-Code startupcode=""/>'
+        '<Group><Input><Text-field style="Maple Input">b;</Text-field></Input></Group></Worksheet>'
+    )
+    assert code(cells) == [["a := 3:", "b := a+1:"], ["b;"]]
+
+
 def test_code_in_a_field_of_text() -> None:
     cells = source_cells(
         '<Worksheet><Group><Input><Text-field prompt="> " style="Text">so <Font executable="true" '

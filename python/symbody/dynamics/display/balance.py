@@ -78,6 +78,7 @@ def balances(
         actions = system.actions if isinstance(system, System) else ()
     kinds = sources(system, mass_matrix, actions)
     parts = _parts(system, bias, kinds, mass_matrix, actions)
+    gravity = _gravity(parts, system, [*mass_matrix.entries, *bias])
     mass_matrix = _read(mass_matrix, reader)
     inertia = _by_degree([part.inertia for part in parts], mass_matrix, system)
     loads = _loads([part.loads for part in parts], kinds, system.speeds, reader)
@@ -89,6 +90,7 @@ def balances(
             [pair for pair in row if not pair[0].is_zero],
             part,
             inertia[i],
+            gravity[i],
             loads[i],
             [pair for pair in forces if not pair[0].is_zero],
             reader,
@@ -176,6 +178,14 @@ _EQUAL = 1.1
 """The length of terms by devices, at most, in relation to that of terms by speeds."""
 
 
+def _gravity(
+    parts: Sequence[_Parts], system: Variables, expressions: Sequence[Expr]
+) -> list[tuple[Expr, ...]]:
+    """Return the terms of weight, which are read by themselves, as inertia may use up all of a reader's work."""
+    reader = reader_of(system, expressions)
+    return [_terms(part.gravity, reader) for part in parts]
+
+
 def _read(matrix: Matrix, reader: Reader) -> Matrix:
     n, entries = matrix.shape[1], [reader(entry) for entry in matrix.entries]
     return Matrix([entries[start : start + n] for start in range(0, len(entries), n)])
@@ -193,6 +203,7 @@ def _balance(
     row: Sequence[tuple[Expr, Expr]],
     part: _Parts,
     inertia: Degrees | None,
+    gravity: tuple[Expr, ...],
     loads: tuple[Expr, ...],
     forces: Sequence[tuple[Expr, Expr]],
     reader: Reader,
@@ -203,6 +214,7 @@ def _balance(
         row: the entries of its row of M, each with its acceleration.
         part: its bias by the sources of the terms.
         inertia: the forces of inertia by their degree in the speeds, if they are quadratic.
+        gravity: the terms of weight.
         loads: the terms of springs, dampers and others.
         forces: the entries of its column of phi_q, each with its multiplier.
         reader: which finds the forms.
@@ -215,7 +227,7 @@ def _balance(
     return Balance(
         accelerations=tuple(entry * acceleration for entry, acceleration in row),
         velocities=velocities,
-        gravity=_terms(part.gravity, reader),
+        gravity=gravity,
         loads=loads,
         applied=_terms(part.given, reader),
         constraints=tuple(joined(forces, reader, by_sign_only=True)),

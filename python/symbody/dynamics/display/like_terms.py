@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from itertools import permutations
+from itertools import product
 
 from symbody.symbolic import Expr, number
 from symbody.symbolic.calculus.reader import Reader
@@ -65,11 +65,13 @@ def _with_sums_squared(terms: list[Product], reader: Reader) -> list[Product]:
 
     The sums are the rates of the angles to which several relative angles add up.
     """
-    for first, second in permutations(range(len(terms)), 2):
+    squares = [place for place, (_, total) in enumerate(terms) if total.kind == "power"]
+    sums = [place for place, (_, total) in enumerate(terms) if total.kind == "sum"]
+    for first, second in product(squares, sums):
         (a, square), (b, rest) = terms[first], terms[second]
         for sign in (1, -1):
             whole = with_squares(square + sign * rest)
-            if square.kind == whole.kind == "power" and rest.kind == "sum":
+            if whole.kind == "power":
                 before = [(a, square), (b, rest)]
                 after = [(a - sign * b, square), (sign * b, whole)]
                 if _length(after, reader) < _length(before, reader):

@@ -16,6 +16,10 @@ __all__ = ["lost_independence"]
 
 Array = NDArray[np.float64]
 
+STEEP = 0.5
+"""The least ratio of sizes at the ends of steps where none vanishes between them: steps are short before an infinite
+rate."""
+
 
 def lost_independence(model: Model, parameters: Mapping[Expr, float], trail: Array) -> tuple[Array, str]:
     """Return the instants, in s, at which rates of coordinates by the speeds, ``q' = K u + k``, are infinite.
@@ -32,24 +36,27 @@ def lost_independence(model: Model, parameters: Mapping[Expr, float], trail: Arr
     if len(trail) < 2 or not model.system.eliminated_constraints or not model.speeds:
         return nowhere
     p = np.array([parameters[name] for name in (*model.parameters, *model.damping)])
+    at_steps = _sizes(_slopes(model, p, trail[:, 0], trail[:, 1 : 1 + len(model.state)]))
+    if np.nanmin(at_steps, initial=np.inf) > STEEP * np.nanmax(at_steps, initial=0.0):
+        return nowhere
     course = course_of(model, p, trail)
     if course is None:
         return nowhere
-
-    def size(t: Array) -> Array:
-        slopes = _slopes(model, p, t, course.states(t))
-        is_fit = np.isfinite(slopes).all(axis=(1, 2))
-        found = np.full(len(t), np.nan)
-        found[is_fit] = 1 / np.maximum(np.linalg.norm(slopes[is_fit], ord=2, axis=(1, 2)), 1.0)
-        return found
-
-    at = zeros_along(size, course.instants)
+    at = zeros_along(lambda t: _sizes(_slopes(model, p, t, course.states(t))), course.instants)
     if not len(at):
         return nowhere
     (slopes,) = np.abs(_slopes(model, p, at[:1], course.states(at[:1])))
     rate, speed = np.unravel_index(int(np.argmax(slopes)), slopes.shape)
     coordinate = time_derivative(model.coordinates[rate])
     return at, f"{model.speeds[speed]} does not determine {coordinate}"
+
+
+def _sizes(slopes: Array) -> Array:
+    """Return the inverse of the largest singular value at each state, at most 1; NaN where it isn't known."""
+    is_fit = np.isfinite(slopes).all(axis=(1, 2))
+    found = np.full(len(slopes), np.nan)
+    found[is_fit] = 1 / np.maximum(np.linalg.norm(slopes[is_fit], ord=2, axis=(1, 2)), 1.0)
+    return found
 
 
 def _slopes(model: Model, parameters: Array, t: Array, states: Array) -> Array:

@@ -41,6 +41,9 @@ _READING = Reading(
     "motion.t has the instants, motion.states a row for each of them, and motion.state_at(0) is the state at the first",
 )
 
+_ROUNDING = 16 * float(np.finfo(np.float64).eps)
+"""The rounding of a sum of energies, relative to it."""
+
 
 @dataclass(frozen=True, eq=False)
 class Motion:
@@ -287,7 +290,8 @@ class Motion:
     def energy_drift(self) -> float:
         """The largest change of the energy balance, relative to the largest energy that varies.
 
-        ``max |E - W - E0| / max(T, |V - V0|, |W|)``: T is the kinetic energy, V the potential energy, W the work.
+        ``max |E - W - E0| / max(T, |V - V0|, |W|)``: T is the kinetic energy, V the potential energy, W the work. A
+        change within the rounding of E is zero, as of a system that stays at rest.
         """
         total = self.energy + self.work
         kinetic = self.evaluate(self.model.energies[:1])[0]
@@ -295,6 +299,8 @@ class Motion:
         parts = [kinetic, potential - potential[0], self.work]
         scale = max(float(np.abs(part).max()) for part in parts)
         change = float(np.abs(self.energy - self.energy[0]).max())
+        if change <= _ROUNDING * float(np.abs(total).max()):
+            return 0.0
         return change / scale if scale else change
 
     @cached_property

@@ -106,7 +106,7 @@ class Reader:
 
     def _by_bodies(self, expression: Expr, form: Expr, operations: int) -> Expr:
         """Return the form with a term for each body, if it is shorter: a square of a distance, and no part of it."""
-        if operations > _OF_BODIES or _length(form) < _SHORT:
+        if not self._inertias or operations > _OF_BODIES or _length(form) < _SHORT:
             return form
         angles = multiples_of_angles(expression)
         best = _best((with_squares(form), form), expression)

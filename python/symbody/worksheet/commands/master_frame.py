@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from symbody.errors import WorksheetError
-from symbody.geometry import Frame, angular_velocity, ground, moving_frame, origin, velocity
+from symbody.geometry import Frame, angular_velocity, ground, origin, velocity
 from symbody.symbolic import Expr, number
 from symbody.worksheet.evaluation.session import Command, Session
 from symbody.worksheet.mechanics import frame_face
 from symbody.worksheet.mechanics.modes import Mechanics, mechanics
 from symbody.worksheet.mechanics.objects import column, made
-from symbody.worksheet.mechanics.small_variables import entered, entered_frame, left
+from symbody.worksheet.mechanics.small_variables import entered, entered_frame, left, moving_master
 from symbody.worksheet.values.value import NULL, Array, Boolean, Listed, Relation, Value
 
 __all__ = ["COMMANDS", "name_ground", "use_moving_frame"]
@@ -33,7 +33,8 @@ def use_moving_frame(session: Session, *arguments: Value) -> Value:
         raise WorksheetError("use_moving_frame: expected six expressions u, v, w, ox, oy, oz")
     u, v, w, wx, wy, wz = (each for each in found if isinstance(each, Expr))
     pose = frame_face.chain(session, arguments[6], "use_moving_frame") if len(arguments) > 6 else None
-    modes.moving = moving_frame(*entered(modes, (u, v, w, wx, wy, wz)), name="moving_frame")
+    modes.speeds = (u, v, w, wx, wy, wz)
+    modes.moving = moving_master(modes)
     name_ground(session)
     _set_globals(session, modes, (u, v, w), (wx, wy, wz))
     return NULL if pose is None else _tracking(modes, pose, (u, v, w), (wx, wy, wz))

@@ -7,6 +7,7 @@ from symbody.worksheet.builtins import FORMS, KERNEL, MISSING, PACKAGES
 from symbody.worksheet.commands import mbsymba
 from symbody.worksheet.convert.calculus_calls import CALCULUS
 from symbody.worksheet.convert.code_calls import CODE, is_code
+from symbody.worksheet.convert.condition_calls import CONDITIONS
 from symbody.worksheet.convert.elementary_calls import ELEMENTARY
 from symbody.worksheet.convert.files import FILES
 from symbody.worksheet.convert.frames import axis
@@ -14,6 +15,7 @@ from symbody.worksheet.convert.joint_calls import JOINTS
 from symbody.worksheet.convert.list_calls import LISTS
 from symbody.worksheet.convert.maple_calls import MAPLE
 from symbody.worksheet.convert.matrix_calls import MATRICES
+from symbody.worksheet.convert.matrix_constructors import CONSTRUCTORS
 from symbody.worksheet.convert.mechanics_calls import MECHANICS
 from symbody.worksheet.convert.name_text import concatenation
 from symbody.worksheet.convert.names import NoText, identifier
@@ -37,6 +39,8 @@ _TABLES = (
     MAPLE,
     CALCULUS,
     POLYNOMIALS,
+    CONDITIONS,
+    CONSTRUCTORS,
     MATRICES,
     LISTS,
     NUMBERS,

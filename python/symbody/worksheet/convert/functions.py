@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+from symbody.worksheet.convert.assignments import target_text
 from symbody.worksheet.convert.expressions import PythonText
 from symbody.worksheet.convert.names import Names, identifier
 from symbody.worksheet.convert.operators import condition
-from symbody.worksheet.convert.statements import INDENT, block, branch_words, target_text
+from symbody.worksheet.convert.statements import INDENT, block, branch_words
 from symbody.worksheet.sheet import syntax
 
 __all__ = ["definition"]

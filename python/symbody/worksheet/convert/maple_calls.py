@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import fields, replace
 from typing import Any, TypeAlias
 
@@ -13,7 +13,6 @@ from symbody.multibody import Body, Force, Torque
 from symbody.symbolic import Expr, Matrix
 from symbody.worksheet.convert.names import NoText, identifier
 from symbody.worksheet.convert.operations import SUM, grouped
-from symbody.worksheet.convert.operators import condition
 from symbody.worksheet.convert.scalar_text import scalar_text
 from symbody.worksheet.convert.selections import key
 from symbody.worksheet.convert.sequences import comprehension, items
@@ -136,32 +135,6 @@ def _part(text: Writer, arguments: Arguments) -> str:
     return f"{grouped(whole)}[{int(place) - 1}]" if place.isdigit() else f"{grouped(whole)}[{place} - 1]"
 
 
-def _chosen(text: Writer, arguments: Arguments) -> str:
-    """Return ```if`(c, a, b)``."""
-    case, *values = arguments
-    if len(values) != 2:
-        raise NoText("if")
-    yes, no = (text.text(each) for each in values)
-    return f"{yes} if {condition(text, case)} else {no}"
-
-
-def _truth(text: Writer, arguments: Arguments) -> str:
-    """Return ``evalb(a = b)``: whether both sides are equal."""
-    return f"bool({condition(text, arguments[0])})"
-
-
-def _pieces(text: Writer, arguments: Arguments) -> str:
-    """Return ``piecewise(c, a, ..., otherwise)``."""
-    pairs = [f"({text.text(value)}, {condition(text, case)})" for case, value in _cases(arguments)]
-    rest = [text.text(arguments[-1])] if len(arguments) % 2 else []
-    return f"sb.Piecewise({', '.join([*pairs, *(f'otherwise={each}' for each in rest)])})"
-
-
-def _cases(arguments: Arguments) -> Iterator[tuple[syntax.Expression, syntax.Expression]]:
-    """Return conditions with their values."""
-    return zip(arguments[::2], arguments[1::2], strict=False)
-
-
 def _count(text: Writer, arguments: Arguments) -> str:
     whole = text.text(arguments[0])
     if not isinstance(text.value(whole), list | tuple | dict | None):
@@ -187,20 +160,6 @@ def _side(index: int) -> Call:
     return write
 
 
-def _has(text: Writer, arguments: Arguments) -> str:
-    whole, what = (text.text(each) for each in arguments)
-    found, wanted = text.value(whole), text.value(what)
-    if isinstance(found, Matrix):
-        whole, found = f"{grouped(whole)}.entries", list(found.entries)
-    if not isinstance(found, Expr | list | tuple) or not isinstance(wanted, Expr | list):
-        raise NoText("has")
-    one = "each" if not isinstance(found, Expr) else grouped(whole)
-    loops = f" for each in {whole}" if not isinstance(found, Expr) else ""
-    if isinstance(wanted, list):
-        return f"any({one}.has(x){loops} for x in {what})"
-    return f"any({one}.has({what}){loops})" if loops else f"{one}.has({what})"
-
-
 def _converted(text: Writer, arguments: Arguments) -> str:
     whole, kind = text.text(arguments[0]), arguments[1]
     word = kind.body if isinstance(kind, syntax.Delayed) else kind
@@ -218,57 +177,6 @@ def _converted(text: Writer, arguments: Arguments) -> str:
         if isinstance(found, dict):
             return f"list({whole}.values())"
     raise NoText("convert")
-
-
-def _matrix(text: Writer, arguments: Arguments) -> str:
-    """Return a matrix of rows, or of a list of entries."""
-    arguments, shape, fill = _matrix_options(text, arguments)
-    if shape == "identity":
-        return f"sb.identity({text.text(arguments[0])})"
-    if fill:
-        height, width = (text.text(arguments[k]) for k in (0, -1))
-        return f"sb.Matrix([[{fill}]*{width}]*{height})"
-    counts = [text.text(each) for each in arguments[:2]]
-    if len(arguments) == 3 and all(each.isdigit() for each in counts):
-        rows, columns = map(int, counts)
-        content = text.text(arguments[2])
-        found = text.value(content)
-        if isinstance(found, list) and len(found) == rows * columns and rows * columns != rows:
-            return f"sb.Matrix.from_entries({rows}, {columns}, {content})"
-        if isinstance(found, list):
-            return f"sb.Matrix({content})"
-    if len(arguments) == 2 and all(each.isdigit() for each in counts):
-        return f"sb.zeros({counts[0]}, {counts[1]})"
-    if len(arguments) == 1:
-        found = text.value(counts[0])
-        if isinstance(found, Matrix):
-            return counts[0]
-        if isinstance(found, list) and all(isinstance(each, list) for each in found):
-            return f"sb.Matrix({counts[0]})"
-    raise NoText("Matrix")
-
-
-def _matrix_options(text: Writer, arguments: Arguments) -> tuple[Arguments, str, str]:
-    """Return the arguments of a matrix without its options, the shape, and what fills it."""
-    kept, shape, fill = [], "", ""
-    for argument in arguments:
-        match argument:
-            case syntax.Infix(operator="=", left=syntax.Name(name="shape"), right=syntax.Name(name=name)):
-                shape = name
-            case syntax.Infix(operator="=", left=syntax.Name(name="fill"), right=value):
-                fill = text.text(value)
-            case syntax.Infix(operator="=", left=syntax.Name(name="attributes" | "datatype" | "storage")):
-                pass
-            case _:
-                kept.append(argument)
-    return tuple(kept), shape, fill
-
-
-def _column(text: Writer, arguments: Arguments) -> str:
-    content = text.text(arguments[-1])
-    if not isinstance(text.value(content), list):
-        raise NoText("Vector")
-    return f"sb.Matrix.column({content})"
 
 
 def _method(name: str, *, called: bool = True) -> Call:
@@ -367,12 +275,6 @@ def _entry(text: Writer, node: syntax.Expression) -> str:
     raise NoText("table")
 
 
-def _member(text: Writer, arguments: Arguments) -> str:
-    if len(arguments) != 2:
-        raise NoText("member")
-    return f"{text.text(arguments[0])} in {text.text(arguments[1])}"
-
-
 def _unapplied(text: Writer, arguments: Arguments) -> str:
     """Return ``unapply(e, x)`` as a function."""
     variables = [part for each in arguments[1:] for part in getattr(each, "items", (each,))]
@@ -434,11 +336,7 @@ MAPLE: Mapping[str, Call] = {
     "nops": _count,
     "lhs": _side(0),
     "rhs": _side(1),
-    "has": _has,
-    "member": _member,
     "convert": _converted,
-    **dict.fromkeys(("Matrix", "matrix"), _matrix),
-    **dict.fromkeys(("Vector", "vector"), _column),
     "Transpose": _method("T", called=False),
     "transpose": _method("T", called=False),
     **dict.fromkeys(("Determinant", "det"), _method("det")),
@@ -447,9 +345,6 @@ MAPLE: Mapping[str, Call] = {
     "evalm": _entrywise,
     "eval": _evaluated,
     "evalf": _in_decimals,
-    **dict.fromkeys(("if", "ifelse"), _chosen),
-    **dict.fromkeys(("evalb", "is"), _truth),
-    "piecewise": _pieces,
     "numelems": _count,
     "table": _table,
     "show": _shown,

@@ -36,6 +36,7 @@ def _moving(text: Writer, arguments: tuple[syntax.Expression, ...], target: str)
     name = text.names.own("master")
     text.names.root().master = text.names.master = name
     line = f'{name} = sb.moving_frame({written}, name="moving_frame")'
+    text.names.made[name] = line
     if not pose or not target:
         return [line]
     return [line, *_tracking(text.names.own("pose"), text.names.own("own"), pose, target, written)]

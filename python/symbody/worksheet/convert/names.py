@@ -91,6 +91,7 @@ class Names:
         as_pairs: whether equations that a statement gives are pairs of sides.
         sided: names whose sides the sheet asks for: their equations are pairs.
         values_of: names of lists of equations that are only substituted: each is one dictionary.
+        made: the lines that have given variables their values, of those that took one line.
         tyres: the tyres of the program, by their variables.
         used: identifiers that had values before a ``restart``; as symbols, they are declared again.
         late: lines of such declarations, which stand before the statement.
@@ -112,6 +113,7 @@ class Names:
     as_pairs: bool = False
     sided: set[str] = field(default_factory=set)
     values_of: set[str] = field(default_factory=set)
+    made: dict[str, str] = field(default_factory=dict)
     tyres: dict[str, Any] = field(default_factory=dict)
     used: set[str] = field(default_factory=set)
     late: list[str] = field(default_factory=list)
@@ -190,6 +192,7 @@ class Names:
         self.values.clear()
         self.values.update(kept)
         self.master = self.rules = ""
+        self.made.clear()
         self.small = {}
 
     def snapshot(self) -> tuple[dict[str, Any], dict[str, str], str, dict[Expr, Expr], set[str]]:
@@ -218,6 +221,7 @@ class Names:
             self.as_pairs,
             self.sided,
             self.values_of,
+            self.made,
             self.tyres,
             self.used,
             self.late,

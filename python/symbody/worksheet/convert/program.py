@@ -24,8 +24,13 @@ from symbody.worksheet.convert.sheet_names import (
     solved_names,
     substituted_names,
 )
-from symbody.worksheet.convert.statement_kinds import OF_MODES, is_loading, is_restart, loop_variables
-from symbody.worksheet.convert.statements import mentions
+from symbody.worksheet.convert.statement_kinds import (
+    OF_MODES,
+    is_loading,
+    is_restart,
+    loop_variables,
+    mentions,
+)
 from symbody.worksheet.convert.trial import as_code, prepare
 from symbody.worksheet.convert.written_values import as_values, update
 from symbody.worksheet.evaluation.session import Session

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Sequence, Set
 from dataclasses import fields, is_dataclass
 from typing import Any
 
@@ -23,10 +23,10 @@ def functions_of_time(cells: Sequence[Cell]) -> Iterator[str]:
 
 
 def solved_names(cells: Sequence[Cell]) -> Iterator[str]:
-    """Return the names in the first arguments of calls of solve."""
+    """Return the names in the first arguments of commands that take equations."""
     for cell in cells:
         for item in statements(cell):
-            yield from (name for node in _given(item, {"solve"}) for name in names_in(node))
+            yield from (name for node in _given(item, _SOLVING) for name in names_in(node))
 
 
 def sided_names(cells: Sequence[Cell]) -> Iterator[str]:
@@ -76,7 +76,10 @@ def _opened(node: syntax.Expression) -> Iterator[str]:
             yield name
 
 
-def _given(node: Any, commands: set[str]) -> Iterator[syntax.Expression]:
+_SOLVING = frozenset({"solve", "first_order", "state_space", "GenerateMatrix", "genmatrix"})
+
+
+def _given(node: Any, commands: Set[str]) -> Iterator[syntax.Expression]:
     """Return the first arguments of calls of commands, also of those for each entry of a list."""
     if isinstance(node, tuple):
         for each in node:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from symbody.geometry import Frame, Point, Vector
+from symbody.geometry import Frame, Point, Vector, angular_velocity, origin, velocity
 from symbody.multibody import Body, Force, Torque
 from symbody.symbolic import Expr, Matrix, small, subs
 from symbody.worksheet.convert.names import Names, NoText, identifier
@@ -30,12 +30,13 @@ def small_lines(text: Writer, sets: tuple[syntax.Expression, ...]) -> list[str]:
     leaving = {name: mark for name, mark in leaving.items() if name not in deviating}
     changes = {names.values[name]: _deviation(names, name, about) for name, about in entering.items()}
     changes |= {mark: names.small[mark] for mark in leaving.values()}
-    older = _made_before(names, changes)
+    again = _on_the_master(names, changes)
+    older = [name for name in _made_before(names, changes) if name not in again]
     texts = {name: _marked(name, about) for name, about in entering.items()}
     texts |= {name: names.declared(name) for name in leaving}
     _keep(names, entering, [*deviating.values(), *leaving.values()])
     changed = _changed(names.own("marks"), texts, older) if older and texts else _named(entering, texts)
-    return [*lines, *changed]
+    return [*lines, *changed, *(names.made[name] for name in again)]
 
 
 def _keep(names: Names, entering: Mapping[str, str], leaving: Sequence[Expr]) -> None:
@@ -45,6 +46,24 @@ def _keep(names: Names, entering: Mapping[str, str], leaving: Sequence[Expr]) ->
         names.small[small(plain)] = plain - (names.value(about) if about else 0)
     for mark in leaving:
         del names.small[mark]
+
+
+def _on_the_master(names: Names, changes: Mapping[Expr, Expr]) -> list[str]:
+    """Return the names that are made again: the master frame with small velocities, and what hangs on it."""
+    master = names.values.get(names.master)
+    if not isinstance(master, Frame):
+        return []
+    rates = [*velocity(origin(master)).components, *angular_velocity(master).components]
+    if subs(rates, changes) == rates:
+        return []
+    frames = {
+        name: getattr(value, "frame", value) for name, value in names.values.items() if name in names.made
+    }
+    return [
+        name
+        for name, frame in frames.items()
+        if isinstance(frame, Frame) and frame.ancestor.key == master.ancestor.key
+    ]
 
 
 def _taken_back(names: Names, name: str, mark: Expr) -> list[str]:

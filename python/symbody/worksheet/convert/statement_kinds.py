@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import fields
+from dataclasses import fields, is_dataclass
 from typing import Any
 
 from symbody.worksheet.sheet import syntax
 
-__all__ = ["OF_MODES", "begins_mode", "counts", "is_loading", "is_restart", "loop_variables"]
+__all__ = ["OF_MODES", "begins_mode", "counts", "is_loading", "is_restart", "loop_variables", "mentions"]
 
 _LOADING = frozenset(
     {
@@ -88,3 +88,12 @@ def is_loading(statement: syntax.Statement) -> bool:
         ):
             return name in _LOADING
     return isinstance(statement, syntax.Empty)
+
+
+def mentions(node: Any, kind: type) -> bool:
+    """Whether a node holds one of a kind."""
+    if isinstance(node, kind):
+        return True
+    if isinstance(node, tuple):
+        return any(mentions(each, kind) for each in node)
+    return is_dataclass(node) and any(mentions(getattr(node, each.name), kind) for each in fields(node))

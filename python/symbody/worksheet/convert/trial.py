@@ -50,6 +50,8 @@ def as_code(program: Draft, statement: syntax.Statement, changed: Sequence[str])
         program.names.restore(program.snapshot)
         program.procedures.drop()
         return False
+    if len(changed) == 1 and len(program.code) == 1:
+        program.names.made[identifier(changed[0])] = program.code[0]
     program.known |= dict.fromkeys(changed, program.code if len(changed) == 1 else [])
     program.lines += [*program.names.late, *program.code]
     if statement.__class__ is not syntax.Empty and not program.procedures.is_definition(statement):

@@ -18,11 +18,13 @@ class Mechanics:
     Attributes:
         release: that of the package which was loaded: 3 is the one of 2004, whose name has no number.
         moving: the moving master frame on which all frames are hung, if there is one.
+        speeds: the velocities of the moving frame as the sheet writes them, along its axes and about them.
         small: the variables that are small, and the values from which they deviate; zero for most.
     """
 
     release: int = 6
     moving: Frame | None = None
+    speeds: tuple[Expr, ...] = ()
     small: dict[Expr, Expr] = field(default_factory=dict)
 
     @property

@@ -224,7 +224,7 @@ class Reader:
         if id(table) not in self._bodies:
             inertia = self._inertia(table)
             mass = self._constant(table, "mass", get(table, "mass") or number(0))
-            name = value.name if isinstance(value, Reference) else ""
+            name = self._name(value)
             self._bodies[id(table)] = multibody.Body.of_inertia(self.frame(table), mass, inertia, name=name)
         return self._bodies[id(table)]
 
@@ -260,7 +260,7 @@ class Reader:
             on, reaction, vector = reaction, None, -vector
         if on is None or on is reaction:
             return None
-        name = value.name if isinstance(value, Reference) else ""
+        name = self._name(value)
         if kind_of(table) == "TORQUE":
             return multibody.Torque(vector, on=on, reaction=reaction, name=name)
         return multibody.Force(vector, at=self._place(table, name), on=on, reaction=reaction, name=name)
@@ -299,7 +299,7 @@ class Reader:
             if load is not None and any(action.body in bodies for action in load.actions):
                 loads.append(load)
             else:
-                name = item.name if isinstance(item, Reference) else "?"
+                name = self._name(item) or "?"
                 self.session.lines.append(f"<{name}> {kind} is not valid: it must be applied to a BODY")
                 if kind == "TIRE":
                     self.session.notice(
@@ -313,6 +313,17 @@ class Reader:
                 "shall stay there, give the body that exerts it as the last argument of make_FORCE"
             )
         return bodies, loads
+
+    def _name(self, value: Value) -> str:
+        """Return the name of an object, or that of the entry of a table, ``F[1]``; an empty text for one without."""
+        if isinstance(value, Reference):
+            return value.name
+        for name, held in self.session.names.items():
+            if isinstance(held, Table) and not kind_of(held):
+                for key, entry in held.entries.items():
+                    if entry is value:
+                        return f"{name}[{', '.join(self.session.text(each) for each in key)}]"
+        return ""
 
     def _is(self, value: Value, kind: str) -> bool:
         return kind_of(self.session.resolve(value)) == kind

@@ -11,7 +11,7 @@ from collections.abc import Callable, Collection, Iterable, Sequence
 from typing import TypeVar
 
 from symbody.errors import ModelNotice, WorksheetError
-from symbody.geometry import Frame
+from symbody.geometry import Frame, moving_frame
 from symbody.symbolic import Expr, number, small, substitute, symbol, taylor, time_derivative, truncated
 from symbody.worksheet.evaluation.session import Session
 from symbody.worksheet.mechanics.modes import Mechanics, mechanics
@@ -21,7 +21,16 @@ from symbody.worksheet.values.value import Sequence as Several
 
 Kind = TypeVar("Kind")
 
-__all__ = ["entered", "entered_frame", "left", "left_frame", "linear_modeling", "linearize", "result"]
+__all__ = [
+    "entered",
+    "entered_frame",
+    "left",
+    "left_frame",
+    "linear_modeling",
+    "linearize",
+    "moving_master",
+    "result",
+]
 
 
 def entered(modes: Mechanics, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
@@ -76,6 +85,8 @@ def linear_modeling(session: Session, *sets: Value) -> Value:
     """
     modes = mechanics(session)
     modes.small = {x: value for each in sets for x, value in _deviations(session, each, "linear_modeling")}
+    if modes.moving is not None:
+        modes.moving = moving_master(modes)
     if not modes.small:
         session.lines.append("Warning, Non-Linear Modeling option has been choosen")
         session.assign("small_vars", MapleSet(()))
@@ -85,6 +96,11 @@ def linear_modeling(session: Session, *sets: Value) -> Value:
     found = MapleSet(tuple(names))
     session.assign("small_vars", found)
     return Relation("=", symbol("small_vars"), found)
+
+
+def moving_master(modes: Mechanics) -> Frame:
+    """Return the moving master frame, whose velocities are small where their variables are."""
+    return moving_frame(*entered(modes, modes.speeds), name="moving_frame")
 
 
 def linearize(session: Session, value: Value, about: Value | None = None) -> Value:

@@ -53,6 +53,10 @@ class _Reader:
         """Take the beginning of an element."""
         if tag == "Group":
             self.close()
+        if tag == "Startup-Code":  # Maple executes it when the file is opened
+            place = self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber + 1
+            self.input += _lines([(attributes.get("startupcode", ""), *place)])
+            self.close()
         if tag == "Equation" and self._within("Input"):
             self.formula = _Formula(
                 attributes.get("display", ""),

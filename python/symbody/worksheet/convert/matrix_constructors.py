@@ -1,0 +1,73 @@
+"""Matrices and vectors by their entries, with the options of Maple."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import TypeAlias
+
+from symbody.symbolic import Matrix
+from symbody.worksheet.convert.names import NoText
+from symbody.worksheet.convert.writer import Arguments, Writer
+from symbody.worksheet.sheet import syntax
+
+__all__ = ["CONSTRUCTORS"]
+
+Call: TypeAlias = Callable[[Writer, Arguments], str]
+
+
+def _matrix(text: Writer, arguments: Arguments) -> str:
+    """Return a matrix of rows, or of a list of entries."""
+    arguments, shape, fill = _matrix_options(text, arguments)
+    if shape == "identity":
+        return f"sb.identity({text.text(arguments[0])})"
+    if fill:
+        height, width = (text.text(arguments[k]) for k in (0, -1))
+        return f"sb.Matrix([[{fill}]*{width}]*{height})"
+    counts = [text.text(each) for each in arguments[:2]]
+    if len(arguments) == 3 and all(each.isdigit() for each in counts):
+        rows, columns = map(int, counts)
+        content = text.text(arguments[2])
+        found = text.value(content)
+        if isinstance(found, list) and len(found) == rows * columns and rows * columns != rows:
+            return f"sb.Matrix.from_entries({rows}, {columns}, {content})"
+        if isinstance(found, list):
+            return f"sb.Matrix({content})"
+    if len(arguments) == 2 and all(each.isdigit() for each in counts):
+        return f"sb.zeros({counts[0]}, {counts[1]})"
+    if len(arguments) == 1:
+        found = text.value(counts[0])
+        if isinstance(found, Matrix):
+            return counts[0]
+        if isinstance(found, list) and all(isinstance(each, list) for each in found):
+            return f"sb.Matrix({counts[0]})"
+    raise NoText("Matrix")
+
+
+def _matrix_options(text: Writer, arguments: Arguments) -> tuple[Arguments, str, str]:
+    """Return the arguments of a matrix without its options, the shape, and what fills it."""
+    kept, shape, fill = [], "", ""
+    for argument in arguments:
+        match argument:
+            case syntax.Infix(operator="=", left=syntax.Name(name="shape"), right=syntax.Name(name=name)):
+                shape = name
+            case syntax.Infix(operator="=", left=syntax.Name(name="fill"), right=value):
+                fill = text.text(value)
+            case syntax.Infix(operator="=", left=syntax.Name(name="attributes" | "datatype" | "storage")):
+                pass
+            case _:
+                kept.append(argument)
+    return tuple(kept), shape, fill
+
+
+def _column(text: Writer, arguments: Arguments) -> str:
+    content = text.text(arguments[-1])
+    if not isinstance(text.value(content), list):
+        raise NoText("Vector")
+    return f"sb.Matrix.column({content})"
+
+
+CONSTRUCTORS: Mapping[str, Call] = {
+    **dict.fromkeys(("Matrix", "matrix"), _matrix),
+    **dict.fromkeys(("Vector", "vector"), _column),
+}
+"""Writers by the names of commands."""

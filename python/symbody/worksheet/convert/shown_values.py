@@ -1,0 +1,140 @@
+"""Values of expressions: printed as the terminator says, or kept for the next statement."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Sequence
+from itertools import chain
+
+from symbody.geometry import Frame, Point, Vector
+from symbody.multibody import Body, Force, Torque
+from symbody.symbolic import Expr
+from symbody.worksheet.convert.assignments import one_line, solution_lines
+from symbody.worksheet.convert.code_calls import is_code
+from symbody.worksheet.convert.expressions import PythonText
+from symbody.worksheet.convert.files import FILES
+from symbody.worksheet.convert.modes import mode_lines
+from symbody.worksheet.convert.names import NoText
+from symbody.worksheet.convert.picture_calls import PICTURES
+from symbody.worksheet.convert.sequences import items
+from symbody.worksheet.convert.statement_kinds import mentions
+from symbody.worksheet.sheet import syntax
+
+__all__ = ["value_lines"]
+
+_SHOWN = Frame | Point | Vector | Body | Force | Torque
+
+
+def value_lines(text: PythonText, node: syntax.Expression, *, shown: bool, keeps: bool) -> list[str]:
+    """Return the lines that show the value of an expression, or keep it for the next statement."""
+    lines = mode_lines(text, node)
+    if lines is not None:
+        return lines
+    items = node.items if isinstance(node, syntax.SequenceDisplay) else (node,)
+    needed = [keeps or mentions(items[k + 1 :], syntax.Ditto) for k in range(len(items))]
+    if len(items) > 1 and not any(needed) and not any(_is_display(item) or _acts(item) for item in items):
+        written = [text.text(item) for item in items]
+        text.shown += written
+        return [f"print({', '.join(written)})"] if shown else []
+    found: list[str] = []
+    for item, keep in zip(items, needed, strict=True):
+        found += _shown_item(text, item, shown=shown, keeps=keep)
+        if keep:
+            text.last = "last"
+    return found
+
+
+def _is_display(item: syntax.Expression) -> bool:
+    """Whether an item shows an object, as ``show(A)`` and ``'A' = show(A)`` do."""
+    match item:
+        case syntax.Infix(operator="=", left=syntax.Delayed()):
+            return True
+        case syntax.Call(function=syntax.Name(name="show" | "print" | "lprint" | "printf")):
+            return True
+    return False
+
+
+def _shown_item(text: PythonText, item: syntax.Expression, *, shown: bool, keeps: bool) -> list[str]:
+    match item:
+        case syntax.Infix(operator="=", left=syntax.Delayed(), right=right):
+            return _shown_item(text, right, shown=shown, keeps=keeps)
+        case syntax.Call(function=syntax.Name(name="show"), arguments=(what, *options)):
+            text.shown.clear()  # what show returns is what it prints
+            return _show(text, what, synthetic=bool(options), keeps=keeps)
+        case syntax.Call(function=syntax.Name(name="print" | "lprint"), arguments=arguments):
+            return [f"print({items(text, arguments)})"]
+        case syntax.Call(function=syntax.Name(name="printf"), arguments=(syntax.Text(text=form), *rest)):
+            return [_printed(text, form, rest)]
+        case syntax.Call(function=syntax.Name(name="assign"), arguments=(what,)):
+            return solution_lines(text, what)
+        case syntax.Call(function=syntax.Name(name="unassign"), arguments=arguments):
+            found = (
+                one_line(text, each.body, each) for each in arguments if isinstance(each, syntax.Delayed)
+            )
+            return list(chain.from_iterable(found))
+    try:
+        written = text.text(item)
+    except NoText:
+        if shown or keeps:
+            raise
+        return []  # without an effect, nobody sees the value
+    return _value_lines(text, item, written, shown=shown, keeps=keeps)
+
+
+def _value_lines(
+    text: PythonText, item: syntax.Expression, written: str, *, shown: bool, keeps: bool
+) -> list[str]:
+    """Return the lines that show a value, or keep it for the next statement.
+
+    Args:
+        text: writes expressions.
+        item: the expression.
+        written: its text.
+        shown: whether its value is printed.
+        keeps: whether the next statement needs it.
+    """
+    if is_code(item):
+        return [f"print({written})"]
+    if _acts(item):
+        return [written] if not keeps else [f"last = {written}"]
+    text.shown.append(written)
+    if not keeps:
+        return [f"print({written})"] if shown else []
+    return [f"last = {written}", *(["print(last)"] if shown else [])]
+
+
+def _acts(item: syntax.Expression) -> bool:
+    """Whether an expression is there for what it does, such as writing a file."""
+    match item:
+        case syntax.Call(
+            function=syntax.Name(name=name) | syntax.Selection(indices=(syntax.Name(name=name),))
+        ):
+            return (name in FILES and name != "Exists") or name in PICTURES
+    return False
+
+
+def _show(text: PythonText, what: syntax.Expression, *, synthetic: bool, keeps: bool) -> list[str]:
+    written = text.text(what)
+    lines = []
+    if keeps and not written.isidentifier():
+        lines, written = [f"last = {written}"], "last"
+        with contextlib.suppress(Exception):
+            exec(lines[0], text.names.values)
+    elif keeps:
+        lines = [f"last = {written}"]
+    found = text.value(written)
+    if isinstance(found, _SHOWN):
+        return [*lines, f"sb.show({written}{', synthetic=True' if synthetic else ''})"]
+    return [*lines, f"print({written})"]
+
+
+def _printed(text: PythonText, form: str, rest: Sequence[syntax.Expression]) -> str:
+    """Return ``printf`` as a format of Python; its texts are written as they are."""
+    arguments = [text.text(each) for each in rest]
+    values = [
+        f"float({each})" if isinstance(text.value(each), Expr) and "%s" not in form else each
+        for each in arguments
+    ]
+    if not values:
+        return f"print({form!r}, end='')"
+    return f"print({form!r} % ({', '.join(values)}{',' if len(values) == 1 else ''}), end='')"
