@@ -1,24 +1,56 @@
-"""The order and the signs of terms, and forms that stay as they are."""
+"""Signs of angles and the order of terms: one rule, whatever the names."""
 
 from __future__ import annotations
 
+import itertools
 import re
 
 import pytest
 
 from symbody import (
+    Body,
     Expr,
     Matrix,
+    System,
+    Vector,
     cos,
     describe,
+    functions_of_time,
+    ground,
     newton_euler,
     readable,
+    rotate,
     sin,
     symbols,
+    translate,
 )
 from symbody.models import full_car, slider_crank
 
 g, R, r, m, a, b, u, k = symbols("g R r m a b u k")
+GRAVITY = Vector(ground, 0, -g, 0)
+
+
+@pytest.mark.parametrize("names", [*itertools.permutations(["hip", "knee", "ankle"])], ids=" ".join)
+def test_a_difference_of_angles_begins_with_the_first_coordinate(names: tuple[str, ...]) -> None:
+    angles, frame, bodies = functions_of_time([*names]), ground, []
+    for place, angle in enumerate(angles):
+        before = angles[place - 1] if place else 0
+        frame = frame * rotate("Z", angle - before) * translate(0, -symbols(f"l{place}"), 0)
+        bodies.append(Body(frame, symbols(f"m{place}")))
+    text = describe(newton_euler(System(bodies, coordinates=angles, gravity=GRAVITY)))
+    found = re.findall(r"(?:sin|cos)\((\w+) - (\w+)\)", text)
+    assert len(found) == 12
+    assert all(names.index(first) < names.index(second) for first, second in found)
+
+
+def test_no_argument_of_a_sine_begins_with_a_minus_sign() -> None:
+    q = functions_of_time("q")
+    disc = Body(rotate("Z", R * q / (R - r)) * translate(0, r - R, 0), m)
+    text = describe(newton_euler(System([disc], coordinates=[q], gravity=GRAVITY)))
+    assert "sin(R*q/(R - r))" in text
+    assert "(-" not in text
+    for given in (sin(-2 * q), cos(-a * q), sin(-q / a) + b):
+        assert "(-" not in str(given)
 
 
 def test_multipliers_stand_in_their_order_after_given_forces() -> None:

@@ -78,6 +78,18 @@ impl Sum {
         2 * self.negatives() > self.terms.len()
     }
 
+    /// Whether the opposite of an argument reads better: of a negative term, and of a difference of coordinates of equations
+    /// that doesn't begin with the first of these, `sin(knee - hip)`.
+    pub(super) fn is_opposite_angle(&self) -> bool {
+        if let [term] = &self.terms[..] {
+            return term.coefficient.is_negative();
+        }
+        let negatives = self.negatives();
+        let is_difference = negatives > 0 && self.terms.iter().all(order::is_displacement);
+        let first = self.terms.iter().min_by(|a, b| order::compare_terms(a, b));
+        is_difference && first.is_some_and(|term| term.coefficient.is_negative())
+    }
+
     /// The only term of its sign, if its number is that of all others together.
     fn balancing(&self) -> Option<&Term> {
         let total = self.terms.iter().fold(Number::integer(0), |sum, term| sum.add(&term.coefficient));

@@ -1,6 +1,6 @@
 //! From the graph to the reader's form.
 
-use crate::graph::{Factors, Function, Graph, Id, Ids, Terms, View};
+use crate::graph::{Factors, Function, Graph, Id, Ids, Parity, Terms, View};
 use crate::interrupt::tick;
 use crate::value::Number;
 
@@ -84,16 +84,30 @@ impl<'a> Reader<'a> {
             View::Scale(factor, child) => self.expression(child).times(self.graph.get_number(factor)),
             View::Sum(terms) => self.sum(terms),
             View::Product(factors) => self.product(factors),
-            View::Function(function, args) => {
-                let mut args = self.arguments(args);
-                if matches!(function, Function::Min | Function::Max) {
-                    order::sort_sums(&mut args);
-                }
-                Sum::atom(Base::Function(function, args))
-            }
+            View::Function(function, args) => self.function(function, args),
             View::Solution(system, index) => self.solution(system, index),
             View::LinearSystem { .. } => Sum::atom(Base::plain("linear_system")),
         }
+    }
+
+    /// The tree of a function: of an odd or even one, the argument has the sign that reads best.
+    fn function(&self, function: Function, args: Ids<'_>) -> Sum {
+        let mut args = self.arguments(args);
+        if matches!(function, Function::Min | Function::Max) {
+            order::sort_sums(&mut args);
+        }
+        let mut sign = Number::integer(1);
+        if let [arg] = &mut args[..]
+            && function.parity() != Parity::Neither
+            && arg.is_opposite_angle()
+        {
+            let opposite = Number::integer(-1);
+            *arg = arg.clone().times(&opposite);
+            if function.parity() == Parity::Odd {
+                sign = opposite;
+            }
+        }
+        Sum::atom(Base::Function(function, args)).times(&sign)
     }
 
     /// `linear_solution(i, a11, a12, ..., b1, b2, ...)`

@@ -128,6 +128,15 @@ def _loads(system: System) -> list[Block]:
 
 
 def _load_row(name: str, kind: str, vector: Vector, on: str, axes: str) -> tuple[Words, ...]:
+    """Return a row of the table of loads.
+
+    Args:
+        name: what the load is called.
+        kind: force, torque or acceleration.
+        vector: its components are shown.
+        on: what it acts on.
+        axes: what the axes of the components are called.
+    """
     return (name,), (kind,), _components(vector), (axes,), (on,)
 
 

@@ -224,7 +224,7 @@ def _balance(
     else:
         products = (*inertia.quadratic, *inertia.linear)
         velocities = (*joined(products, reader), *_given_accelerations(inertia.constant, reader))
-    gravity, applied = _without_pairs(part, reader)
+    gravity, applied = _without_pairs(part, gravity, reader)
     return Balance(
         accelerations=tuple(entry * acceleration for entry, acceleration in row),
         velocities=velocities,
@@ -235,9 +235,11 @@ def _balance(
     )
 
 
-def _without_pairs(part: _Parts, reader: Reader) -> tuple[tuple[Expr, ...], tuple[Expr, ...]]:
+def _without_pairs(
+    part: _Parts, gravity: tuple[Expr, ...], reader: Reader
+) -> tuple[tuple[Expr, ...], tuple[Expr, ...]]:
     """Return the terms of weight and of given forces; those that are on both sides, as of a preload, are on none."""
-    gravity, applied = _terms(part.gravity, reader), _terms(part.given, reader)
+    applied = _terms(part.given, reader)
     if gravity and applied:
         rest = _terms(part.given - part.gravity, reader)
         if sum(map(reader.length, rest)) < sum(map(reader.length, applied)):
