@@ -82,6 +82,14 @@ impl Graph {
         }
     }
 
+    /// The value of a part: of one that only shows where signs are those of a lane, it is found on the spot.
+    fn adic_part(&self, id: Id, values: &Values, at: &AdicPoint<'_>) -> Adic {
+        values.get(&id).cloned().unwrap_or_else(|| {
+            let found = self.adic_values(&self.open_parts(&[(1, id)]), at).remove(&id);
+            found.unwrap_or_else(|| self.drawn_adic(id, at))
+        })
+    }
+
     /// A unit, and its opposite for the opposite value.
     fn drawn_adic(&self, node: Id, at: &AdicPoint<'_>) -> Adic {
         let (_, is_opposite) = self.value(node).unsigned();
@@ -134,7 +142,7 @@ impl Graph {
 
     fn adic_power(&self, base: Id, exponent: &Number, values: &Values, at: &AdicPoint<'_>) -> Adic {
         let base = if exponent.is_integer() { base } else { self.representative(base) };
-        at.power(&values[&base], exponent, |field| self.value_in(base, field))
+        at.power(&self.adic_part(base, values, at), exponent, |field| self.value_in(base, field))
     }
 
     /// A power whose exponent is a number here: that of the numbers in a positive base, as an exponential has it, in
@@ -176,18 +184,18 @@ impl Graph {
         let point = match *atom {
             Atom::Asin(sin) => {
                 let square = Square { sign: -1, of: [None, Some(sin)] };
-                (self.adic_length(&square, values, at), values[&sin].clone())
+                (self.adic_length(&square, values, at), self.adic_part(sin, values, at))
             }
             Atom::Atan(tan) => {
                 let square = Square { sign: 1, of: [None, Some(tan)] };
                 let cos = adics.power(&self.adic_length(&square, values, at), -1);
-                let sin = adics.mul(&cos, &values[&tan]);
+                let sin = adics.mul(&cos, &self.adic_part(tan, values, at));
                 (cos, sin)
             }
             Atom::Atan2(y, x) => {
                 let square = Square { sign: 1, of: [Some(x), Some(y)] };
                 let scale = adics.power(&self.adic_length(&square, values, at), -1);
-                (adics.mul(&scale, &values[&x]), adics.mul(&scale, &values[&y]))
+                [x, y].map(|id| adics.mul(&scale, &self.adic_part(id, values, at))).into()
             }
             _ => return multiple(adics, (Adics::zero(), at.one()), count), // pi is two right angles
         };
@@ -200,7 +208,8 @@ impl Graph {
     /// The root of a sum or difference of squares.
     fn adic_length(&self, square: &Square, values: &Values, at: &AdicPoint<'_>) -> Adic {
         let adics = at.adics;
-        let [first, second] = square.of.map(|id| id.map_or_else(|| at.one(), |id| values[&id].clone()));
+        let [first, second] =
+            square.of.map(|id| id.map_or_else(|| at.one(), |id| self.adic_part(id, values, at)));
         let second = adics.mul(&adics.integer(&square.sign.into()), &adics.mul(&second, &second));
         let sum = adics.add(&adics.mul(&first, &first), &second);
         at.power(&sum, &Number::rational(1, 2), |field| {
