@@ -5,8 +5,10 @@ from __future__ import annotations
 import pytest
 
 from symbody.worksheet.reading import statements
+from symbody.worksheet.reading.text_export import text_export_cells
 from symbody.worksheet.sheet.source import Cell, Line, Remark, SyntaxMistake
 from symbody.worksheet.sheet.syntax import Assignment, Evaluation, For
+from tests.worksheet.printed_by import printed
 
 
 def read(text: str, **options: bool) -> tuple[list[str], list[str]]:
@@ -64,6 +66,23 @@ CASES = [
         ["computes it", "of the call", "it is"],
     ),
     ("f(x)  the value", ["Evaluation"], ["the value"]),
+    # Behind code: the code stays.
+    ("V := K/2*(x^2 +  spring in x\n y^2);", ["Assignment"], ["spring in x"]),
+    (
+        "V := K/2*(x^2 + spring in x\n y^2 + another in y\n z^2);",
+        ["Assignment"],
+        ["spring in x", "another in y"],
+    ),
+    ("V := K/2*(x(t)^2 + z(t)^2  springs\n + y(t)^2);", ["Assignment"], ["springs"]),
+    ("V := K*x^2 +  spring in x\n K*y^2;", ["Assignment"], ["spring in x"]),
+    ("e := f(a, b^2  the force\n + c, d);", ["Assignment"], ["the force"]),
+    ("e := [a + b +  offset here\n c, d];", ["Assignment"], ["offset here"]),
+    ("F := f(T, 0, -m*g  weight,\n 0, P, b);", ["Assignment"], ["weight"]),
+    ("S := {b1,  the arm\n  b2  the link\n}:", ["Assignment"], ["the arm", "the link"]),
+    ("S := {b1, b2 the link\n}: b2 := 2:", ["Assignment"] * 2, ["the link"]),
+    ("V := K/2*(x^2 + 2 y\n + z^2);", ["SyntaxMistake"], []),
+    ("V := K/2*(x^2 + y\n z^2);", ["SyntaxMistake"], []),
+    ("e := [a, b^2  the force\n c];", ["SyntaxMistake"], []),
     # Lines of prose among code.
     ("The energy of the plate\nB := 3;", ["Assignment"], ["The energy of the plate"]),
     ("B := 3;\nThe energy: it is kept\nshow(B);", ["Assignment", "Evaluation"], ["The energy: it is kept"]),
@@ -90,6 +109,44 @@ def test_the_value_has_what_is_left() -> None:
     assert len(found.value.items) == 2
     assert isinstance(remark, Remark)
     assert (remark.place.line, remark.place.column) == (1, 13)
+
+
+def test_terms_before_a_remark_stay() -> None:
+    assert printed("V := K/2*(x^2 +  spring in x\n y^2); f(a, b^2  the force\n + c, d);") == [
+        "V := 1/2*K*(x^2+y^2)",
+        "f(a,b^2+c,d)",
+    ]
+
+
+PROMPTS = [
+    ("mass [kg]", "> b := 7:", ["Assignment"] * 2, ["mass [kg]"]),
+    ("[N/m]", "> b := 7:", ["Assignment"] * 2, ["[N/m]"]),
+    ("{kg}", "> b := 7:", ["Assignment"] * 2, ["{kg}"]),
+    ("mass, kg [1]", "> b := 7:", ["Assignment"] * 2, ["mass, kg [1]"]),
+    ("mass,\n> kg [1]", "> b := 7:", ["Assignment"] * 2, ["mass, kg [1]"]),
+    ("x-equation, see [1], p. 23", "> eqs[3];", TWO[::-1], ["x-equation, see [1], p. 23"]),
+    ("see [1]", "> [b, a];", TWO[::-1], ["see [1]"]),
+    ("mass [kg", "> b := 7:", ["Assignment"] * 2, ["mass [kg"]),
+    ("show(T)", "> [b];", ["Assignment", "Evaluation", "Evaluation"], []),
+    # The next line completes it.
+    ("q := [x,", "> y];", ["Assignment"] * 2, []),
+    ("f(x,", "> y);", TWO[::-1], []),
+    ("f(x)", "> + g(x);", TWO[::-1], []),
+    ("f(x,", "> y;", ["Assignment", "SyntaxMistake"], []),
+]
+
+
+@pytest.mark.parametrize("mark", [";", ":"])
+@pytest.mark.parametrize(("text", "behind", "kinds", "remarks"), PROMPTS, ids=[text for text, *_ in PROMPTS])
+def test_a_unit_behind_a_terminator_leaves_the_prompts_below(
+    text: str, behind: str, kinds: list[str], remarks: list[str], mark: str
+) -> None:
+    (cell,) = text_export_cells(f"> a := 5{mark} {text}\n{behind}\n> a + b;")
+    found = list(statements(cell))
+    assert [type(one).__name__ for one in found if not isinstance(one, Remark)][: len(kinds)] == kinds
+    assert [one.text for one in found if isinstance(one, Remark)] == remarks
+    if "SyntaxMistake" not in kinds:
+        assert len(found) == len(kinds) + len(remarks) + 1
 
 
 def test_where_marks_were_kept_the_end_of_a_cell_ends_a_statement() -> None:

@@ -13,6 +13,7 @@ from itertools import pairwise
 from lark import Token
 
 from symbody.worksheet.reading.parse import TERMINATORS, Failure, Parsed, is_statement, next_statement
+from symbody.worksheet.reading.remark_behind_code import begins_with_code, stands_far, tails
 from symbody.worksheet.sheet import syntax
 
 __all__ = [
@@ -33,6 +34,7 @@ _MARKS = frozenset({"COMMA", "SEMICOLON", "COLON", "MINUS", "DOT", "UNKNOWN"})  
 _ENDS = frozenset({"OD", "END", "FI"})  # of loops and conditions
 _OPENING = frozenset({"LPAR", "LSQB", "LBRACE"})
 _CLOSING = frozenset({"RPAR", "RSQB", "RBRACE"})
+_LITERALS = frozenset({"INTEGER", "DECIMAL"})
 _OPERATORS = frozenset({"PLUS", "MINUS", "TIMES", "OVER", "DOT", "EQUAL"})
 
 #: How many places are tried for the beginning of a remark.
@@ -75,12 +77,29 @@ def is_trailing_remark(tokens: Sequence[Token], begin: int, found: Parsed) -> bo
 def remark_in(tokens: Sequence[Token], begin: int, failure: Failure, used: Collection[str]) -> Span | None:
     """Return the remark that keeps the statement at ``begin`` from being read, if there is one."""
     for span in _candidates(tokens, begin, failure.index):
+        for part in _behind_code(tokens, begin, span, used):
+            if _helps(tokens, begin, part, failure.index):
+                return part
+        within = span.begin > begin and tokens[span.begin - 1].type not in TERMINATORS
+        if within and begins_with_code(tokens, span.begin, span.end, used):
+            continue
         if not _is_prose(tokens, span, begin):
             continue
         span = _with_bare_words(tokens, span, begin, used)  # noqa: PLW2901 - the same remark, longer
         if span.begin == begin or _helps(tokens, begin, span, failure.index):
             return span
     return None
+
+
+def _behind_code(tokens: Sequence[Token], begin: int, span: Span, used: Collection[str]) -> Iterator[Span]:
+    """Return the words behind code in a span that is a part of a statement; a comma at their end may be code."""
+    text = tokens[span.begin : span.end]
+    if not text or (span.begin == begin and not any(token == ":=" for token in text)):
+        return
+    for place in tails(text, _WORDS | _MARKS - TERMINATORS, used):
+        yield Span(span.begin + place, span.end)
+        if text[-1].type == "COMMA":
+            yield Span(span.begin + place, span.end - 1)
 
 
 def words_before_code(tokens: Sequence[Token], begin: int) -> Span | None:
@@ -201,10 +220,9 @@ def _behind_operands(tokens: Sequence[Token], begin: int, index: int, end: int) 
     for place in range(index, max(begin, index - _TRIALS), -1):
         if tokens[place - 1].line != tokens[place].line:
             return
-        if (
-            tokens[place - 1].type in _CLOSING | {"INTEGER", "DECIMAL", "NAME"}
-            and tokens[place].type == "NAME"
-        ):
+        before = tokens[place - 1]
+        is_factor = before.type in _LITERALS and end == place + 1 and not stands_far(before, tokens[place])
+        if before.type in _CLOSING | _LITERALS | {"NAME"} and tokens[place].type == "NAME" and not is_factor:
             yield Span(place, end)
 
 

@@ -12,6 +12,7 @@ from symbody.worksheet.reading.mistake import mistake, unclosed_vector
 from symbody.worksheet.reading.parse import (
     TERMINATORS,
     Failure,
+    Parsed,
     is_statement,
     next_statement,
     opened,
@@ -26,6 +27,7 @@ from symbody.worksheet.reading.remark import (
     words_before_code,
     words_before_end,
 )
+from symbody.worksheet.reading.remark_before_prompt import end_before_prompt
 from symbody.worksheet.sheet.source import Cell, Line, Remark, SyntaxMistake
 from symbody.worksheet.sheet.syntax import Place, Statement
 
@@ -53,9 +55,14 @@ def statements(cell: Cell, used: Collection[str] = ()) -> Iterator[Statement | R
     def known() -> Collection[str]:
         return used or used_names(lines)
 
+    prompted = {each.line for each in cell.input if each.prompted}
     begin, effort = 0, _EFFORT * (len(tokens) + 1000)
     while begin < len(tokens) and tokens[begin]:
         found = next_statement(tokens, begin)
+        ending = end_before_prompt(tokens, begin, found, prompted)
+        if ending is not None:
+            yield _before_prompt(cell, tokens, begin, ending)
+            continue
         if isinstance(found, Failure):
             effort -= 10 + found.index - begin
             if _comma_ends(tokens, begin, found):
@@ -84,8 +91,26 @@ def statements(cell: Cell, used: Collection[str] = ()) -> Iterator[Statement | R
             yield found.statement
             begin = found.end
             continue
-        yield _remark(cell, tokens[span.begin : span.end])
-        del tokens[span.begin : span.end]
+        yield _taken(cell, tokens, begin, span)
+
+
+def _taken(cell: Cell, tokens: list[Token], begin: int, span: Span) -> Remark:
+    """Take a remark out of the tokens, with its end where it ends before a prompt, not with the cell."""
+    remark = _remark(cell, tokens[span.begin : span.end])
+    del tokens[span.begin : span.end]
+    if begin + 1 < len(tokens) and not tokens[begin]:
+        del tokens[begin]
+    return remark
+
+
+def _before_prompt(cell: Cell, tokens: list[Token], begin: int, end: int) -> Statement | Remark:
+    """Take the text behind the last terminator of a line out of the tokens: a remark, or a call such as ``show(B)``."""
+    piece = [*tokens[begin - 1 : end], terminator_after(tokens[end - 1])]
+    found = next_statement(piece, 1)
+    del tokens[begin:end]
+    if isinstance(found, Parsed) and not is_trailing_remark(piece, 1, found):
+        return found.statement
+    return _remark(cell, piece[1:-1])
 
 
 def names_in_code(cells: Iterable[Cell]) -> frozenset[str]:

@@ -1,0 +1,89 @@
+"""Remarks without their ``#`` behind code on one line: the code stays, the words behind it are the remark.
+
+``V := K/2*(x^2 +  spring in x`` before a line ``y^2);`` keeps ``x^2 +``; ``(z^2  springs`` before ``+ y^2)`` keeps
+``z^2``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+
+from lark import Token
+
+__all__ = ["begins_with_code", "stands_far", "tails"]
+
+_CALCULATION = frozenset({"POWER", "TIMES", "OVER", "PLUS"})
+_LITERALS = frozenset({"INTEGER", "DECIMAL"})
+_CLOSING = frozenset({"RPAR", "RSQB", "RBRACE"})
+_OPERAND_ENDS = _CLOSING | _LITERALS | {"NAME"}
+_OPERATORS = frozenset({"PLUS", "MINUS", "TIMES", "OVER", "EQUAL", "COMMA"})
+
+#: How many characters apart words are that don't belong together.
+_GAP = 2
+
+
+def tails(text: Sequence[Token], words: Collection[str], used: Collection[str]) -> Iterator[int]:
+    """Return where words can begin that end a line behind code, the longest first. ``words`` are kinds of tokens.
+
+    Behind an operator they are two or more, since one is an operand. The first is no name of the code (``used``).
+    """
+    end = first = len(text)
+    while first > 1 and text[first - 1].type in words and text[first - 1].line == text[-1].line:
+        first -= 1
+    for place in range(first, end):
+        before, word = text[place - 1], text[place]
+        if word.type != "NAME" or word in used or before.line != word.line:
+            continue
+        if before.type in _OPERATORS:
+            is_tail = (
+                end - place > 1 and text[place + 1].type not in _OPERATORS and not _is_operand(text, place)
+            )
+        else:
+            is_tail = before.type in _OPERAND_ENDS and _is_apart(text, place, used)
+        if is_tail and (stands_far(before, word) or _has_code(text[:place], used)):
+            yield place
+
+
+def begins_with_code(tokens: Sequence[Token], begin: int, end: int, used: Collection[str]) -> bool:
+    """Whether text up to the first two words side by side calculates or calls something: ``b^2  the force``."""
+    for place in range(begin, end):
+        kind = tokens[place].type
+        is_number = kind == "EQUAL" and place + 1 < end and tokens[place + 1].type in _LITERALS
+        if kind in _CALCULATION or is_number or (kind == "LPAR" and _is_call(tokens, place, used)):
+            return True
+        if place > begin and kind == "NAME" and tokens[place - 1].type in _OPERAND_ENDS:
+            return False
+    return False
+
+
+def _is_call(tokens: Sequence[Token], bracket: int, used: Collection[str]) -> bool:
+    name = tokens[bracket - 1]
+    return name.type == "NAME" and name in used and name.end_column == tokens[bracket].column
+
+
+def _is_apart(text: Sequence[Token], place: int, used: Collection[str]) -> bool:
+    """Whether the operand before a word is code: ``2 y`` is a product, and ``the link`` may be one remark."""
+    before = text[place - 1]
+    if stands_far(before, text[place]):
+        return True
+    return before in used if before.type == "NAME" else before.type in _CLOSING or place + 1 < len(text)
+
+
+def _is_operand(tokens: Sequence[Token], place: int) -> bool:
+    """Whether a word is nearer to the operator before it than to the word behind it: ``-m*g  weight``."""
+    return _space(tokens[place - 1], tokens[place]) < _space(tokens[place], tokens[place + 1])
+
+
+def _has_code(text: Sequence[Token], used: Collection[str]) -> bool:
+    """Whether text before a remark has more than words of its own."""
+    return any(token.type not in {"NAME", "COMMA"} or token in used for token in text)
+
+
+def stands_far(one: Token, two: Token) -> bool:
+    """Whether two tokens of a line are apart as columns are: by more than one space."""
+    return _space(one, two) >= _GAP
+
+
+def _space(one: Token, two: Token) -> int:
+    """Return the number of characters between two tokens of a line."""
+    return (two.column or 0) - (one.end_column or 0)
