@@ -139,7 +139,7 @@ def test_formulas(formula: Element, text: str) -> None:
     ("formula", "found"),
     [
         (Element("mfrac", (mi("d"), row(mi("d"), X))), "a derivative"),
-        (Element("mfrac", (mo("&DifferentialD;"), row(mo("&DifferentialD;"), X))), "a sign"),
+        (Element("mfrac", (mo("&DifferentialD;"), row(mo("&DifferentialD;"), X))), "a derivative"),
         (Element("mover", (X, mo("."))), "something above"),
         (Element("munderover", (mo("&sum;"), X, Y)), "bounds"),
         (up(X, mo("&apos;")), "a power"),

@@ -278,8 +278,10 @@ def _pieces_of(part: Element, count: int) -> list[list[_Piece]]:
 
 
 def _fraction(part: Element) -> _Piece:
+    if "DifferentialD" in str(part.parts):
+        raise UnknownFormula("a derivative as a fraction")
     above, below = _of(part, 2)
-    if "DifferentialD" in str(part.parts) or re.match(r"d(\s*\^|\*|$)", above):
+    if re.match(r"d(\s*\^|\*|$)", above):
         raise UnknownFormula("a derivative as a fraction")
     return _Piece(f"({_bracketed(above)}/{_bracketed(below)})", "operand")
 
