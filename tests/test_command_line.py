@@ -251,3 +251,11 @@ def test_as_a_program() -> None:
     command = [sys.executable, "-W", "error", "-m", "symbody"]
     environment = os.environ | {"COLUMNS": "100"}
     assert subprocess.run(command, capture_output=True, text=True, check=True, env=environment).stdout
+
+
+def test_it_ends_quietly_where_nobody_reads_on(monkeypatch: pytest.MonkeyPatch) -> None:
+    reading, writing = os.pipe()
+    os.close(reading)
+    with os.fdopen(writing, "w") as closed:
+        monkeypatch.setattr(sys, "stdout", closed)
+        assert main(["version"]) == 141

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -16,6 +17,9 @@ COMMANDS = {
     "convert": "write an MBSymba worksheet as a Python program",
 }
 
+_PIPE_CLOSED = 141
+"""What a shell reports of a program that the signal SIGPIPE ends."""
+
 EPILOG = """\
 symbody is a library: import symbody as sb. help(sb) lists its functions; the guides are in docs/.
 Exit status: 0 if all is well, 1 if the doctor finds that something that symbody needs is missing or broken, 2 if the
@@ -24,7 +28,17 @@ command is unknown. Of run: 1 if statements failed, 2 if outputs differ (--check
 
 
 def main(words: Sequence[str] | None = None) -> int:
-    """Run a command and return the exit status."""
+    """Run a command and return the exit status; where nobody reads on, as in ``| head``, it ends quietly."""
+    try:
+        status = _command(words)
+        sys.stdout.flush()
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # what is left is flushed at the end
+        return _PIPE_CLOSED
+    return status
+
+
+def _command(words: Sequence[str] | None) -> int:
     parser = _parser()
     given = parser.parse_args(words)
     command = given.command

@@ -452,3 +452,41 @@ def test_the_moving_frame_becomes_small_with_its_velocities() -> None:
     values, (m, h, V) = run(text), sb.symbols("m h V")
     marks = {sb.small(each): each for each in (v, r, phi)}
     assert values["y"].subs(marks) == m * (sb.diff(v, sb.t) + V * r + h * sb.diff(phi, sb.t, 2))
+
+
+def test_each_value_of_a_statement_is_compared() -> None:
+    """``has`` of Maple finds the time in a rate; the last value alone is the same."""
+    text = program(
+        "K := diff(psi(t), t)^2: has(K, t), has(K, psi(t)): has(K, t), has(x, x), 3; x, 2*x;\n", "items"
+    )
+    assert "print([True, True, 3])\n" in text
+    assert "print(x, 2*x)\n" in text
+
+
+@pytest.mark.parametrize(
+    "written",
+    [
+        'fprintf(fd, "%s", convert(x^2 + 1, string))',
+        'fprintf(fd, "%s", convert(x^2 + 1, string));',
+        'fprintf(fd, "%s", Matlab(<x, x^2>, resultname="V", optimize, output=string))',
+        'fprintf(fd, "a\\n"): fprintf(fd, "y = %a;", x^2 + 1)',
+        'for i to 2 do fprintf(fd, "%a", x^i + 1) od',
+        'wr := proc(e) fprintf(fd, "%s", convert(e, string)) end:\nwr(x^2)',
+        'fprintf(fd, "a\\n"): wr := proc(f, e) fprintf(f, "%s", convert(e, string)) end:\nwr(fd, x^2)',
+    ],
+)
+def test_no_file_is_emptied(written: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What can't be written to a file as code leaves the user's file alone; other files are written."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "f.m").write_text("kept", encoding="utf-8")
+    text = program(
+        f'with(CodeGeneration): fd := fopen("g.m", WRITE): writeline(fd, "a", "b"): fprintf(fd, "%d", 3): fclose(fd):\n'
+        f'fd := fopen("f.m", WRITE):\n{written}:\nfclose(fd):\n',
+        "written",
+    )
+    (tmp_path / "f.m").write_text("kept", encoding="utf-8")
+    assert "# left out, line 2:" in text
+    assert text.count("# left out, line ") >= 3
+    run(text)
+    assert (tmp_path / "f.m").read_text(encoding="utf-8") == "kept"
+    assert (tmp_path / "g.m").read_text(encoding="utf-8") == "a\nb\n3"

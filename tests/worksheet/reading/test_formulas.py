@@ -119,6 +119,11 @@ FORMULAS = [
     (row(X, mo(";"), Element("mspace", (), {"linebreak": "newline"}), Y), "x;\ny"),
     (row(mo("("), X, mo(")"), GAP, Y), "(x)*y"),
     (row(X, mo("&union;"), Y), "x union y"),
+    (row(up(mi("sin"), mn("2")), fenced(X)), "sin(x)^2"),
+    (row(mn("2"), up(mi("cos"), mi("n")), mo("&ApplyFunction;"), fenced(X), Y), "2*cos(x)^n*y"),
+    (row(up(mi("tan"), mn("2")), mo("("), row(X, mo("+"), Y), mo(")"), mo("-"), X), "tan(x+y)^2-x"),
+    (row(up(mi("sin"), mn("2")), fenced(row(up(mi("cos"), mn("3")), fenced(X)))), "sin(cos(x)^3)^2"),
+    (row(up(X, mn("2")), GAP, fenced(row(X, mo("+"), Y))), "x^2*(x+y)"),
     (row(), ""),
     (mi("x" * 1000), "x" * 1000),
 ]
@@ -134,11 +139,16 @@ def test_formulas(formula: Element, text: str) -> None:
     ("formula", "found"),
     [
         (Element("mfrac", (mi("d"), row(mi("d"), X))), "a derivative"),
-        (Element("mfrac", (mo("&DifferentialD;"), row(mo("&DifferentialD;"), X))), "a sign"),
+        (Element("mfrac", (mo("&DifferentialD;"), row(mo("&DifferentialD;"), X))), "a derivative"),
         (Element("mover", (X, mo("."))), "something above"),
         (Element("munderover", (mo("&sum;"), X, Y)), "bounds"),
         (up(X, mo("&apos;")), "a power"),
         (row(mn("2"), fenced(X)), "a bracket behind a number"),
+        (row(up(X, mn("2")), fenced(Y)), "a bracket behind a power of x"),
+        (row(up(fenced(X), mn("2")), fenced(Y)), "a bracket behind a power of"),
+        (row(Element("mroot", (X, mn("3"))), fenced(Y)), "a bracket behind a power of a root"),
+        (row(up(mi("sin"), mn("2")), GAP, X), "a power sin.2 of a function"),
+        (row(up(mi("sin"), fenced(mo("-"), mn("1"))), fenced(X)), "a power sin.*of a function"),
         (Element("mtable", ()), "a matrix"),
         (Element("msub", (X, mn("1")), {"msemantics": "atomic"}), "a name with an index"),
         (Element("maction", (X,)), "an element maction"),
@@ -217,7 +227,9 @@ def test_input_that_is_not_read_is_a_mistake_with_a_way_out() -> None:
     (cell,) = source_cells(SHEET.format("2D Input", "", "", encoded(Element("mover", (X, mo("."))))))
     (mistake,) = statements(cell)
     assert isinstance(mistake, SyntaxMistake)
-    assert "with something above a sign; expected names" in mistake.message
+    assert (
+        "input in two dimensions that is not read (something above a sign); expected names" in mistake.message
+    )
     assert "convert it to 1-D Math Input" in mistake.message
 
 

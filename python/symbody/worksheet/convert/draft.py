@@ -12,7 +12,24 @@ from symbody.worksheet.convert.same import same
 from symbody.worksheet.interpreter.interpret import Interpreter
 from symbody.worksheet.sheet.source import Cell
 
-__all__ = ["Draft", "has"]
+__all__ = ["Draft", "FileUse", "has"]
+
+
+@dataclass(frozen=True, slots=True)
+class FileUse:
+    """A statement that opens, writes or closes a file.
+
+    Attributes:
+        names: the variable that holds the file, and procedures through which the statement writes to it.
+        line: the line of the statement.
+        source: its text in the worksheet.
+        lines: the places of its lines in the program.
+    """
+
+    names: tuple[str, ...]
+    line: int
+    source: str
+    lines: range
 
 
 @dataclass
@@ -38,6 +55,10 @@ class Draft:
         values: how many are written as the values that they give.
         left_out: how many are remarks.
         failed: how many the worksheet itself can't execute.
+        is_code: whether the statement at hand is written as code.
+        openings: the places at which the names of files were last opened.
+        uses: the statements of each file, by its name and the place at which it is opened.
+        unwritten: files to which a statement writes that is not code.
     """
 
     cells: tuple[Cell, ...]
@@ -58,6 +79,10 @@ class Draft:
     values: int = 0
     left_out: int = 0
     failed: int = 0
+    is_code: bool = False
+    openings: dict[str, tuple[int, int]] = field(default_factory=dict)
+    uses: dict[tuple[str, int, int], list[FileUse]] = field(default_factory=dict)
+    unwritten: set[tuple[str, int, int]] = field(default_factory=set)
 
 
 def has(program: Draft, name: str) -> bool:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import TypeAlias
 
+from symbody.symbolic import Expr
+from symbody.worksheet.convert.names import NoText
 from symbody.worksheet.convert.writer import Arguments, Writer
 
 __all__ = ["FILES"]
@@ -21,6 +23,8 @@ def _opened(text: Writer, arguments: Arguments) -> str:
 def _printed(text: Writer, arguments: Arguments) -> str:
     """Return ``fprintf`` as a format of Python."""
     file, form, *rest = [text.text(each) for each in arguments]
+    if "%a" in form and any(isinstance(text.value(each), Expr) for each in rest):
+        raise NoText("%a of an expression")  # Python writes x**2
     values = f" % ({', '.join(rest)},)" if rest else ""
     return f"{file}.write({form}{values})"
 
@@ -31,6 +35,8 @@ def _path(method: str) -> Call:
 
 def _lines(text: Writer, arguments: Arguments) -> str:
     file, *lines = [text.text(each) for each in arguments]
+    if hasattr(text.value(file), "write"):
+        return f'{file}.write("\\n".join([{", ".join(lines)}]) + "\\n")'
     return f'Path({file}).write_text("\\n".join([{", ".join(lines)}]) + "\\n")'
 
 

@@ -17,6 +17,7 @@ from symbody.worksheet.convert.draft import Draft
 from symbody.worksheet.convert.expressions import PythonText
 from symbody.worksheet.convert.layout import laid_out
 from symbody.worksheet.convert.names import Names, identifier
+from symbody.worksheet.convert.open_files import leave_alone, note_files
 from symbody.worksheet.convert.procedures import Procedures
 from symbody.worksheet.convert.sheet_names import (
     functions_of_time,
@@ -81,6 +82,7 @@ def converted(cells: Sequence[Cell], title: str, session: Session | None = None)
         warnings.simplefilter("ignore", ModelNotice)  # attempts make variables that the program doesn't have
         warnings.simplefilter("ignore", SyntaxWarning)  # and take entries of numbers
         _write(program)
+        leave_alone(program)
         text = _text(program, title)
     return Converted(text, program.written, program.values, program.left_out, program.failed)
 
@@ -138,8 +140,11 @@ def _add(program: Draft, statement: syntax.Statement, *, keeps: bool) -> bool:
     changed = [name for name in session.names if session.assigned.get(name) != before.get(name)]
     loops = set(loop_variables(statement))
     changed = [name for name in changed if name not in OF_MODES | loops]
-    if not as_code(program, statement, changed):
+    first = len(program.lines)
+    program.is_code = as_code(program, statement, changed)
+    if not program.is_code:
         as_values(program, statement, changed)
+    note_files(program, statement, first)
     entries = syntax.Selection | syntax.Call
     is_entry = isinstance(statement, syntax.Assignment) and isinstance(statement.targets[0], entries)
     update(program, changed, is_entry=is_entry)

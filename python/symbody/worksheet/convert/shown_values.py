@@ -12,12 +12,10 @@ from symbody.symbolic import Expr
 from symbody.worksheet.convert.assignments import one_line, solution_lines
 from symbody.worksheet.convert.code_calls import is_code
 from symbody.worksheet.convert.expressions import PythonText
-from symbody.worksheet.convert.files import FILES
 from symbody.worksheet.convert.modes import mode_lines
 from symbody.worksheet.convert.names import NoText
-from symbody.worksheet.convert.picture_calls import PICTURES
 from symbody.worksheet.convert.sequences import items
-from symbody.worksheet.convert.statement_kinds import mentions
+from symbody.worksheet.convert.statement_kinds import acts, mentions
 from symbody.worksheet.sheet import syntax
 
 __all__ = ["value_lines"]
@@ -32,7 +30,7 @@ def value_lines(text: PythonText, node: syntax.Expression, *, shown: bool, keeps
         return lines
     items = node.items if isinstance(node, syntax.SequenceDisplay) else (node,)
     needed = [keeps or mentions(items[k + 1 :], syntax.Ditto) for k in range(len(items))]
-    if len(items) > 1 and not any(needed) and not any(_is_display(item) or _acts(item) for item in items):
+    if len(items) > 1 and not any(needed) and not any(_is_display(item) or acts(item) for item in items):
         written = [text.text(item) for item in items]
         text.shown += written
         return [f"print({', '.join(written)})"] if shown else []
@@ -75,7 +73,7 @@ def _shown_item(text: PythonText, item: syntax.Expression, *, shown: bool, keeps
     try:
         written = text.text(item)
     except NoText:
-        if shown or keeps:
+        if shown or keeps or acts(item):
             raise
         return []  # without an effect, nobody sees the value
     return _value_lines(text, item, written, shown=shown, keeps=keeps)
@@ -95,22 +93,12 @@ def _value_lines(
     """
     if is_code(item):
         return [f"print({written})"]
-    if _acts(item):
+    if acts(item):
         return [written] if not keeps else [f"last = {written}"]
     text.shown.append(written)
     if not keeps:
         return [f"print({written})"] if shown else []
     return [f"last = {written}", *(["print(last)"] if shown else [])]
-
-
-def _acts(item: syntax.Expression) -> bool:
-    """Whether an expression is there for what it does, such as writing a file."""
-    match item:
-        case syntax.Call(
-            function=syntax.Name(name=name) | syntax.Selection(indices=(syntax.Name(name=name),))
-        ):
-            return (name in FILES and name != "Exists") or name in PICTURES
-    return False
 
 
 def _show(text: PythonText, what: syntax.Expression, *, synthetic: bool, keeps: bool) -> list[str]:

@@ -6,9 +6,20 @@ from collections.abc import Iterator
 from dataclasses import fields, is_dataclass
 from typing import Any
 
+from symbody.worksheet.convert.files import FILES
+from symbody.worksheet.convert.picture_calls import PICTURES
 from symbody.worksheet.sheet import syntax
 
-__all__ = ["OF_MODES", "begins_mode", "counts", "is_loading", "is_restart", "loop_variables", "mentions"]
+__all__ = [
+    "OF_MODES",
+    "acts",
+    "begins_mode",
+    "counts",
+    "is_loading",
+    "is_restart",
+    "loop_variables",
+    "mentions",
+]
 
 _LOADING = frozenset(
     {
@@ -30,6 +41,16 @@ _LOADING = frozenset(
 """What loads packages, or sets how Maple works and prints: a Python program has no use for it."""
 OF_MODES = frozenset({"VM", "omegaMV", "mframe_flag", "small_vars", "ground", "master_frame", "moving_frame"})
 """Names that a mode sets."""
+
+
+def acts(item: syntax.Expression) -> bool:
+    """Whether an expression is there for what it does, such as writing a file."""
+    match item:
+        case syntax.Call(
+            function=syntax.Name(name=name) | syntax.Selection(indices=(syntax.Name(name=name),))
+        ):
+            return (name in FILES and name != "Exists") or name in PICTURES
+    return False
 
 
 def counts(expression: syntax.Expression) -> bool:

@@ -119,12 +119,16 @@ def _shows_the_same(program: Draft, expression: syntax.Expression) -> bool:
         return True
     session, value = program.interpreter.session, program.interpreter.session.last[0]
     with contextlib.chdir(program.folder):
-        made = [program.names.value("last" if program.keeps else text) for text in program.text.shown]
-    last = value.items[-1] if isinstance(value, Values) and len(made) > 1 and value.items else value
-    if same(session, made[-1], value, program.names.small) or same(
-        session, made[-1], last, program.names.small
-    ):
+        *texts, last = program.text.shown
+        made = [program.names.value(text) for text in (*texts, "last" if program.keeps else last)]
+    if same(session, made[-1], value, program.names.small):
         return True
+    items = value.items if isinstance(value, Values) else ()
+    pairs = list(
+        zip(reversed(made), reversed(items), strict=False)
+    )  # what stands before show is not compared
+    if 0 < len(made) <= len(items) and all(same(session, *pair, program.names.small) for pair in pairs):
+        return len(made) > 1
     program.reason = "differs in %"
     return False
 

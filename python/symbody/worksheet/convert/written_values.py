@@ -10,10 +10,11 @@ from symbody.errors import SymbodyError
 from symbody.worksheet.convert.draft import Draft, has
 from symbody.worksheet.convert.names import NoText, identifier
 from symbody.worksheet.convert.same import same
+from symbody.worksheet.convert.statement_kinds import acts
 from symbody.worksheet.convert.value_text import literal
 from symbody.worksheet.sheet import syntax
 
-__all__ = ["as_values", "update", "write_value"]
+__all__ = ["as_values", "source_of", "update", "write_value"]
 
 
 def as_values(program: Draft, statement: syntax.Statement, changed: Sequence[str]) -> None:
@@ -25,15 +26,19 @@ def as_values(program: Draft, statement: syntax.Statement, changed: Sequence[str
         written = ["last"]
     if written:
         program.values += 1
-        program.lines.insert(place, f"# values of line {statement.place.line}: {_source(program, statement)}")
+        program.lines.insert(
+            place, f"# values of line {statement.place.line}: {source_of(program, statement)}"
+        )
     else:
         program.left_out += 1
-        program.lines.append(f"# left out, line {statement.place.line}: {_source(program, statement)}")
+        program.lines.append(f"# left out, line {statement.place.line}: {source_of(program, statement)}")
 
 
 def _shown_value(program: Draft, statement: syntax.Evaluation) -> bool:
     """Write the value of an expression, and print it."""
     session = program.interpreter.session
+    if acts(statement.expression):
+        return False
     has_value = session.last and session.last != program.before  # NULL leaves the last value alone
     text = _literal(program, session.last[0]) if has_value else ""
     if not text or not _is_value(program, text, session.last[0]):
@@ -70,8 +75,8 @@ def _is_value(program: Draft, text: str, value: Any) -> bool:
     return made is not None and same(program.interpreter.session, made, value, program.names.small)
 
 
-def _source(program: Draft, statement: syntax.Statement) -> str:
-    """Return the line of the sheet at which a statement begins."""
+def source_of(program: Draft, statement: syntax.Statement) -> str:
+    """Return the text of the line of the sheet at which a statement begins."""
     lines = (line for cell in program.cells for line in cell.input if line.line == statement.place.line)
     return next(lines).text.strip()
 

@@ -25,11 +25,13 @@ class _Piece:
     """Text of a formula.
 
     Its kind is ``operand``, ``number``, ``bracket`` (what follows a function), ``arguments`` (a bracket with commas),
-    ``opening`` or ``closing`` of brackets whose inside is not one part, ``operator``, ``word`` or ``gap``.
+    ``opening`` or ``closing`` of brackets whose inside is not one part, ``operator``, ``word`` or ``gap``. What is
+    raised to a power keeps the text of its base.
     """
 
     text: str
     kind: str
+    base: str = ""
 
 
 _SAME = {
@@ -90,6 +92,12 @@ _GREEK = frozenset(_LETTERS.split())
 _SIGN = re.compile(r"[-+*/^=<>.,:;|()\[\]{}'#%$!&@~`?]+|\.\.|\|\|")
 _BRACKETS = {("(", ")"), ("[", "]"), ("{", "}"), ("<", ">")}
 _DEFINITION = re.compile(r"(^|[;:\n])(\s*)(\w+)\(([^\W\d]\w*(?:,[^\W\d]\w*)*)\):=")
+_CIRCULAR = ("sin", "cos", "tan", "sec", "csc", "cot")
+_FUNCTIONS = frozenset(
+    [f"{arc}{name}{h}" for arc in ("", "arc") for name in _CIRCULAR for h in ("", "h")]
+    + ["exp", "ln", "log", "abs", "sqrt"]
+)
+_INVERSE = re.compile(r"\^\(*-1\)*$")  # an arc function, or a reciprocal
 _ROWS = frozenset({"mrow", "mstyle", "mpadded"})
 
 
@@ -129,7 +137,7 @@ _OPENINGS = frozenset({"bracket", "arguments", "opening"})
 def _joined(pieces: Sequence[_Piece]) -> str:
     """Return pieces side by side: two operands are a product, a bracket right behind one a call or an index."""
     text, last, gap = "", "operator", False
-    for piece in pieces:
+    for piece in _applied(pieces):
         if piece.kind == "gap":
             gap = True
             text, last = (f"{text}\n", "operator") if piece.text == "\n" else (text, last)
@@ -138,6 +146,39 @@ def _joined(pieces: Sequence[_Piece]) -> str:
         text += _between(last, piece.kind, gap=gap, text=text) + piece.text
         last, gap = "word" if is_heading else piece.kind, False
     return text
+
+
+def _applied(pieces: Sequence[_Piece]) -> list[_Piece]:
+    """Return pieces where the power of a function stands behind its argument: ``sin(x)^2`` for ``sin^2(x)``."""
+    left, found = list(pieces), list[_Piece]()
+    while left:
+        piece = left.pop(0)
+        if piece.base and left and left[0].kind in _OPENINGS and piece.base not in _FUNCTIONS:
+            raise UnknownFormula(f"a bracket behind a power of {piece.base[:20]}, without a sign")
+        if piece.base in _FUNCTIONS:
+            argument, left = _argument(piece, left)
+            power = piece.text.removeprefix(piece.base)
+            piece = _Piece(f"{piece.base}{argument}{power}", "operand", f"{piece.base}{argument}")
+            left = [piece, *left] if left and left[0].kind in _OPENINGS else left
+        found.append(piece)
+    return found
+
+
+def _argument(function: _Piece, behind: Sequence[_Piece]) -> tuple[str, list[_Piece]]:
+    """Return the bracket behind the power of a function, and the pieces after it."""
+    start = next((at for at, piece in enumerate(behind) if piece.text), len(behind))
+    depth = 0
+    for at, piece in enumerate(behind[start:], start):
+        depth += (piece.kind == "opening") - (piece.kind == "closing")
+        if depth == 0:
+            argument = _joined(behind[start : at + 1])
+            is_argument = re.fullmatch(r"\(.*\)", argument, re.DOTALL) and not piece.base
+            if is_argument and not _INVERSE.search(function.text):
+                return argument, list(behind[at + 1 :])
+            break
+    raise UnknownFormula(
+        f"a power {function.text[:20]} of a function, without one argument in brackets behind it"
+    )
 
 
 def _between(last: str, kind: str, *, gap: bool, text: str) -> str:
@@ -237,8 +278,10 @@ def _pieces_of(part: Element, count: int) -> list[list[_Piece]]:
 
 
 def _fraction(part: Element) -> _Piece:
+    if "DifferentialD" in str(part.parts):
+        raise UnknownFormula("a derivative as a fraction")
     above, below = _of(part, 2)
-    if "DifferentialD" in str(part.parts) or re.match(r"d(\s*\^|\*|$)", above):
+    if re.match(r"d(\s*\^|\*|$)", above):
         raise UnknownFormula("a derivative as a fraction")
     return _Piece(f"({_bracketed(above)}/{_bracketed(below)})", "operand")
 
@@ -250,12 +293,12 @@ def _power(part: Element) -> _Piece:
     if not re.search(r"\w", exponent):
         raise UnknownFormula(f"a power {exponent[:20]!r}")
     if base == "exp(1)":
-        return _Piece(f"exp({exponent})", "operand")
+        return _Piece(f"exp({exponent})", "operand", base)
     kinds = [piece.kind for piece in below if piece.kind != "gap"]
     is_bracket = kinds in (["bracket"], ["arguments"])
     exponent = exponent if exponent in {"%T", "%H"} else _bracketed(exponent)
     return _Piece(
-        f"{base if is_bracket else _bracketed(base)}^{exponent}", "bracket" if is_bracket else "operand"
+        f"{base if is_bracket else _bracketed(base)}^{exponent}", "bracket" if is_bracket else "operand", base
     )
 
 
@@ -286,7 +329,7 @@ def _square_root(part: Element) -> _Piece:
 
 def _root(part: Element) -> _Piece:
     inner, degree = _of(part, 2)
-    return _Piece(f"{_bracketed(inner)}^(1/{_bracketed(degree)})", "operand")
+    return _Piece(f"{_bracketed(inner)}^(1/{_bracketed(degree)})", "operand", f"a root of {inner}")
 
 
 _LEAVES = {"mi": _identifier, "mo": _operator, "mn": _number, "ms": _string, "mspace": _space}

@@ -128,9 +128,9 @@ class _Reader:
     def _refuse(self, found: str) -> None:
         line, column = self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber + 1
         message = (
-            f"line {line}, column {column}: found input in two dimensions with {found}; expected names, numbers, "
-            "operators, fractions, powers, indices and roots: in Maple, convert it to 1-D Math Input (menu Format, "
-            "Convert To), and save again"
+            f"line {line}, column {column}: found input in two dimensions that is not read ({found}); expected "
+            "names, numbers, operators, fractions, powers, indices and roots: in Maple, convert it to 1-D Math Input "
+            "(menu Format, Convert To), and save again"
         )
         self.unread.append(SyntaxMistake(Place(line, column, line, column), message))
 

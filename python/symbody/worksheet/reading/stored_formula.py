@@ -130,7 +130,7 @@ class _Reading:
 
     def _character(self) -> str:
         if self.at >= len(self.code):
-            raise UnknownEncoding("it ends too early")
+            raise UnknownEncoding("what the file stores of it ends too early")
         self.at += 1
         return self.code[self.at - 1]
 
