@@ -82,12 +82,9 @@ impl Graph {
         }
     }
 
-    /// The value of a part: of one that only shows where signs are those of a lane, it is found on the spot.
+    /// The value of a part; one that only shows where signs are those of a lane is drawn.
     fn adic_part(&self, id: Id, values: &Values, at: &AdicPoint<'_>) -> Adic {
-        values.get(&id).cloned().unwrap_or_else(|| {
-            let found = self.adic_values(&self.open_parts(&[(1, id)]), at).remove(&id);
-            found.unwrap_or_else(|| self.drawn_adic(id, at))
-        })
+        values.get(&id).cloned().unwrap_or_else(|| self.drawn_adic(id, at))
     }
 
     /// A unit, and its opposite for the opposite value.

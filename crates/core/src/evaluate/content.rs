@@ -83,7 +83,7 @@ impl Graph {
     }
 
     /// The nodes from whose values the q-adic values of terms are found, parts first; none if there are too many.
-    pub(super) fn open_parts(&self, terms: &[(i64, Id)]) -> Vec<Id> {
+    fn open_parts(&self, terms: &[(i64, Id)]) -> Vec<Id> {
         let (mut order, mut seen) = (Vec::new(), rustc_hash::FxHashSet::default());
         let mut stack: Vec<(Id, bool)> = terms.iter().rev().map(|&(_, id)| (id, false)).collect();
         let mut parts = Vec::new();
