@@ -10,9 +10,9 @@ def over_divisors(expression: Expr) -> Expr:
     """Return a sum with its terms of one divisor over it; another expression as it is.
 
     >>> from symbody import symbols
-    >>> a, b, m, u = symbols("a b m u")
-    >>> over_divisors(a / u - m * u - b / u)
-    (a - b)/u - m*u
+    >>> drive, loss, mass, speed = symbols("drive loss mass speed")
+    >>> over_divisors(mass * speed + drive / speed + loss / speed)
+    mass*speed + (drive + loss)/speed
     """
     if expression.kind != "sum":
         return expression

@@ -81,8 +81,9 @@ def collect(expression: Any, variables: Expr | Sequence[ExprLike]) -> Any:
 
 
 def _collected(variables: Expr | Sequence[ExprLike], expression: Expr) -> Expr:
+    collected = _core.collect(expression, variables)  # which refuses what is no list of variables
     listed = [variables] if isinstance(variables, Expr) else [*map(_core.number, variables)]
-    return with_needed_coefficients(_core.collect(expression, variables), listed)
+    return with_needed_coefficients(collected, listed)
 
 
 def coeff(expression: ExprLike, variable: ExprLike, n: int = 1) -> Expr:
