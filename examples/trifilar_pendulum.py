@@ -232,11 +232,9 @@ def equations_text(models: Sequence[Model]) -> str:
     lines = ["Trifilar pendulum in natural coordinates. All 21 expressions are zero; a prime is d/dt."]
     names = [*map(str, q), *(f"constraint {k}" for k in range(1, 10))]
     for model in models:
-        definitions, zeros = sb.listing(model.equations)
         lines += ["", "", model.title, "=" * len(model.title)]
-        lines += [f"{name} = {value}" for name, value in definitions]
-        for k, (name, zero) in enumerate(zip(names, zeros, strict=True), start=1):
-            lines += ["", f"{k}, {name}", zero]
+        for k, (name, zero) in enumerate(zip(names, model.equations, strict=True), start=1):
+            lines += ["", f"{k}, {name}", sb.describe(zero)]
     return "\n".join(lines) + "\n"
 
 

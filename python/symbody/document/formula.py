@@ -57,8 +57,9 @@ def equalities(
     pairs = [*in_order_of_use([*definitions, *named]), *zip(names, sides[len(radicands) :], strict=True)]
     rows = [row for left, right in pairs for row in broken(f"{left} &= ", right)]
     if sum(map(len, rows)) > READABLE or max(map(width, rows), default=0) > WIDEST:
-        operations = counted(cost(shown).total, "operation")
-        return [prose(*lead.words, f" expressions of {operations}, too long to be read here.")]
+        kind = "an expression" if len(values) == 1 else "expressions"
+        size = counted(cost(shown).total, "operation")
+        return [prose(*lead.words, f" {kind} of {size}, too long to be read here.")]
     return [lead, Formula(aligned(rows))]
 
 

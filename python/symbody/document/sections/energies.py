@@ -9,7 +9,7 @@ from symbody.document.formula import equalities
 from symbody.document.subject import Subject
 from symbody.multibody import System, kinetic_energy
 from symbody.multibody.energy import gravitational_energy, known_potential, potentials
-from symbody.symbolic import Expr, gradient, jacobian, number
+from symbody.symbolic import Expr, cost, gradient, jacobian, number
 
 
 def energies(subject: Subject) -> list[Block]:
@@ -18,28 +18,34 @@ def energies(subject: Subject) -> list[Block]:
     if system is None:
         said = prose("The energy is")
         return [] if given is None else [Heading("Energies"), *equalities(said, ["E"], subject.read([given]))]
-    found = {"T": kinetic_energy(system)}
-    sentence = "The kinetic energy is"
-    stored = known_potential(system)
-    if stored is not None:
-        found["V"] = stored
-        of = "of weight and loads" if potentials(system.loads, system.bodies) else "of weight"
-        sentence = f"The kinetic energy, and the potential energy {of}, are"
-    names = [*found]
-    values: list[Expr | Sequence[Expr]] = list(found.values())
-    if not subject.is_large:
-        (T,) = system.by_speeds([found.pop("T")])
-        values = [_quadratic(T, system.speeds, subject), *(_by_cause(system, subject) for _ in found)]
-    return [Heading("Energies"), *equalities(prose(sentence), names, values, system)]
+    (T,), V = system.by_speeds([kinetic_energy(system)]), known_potential(system)
+    potential = "potential energy of weight"
+    if potentials(system.loads, system.bodies):
+        potential += " and loads"
+    if subject.is_large:
+        blocks = equalities(prose("The kinetic energy is"), ["T"], [T], system)
+        if V is not None:
+            terms = _by_cause(system, subject) if cost(V).total <= _MOST else [V]
+            blocks += equalities(prose(f"The {potential} is"), ["V"], [terms], system)
+        return [Heading("Energies"), *blocks]
+    values, sentence = [_quadratic(T, system.speeds, subject)], "The kinetic energy is"
+    if V is not None:
+        values.append(_by_cause(system, subject))
+        sentence = f"The kinetic energy, and the {potential}, are"
+    return [Heading("Energies"), *equalities(prose(sentence), ["T", "V"][: len(values)], values, system)]
 
 
-def _by_cause(system: System, subject: Subject) -> Sequence[Expr]:
+_MOST = 300
+"""Operations of the potential energy of a large system up to which it is read."""
+
+
+def _by_cause(system: System, subject: Subject) -> list[Expr]:
     """Return the potential energy as a sum: the weight of each body, and the energy of each load."""
     gravity = system.gravity if system.root.carrier is None else None
     weights = [] if gravity is None else [gravitational_energy([body], gravity) for body in system.bodies]
     loads = potentials(system.loads, system.bodies)
     terms = subject.read([each for each in (*_together(weights, subject), *loads) if not each.is_zero])
-    return terms or [number(0)]
+    return [*terms] or [number(0)]
 
 
 def _together(weights: Sequence[Expr], subject: Subject) -> Sequence[Expr]:

@@ -8,11 +8,11 @@ from typing import NamedTuple
 
 from symbody.multibody import Variables
 from symbody.symbolic import Expr, cost, number, simplify, substitute, symbol
+from symbody.symbolic.calculus.quotient import Quotient, powers, quotient
 from symbody.symbolic.calculus.reader import Reader
 
 from .degree import degrees
 from .like_terms import joined
-from .quotient import Quotient, powers, quotient
 from .row import printed, written
 from .short_names import Definition, in_order_of_use
 

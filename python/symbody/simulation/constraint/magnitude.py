@@ -11,9 +11,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symbody.codegen import CompiledFunction, lambdify
-from symbody.symbolic import Expr, number
+from symbody.symbolic import Expr
+from symbody.symbolic.calculus.summands import summands
 
-__all__ = ["MeasuredFunction", "magnitudes", "measured", "terms"]
+__all__ = ["MeasuredFunction", "magnitudes", "measured"]
 
 Array = NDArray[np.float64]
 
@@ -46,7 +47,7 @@ def measured(
     arguments: Sequence[Expr | list[Expr]], outputs: Sequence[Any], sums: Sequence[Expr]
 ) -> MeasuredFunction:
     """Return a function of some arguments that returns outputs, and the magnitudes of sums."""
-    found = [terms(each) for each in sums]
+    found = [summands(each) for each in sums]
     flat = [term for row in found for term in row]
     return MeasuredFunction(lambdify(arguments, [*outputs, flat]), tuple(map(len, found)))
 
@@ -56,19 +57,3 @@ def magnitudes(values: Array, counts: Sequence[int]) -> Array:
     starts = [0, *accumulate(counts)][:-1]
     absolute = np.abs(values)
     return np.add.reduceat(absolute, starts, axis=0) if starts else absolute
-
-
-def terms(expression: Expr) -> list[Expr]:
-    """Return the terms of a sum, also of those in its terms that a number multiplies; at least one."""
-    found, left = list[Expr](), [(expression, number(1))]
-    while left:
-        part, factor = left.pop()
-        numbers = [arg for arg in part.args if arg.is_number] if part.kind == "product" else []
-        if part.kind == "sum":
-            left.extend((arg, factor) for arg in part.args)
-        elif len(numbers) == 1 and len(part.args) == 2:
-            (other,) = (arg for arg in part.args if not arg.is_number)
-            left.append((other, factor * numbers[0]))
-        else:
-            found.append(factor * part)
-    return found

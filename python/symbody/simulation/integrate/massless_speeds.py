@@ -13,9 +13,10 @@ from numpy.typing import NDArray
 from symbody.simulation.constraint.constraint_directions import masses_and_jacobians
 from symbody.simulation.constraint.contradiction import INCONSISTENT, cancelling_combinations
 from symbody.simulation.constraint.dependent_constraints import nearby
-from symbody.simulation.constraint.magnitude import magnitudes, terms
+from symbody.simulation.constraint.magnitude import magnitudes
 from symbody.simulation.model.model import Model
 from symbody.symbolic import Expr, free_symbols
+from symbody.symbolic.calculus.summands import summands
 
 __all__ = ["unbalanced_speeds"]
 
@@ -64,7 +65,7 @@ def _massless(M: Array, phi_q: Array) -> list[Array]:
 def _loads(model: Model, p: Array, t: float, state: Array) -> tuple[Array, Array]:
     """Return the generalised forces, and the magnitudes of their terms."""
     f = model.equations.forcing
-    of_each = [terms(each) for each in f]
+    of_each = [summands(each) for each in f]
     flat = [term for found in of_each for term in found]
     function = model.function([*f, *flat], (*model.parameters, *model.damping))
     with np.errstate(all="ignore"):

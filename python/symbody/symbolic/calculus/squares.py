@@ -11,6 +11,7 @@ from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 
 from .reading import nodes_of, parts_of
+from .summands import summands
 
 _FEW, _MOST = 3, 12
 """The terms of a sum between which squares are looked for."""
@@ -52,7 +53,7 @@ def _rebuilt(node: Expr, args: Sequence[Expr]) -> Expr:
     made = node
     if any(arg.id != given.id for arg, given in zip(args, node.args, strict=True)):
         made = args[0] ** args[1] if node.kind == "power" else _MAKE[node.kind](args)
-    terms = _terms(made)
+    terms = summands(made)
     squared = _squared(terms)
     return _core.sum_of(squared) if len(squared) < len(terms) else made
 
@@ -66,20 +67,6 @@ def _squared(terms: list[Expr]) -> list[Expr]:
         square, used = found
         terms = [square, *(term for place, term in enumerate(terms) if place not in used)]
     return terms
-
-
-def _terms(node: Expr) -> list[Expr]:
-    """Return the terms of a sum, also where a number multiplies it."""
-    if node.kind == "sum":
-        return [term for arg in node.args for term in _terms(arg)]
-    if (
-        node.kind == "product"
-        and len(node.args) == 2
-        and node.args[0].is_number
-        and node.args[1].kind == "sum"
-    ):
-        return [node.args[0] * term for term in _terms(node.args[1])]
-    return [node]
 
 
 def _squares(terms: Sequence[Expr]) -> Iterator[tuple[Expr, set[int]]]:
@@ -97,7 +84,7 @@ def _squares(terms: Sequence[Expr]) -> Iterator[tuple[Expr, set[int]]]:
 
 def _between(a: Expr, b: Expr, places: Mapping[Expr, int]) -> set[int]:
     """Return the places of ``2*a*b``, one term or one for each term of a or b; none if any is missing."""
-    ways = ([2 * a * b], [2 * part * b for part in _terms(a)], [2 * a * part for part in _terms(b)])
+    ways = ([2 * a * b], [2 * part * b for part in summands(a)], [2 * a * part for part in summands(b)])
     found = next((way for way in ways if all(product in places for product in way)), [])
     return {places[product] for product in found}
 

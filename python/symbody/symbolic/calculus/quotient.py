@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
-from symbody.symbolic import Expr, number
+from symbody.symbolic._core import Expr, number
 
 _ONE = number(1)
 
@@ -41,9 +41,9 @@ def quotient(e: Expr) -> Quotient:
             total += part.top * powers({base: n - part.bottom.get(base, 0) for base, n in below.items()})
         return Quotient(total, dict(below))
     exponents = Counter[Expr]()
-    for factor, exponent in _factors(e, 1):
+    for factor, exponent in factors(e):
         inner = quotient(factor) if factor.kind == "sum" else Quotient(factor, {})
-        for base, n in (*_factors(inner.top, 1), *((base, -n) for base, n in inner.bottom.items())):
+        for base, n in (*factors(inner.top), *((base, -n) for base, n in inner.bottom.items())):
             exponents[base] += n * exponent
     top = powers({base: n for base, n in exponents.items() if n > 0})
     return Quotient(top, {base: -n for base, n in exponents.items() if n < 0})
@@ -57,18 +57,18 @@ def powers(exponents: Mapping[Expr, int]) -> Expr:
     return found
 
 
-def _factors(e: Expr, exponent: int) -> Iterator[tuple[Expr, int]]:
+def factors(e: Expr, exponent: int = 1) -> Iterator[tuple[Expr, int]]:
     """Yield the factors of nested products and whole powers, with their exponents."""
     if e.kind == "product":
         for factor in e.args:
-            yield from _factors(factor, exponent)
+            yield from factors(factor, exponent)
     elif (
         e.kind == "power"
         and e.args[1].is_number
         and e.args[1].ratio[1] == 1
         and abs(e.args[1].ratio[0]) < _MOST
     ):
-        yield from _factors(e.args[0], exponent * e.args[1].ratio[0])
+        yield from factors(e.args[0], exponent * e.args[1].ratio[0])
     elif e != _ONE:
         yield e, exponent
 
