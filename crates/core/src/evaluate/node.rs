@@ -28,14 +28,13 @@ impl Graph {
         if let Some(known) = self.known_in(id, field) {
             return known;
         }
-        if let Some((lane, point)) = field.other_lane() {
-            return self.column(id, point)[lane].clone();
-        }
         let mut stack = vec![(id, field)];
         let mut needed = Vec::new();
         while let Some(&(id, field)) = stack.last() {
             tick();
-            if self.known_in(id, field).is_none() {
+            if let Some((_, point)) = field.other_lane() {
+                self.column(id, point); // all these lanes at once
+            } else if self.known_in(id, field).is_none() {
                 needed.clear();
                 self.push_needed(id, field, &mut needed);
                 for (id, _) in needed.iter_mut().filter(|(_, field)| !field.is_first()) {
