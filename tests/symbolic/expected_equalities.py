@@ -147,6 +147,18 @@ EQUALITIES: tuple[Equality, ...] = (
     *missed(
         "the logarithm of a negative base is drawn for the base, not for its modulus",
         ("abs(x**y)", "abs(x)**y"),
+        ("log(x**2)", "2*log(abs(x))"),
+        ("log(1/x**2)", "-log(x**2)"),
+        ("(x**4)**y", "(x**2)**(2*y)"),
+    ),
+    *missed(
+        "sqrt(x**2 + y**2) is positive by itself; its square and its reciprocal, which is it over its square, are not",
+        ("abs(z/sqrt(x**2 + y**2))", "abs(z)/sqrt(x**2 + y**2)"),
+        ("abs((x**2 + y**2)**(3/2))", "(x**2 + y**2)**(3/2)"),
+        ("sqrt(1/(x**2 + y**2))", "1/sqrt(x**2 + y**2)"),
+        ("atan2(y*sqrt(x**2 + y**2), x*sqrt(x**2 + y**2))", "atan2(y, x)"),
+        ("log(x**2 + y**2)", "2*log(sqrt(x**2 + y**2))"),
+        ("log(a*sqrt(x**2 + y**2))", "log(a) + log(sqrt(x**2 + y**2))"),
     ),
     *missed(
         "a sum of squares or of positive terms need not be a square in a finite field",

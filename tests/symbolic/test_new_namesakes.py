@@ -10,7 +10,19 @@ from pathlib import Path
 import pytest
 import sympy
 
-from symbody import Expr, ModelNotice, from_sympy, functions_of_time, latex, maple, parse, symbols, to_sympy
+from symbody import (
+    Expr,
+    ModelNotice,
+    from_sympy,
+    functions_of_time,
+    latex,
+    maple,
+    parse,
+    sin,
+    symbols,
+    taylor,
+    to_sympy,
+)
 
 NAMES = "from_sympy, functions_of_time, parse, symbols, time_derivative, to_sympy"
 """What the programs import: with all names, each of them would load all of the package."""
@@ -140,3 +152,13 @@ def test_the_name_d_is_a_name_too() -> None:
 
 def test_sympy_keeps_them_apart() -> None:
     assert to_sympy(REAL - POSITIVE) == sympy.Symbol("x", real=True) - sympy.Symbol("x", positive=True)
+
+
+def test_taylor_tells_of_a_variable_of_the_same_name() -> None:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ModelNotice)
+        other, positive = symbols("x"), symbols("x", positive=True)
+    with pytest.warns(
+        ModelNotice, match="taylor: the x in the expression is symbols.*, the x given is symbols"
+    ):
+        assert taylor(sin(positive), {other: 0}, 2) == sin(positive)

@@ -184,3 +184,8 @@ def test_mathematics_that_fails_says_so() -> None:
         parse("1/(a - a)")
     with pytest.raises(ExpressionError, match="sin takes 1 argument, found 2"):
         parse("sin(a, b)")
+
+
+def test_long_integers_parse_back() -> None:
+    long = number(10) ** 4400 * symbols("k") + number(7) ** 6000
+    assert parse(str(long)) == long

@@ -27,6 +27,22 @@ pub enum Error {
         /// The argument.
         argument: String,
     },
+    /// A function that orders real numbers was applied to what depends on complex symbols.
+    Order {
+        /// The name of the function.
+        function: &'static str,
+        /// The argument.
+        argument: String,
+        /// A complex symbol that it contains.
+        symbol: String,
+    },
+    /// A modulus or a sign has no derivative, because its argument may be complex.
+    NoDerivative {
+        /// The modulus or the sign.
+        expression: String,
+        /// A complex symbol that it contains.
+        symbol: String,
+    },
     /// The shapes of two matrices do not match.
     Shape {
         /// The operation that was requested.
@@ -110,6 +126,16 @@ impl fmt::Display for Error {
                 write!(f, "{function} takes {expected}, found {found}")
             }
             Self::Domain { function, argument } => write!(f, "{function} is not defined at {argument}"),
+            Self::Order { function, argument, symbol } => write!(
+                f,
+                "{function} needs real numbers, and {argument} may be complex, because {symbol} is declared with real=False; \
+                 take its modulus, or declare {symbol} without real=False"
+            ),
+            Self::NoDerivative { expression, symbol } => write!(
+                f,
+                "{expression} has no derivative where its argument is complex, and {symbol} is declared with real=False; \
+                 declare {symbol} without real=False, or write the real and the imaginary part as real symbols"
+            ),
             Self::Shape { operation, left, right } => write!(
                 f,
                 "{operation} of a {}x{} and a {}x{} matrix: the shapes do not match",

@@ -64,6 +64,9 @@ impl Graph {
         self.check_variable(variable)?;
         let ids: Vec<Id> = ids.iter().map(|&id| self.adopt(id)).collect();
         let dependence = self.dependence(&ids, &[variable]);
+        if self.is_complex(variable) {
+            self.check_no_moduli(dependence.on(0))?;
+        }
         self.tangents(&ids, dependence.on(0), &mut |graph, id| {
             Ok(graph.same(id, variable).then_some(Id::ONE))
         })
@@ -178,6 +181,12 @@ impl Graph {
             return self.apply(Function::Piecewise, &branches);
         }
         match self.view(id) {
+            View::Function(function @ (Function::Abs | Function::Sign), args) => {
+                let argument = args.get(0);
+                if let Some(derivative) = of(argument).filter(|_| self.is_complex(argument)) {
+                    return self.modulus_tangent(function, argument, derivative, id);
+                }
+            }
             View::LinearSystem { .. } => return self.system_tangent(id, tangent),
             View::Solution(system, index) => {
                 return Ok(of(system).map_or(Id::ZERO, |tangent| self.solution(tangent, index)));
@@ -192,6 +201,36 @@ impl Graph {
             terms.push((factor, term));
         }
         Ok(self.sum(&terms))
+    }
+
+    /// Check that there are no moduli or signs of what is complex: these have no derivative by a complex variable.
+    fn check_no_moduli(&self, mut nodes: impl Iterator<Item = Id>) -> Result<(), Error> {
+        let argument = |id: Id| match self.view(id) {
+            View::Function(Function::Abs | Function::Sign, args) => Some(args.get(0)),
+            _ => None,
+        };
+        match nodes.find(|&id| argument(id).is_some_and(|u| self.is_complex(u))) {
+            Some(id) => Err(Error::NoDerivative {
+                expression: self.to_quotation(id),
+                symbol: self.complex_symbol(id),
+            }),
+            None => Ok(()),
+        }
+    }
+
+    /// d|u| = |u| du/u and d sign(u) = 0 of a complex u, if du/u is real: the argument of u stays the same.
+    fn modulus_tangent(&mut self, function: Function, u: Id, derivative: Id, id: Id) -> Result<Id, Error> {
+        let growth = self.div(derivative, u)?;
+        if self.is_complex(growth) {
+            return Err(Error::NoDerivative {
+                expression: self.to_quotation(id),
+                symbol: self.complex_symbol(u),
+            });
+        }
+        if function == Function::Sign {
+            return Ok(Id::ZERO);
+        }
+        self.mul(id, growth)
     }
 
     /// The partial derivative of a node with respect to its k-th child, as a multiple.
@@ -329,7 +368,23 @@ impl Graph {
         }
         let root = self.adopt(id);
         let dependence = self.dependence(&[root], variables);
+        if self.has_complex_moduli(&dependence) {
+            return variables
+                .iter()
+                .map(|&variable| Ok(self.partial_derivatives(&[root], variable)?[0]))
+                .collect();
+        }
         self.adjoints(root, &dependence, variables)
+    }
+
+    /// Whether moduli or signs of what is complex depend on the variables: their derivatives are those by a variable.
+    fn has_complex_moduli(&self, dependence: &Dependence) -> bool {
+        dependence.order.iter().any(|&id| match self.view(id) {
+            View::Function(Function::Abs | Function::Sign, args) => {
+                dependence.is_active(id) && self.is_complex(args.get(0))
+            }
+            _ => false,
+        })
     }
 
     fn adjoints(&mut self, root: Id, dependence: &Dependence, variables: &[Id]) -> Result<Vec<Id>, Error> {
@@ -388,6 +443,9 @@ impl Graph {
         let dependence = self.dependence(&ids, variables);
         let mut rows = vec![vec![Id::ZERO; variables.len()]; ids.len()];
         for (j, &variable) in variables.iter().enumerate() {
+            if self.is_complex(variable) {
+                self.check_no_moduli(dependence.on(j))?;
+            }
             let column = self.tangents(&ids, dependence.on(j), &mut |graph, id| {
                 Ok(graph.same(id, variable).then_some(Id::ONE))
             })?;

@@ -4,7 +4,9 @@ use std::cmp::Ordering;
 
 use crate::error::Error;
 use crate::evaluate::Pending;
-use crate::graph::{Flags, Function, Graph, Id, Kind, LONGEST, NumberId, Parity, View, check_order};
+use crate::graph::{
+    Assumption, Flags, Function, Graph, Id, Kind, LONGEST, NumberId, Parity, View, check_order,
+};
 use crate::print::compare_names;
 use crate::value::Number;
 
@@ -25,6 +27,7 @@ impl Graph {
             let settle = |arg| if by_numbers { self.decided(arg) } else { self.settled(arg) };
             args = args.into_iter().map(settle).collect();
         }
+        self.check_order(function, &args)?;
         if let Some(exact) = self.exact_value(function, &args)?
             && self.keeps_value_of_function(function, &args, exact)
         {
@@ -70,6 +73,30 @@ impl Graph {
             .chain(orders.iter().copied())
             .collect();
         Ok(self.finish(Kind::Application, flags, &words, value))
+    }
+
+    /// Check that functions that order real numbers do not get complex ones.
+    fn check_order(&self, function: Function, args: &[Id]) -> Result<(), Error> {
+        let place = match function {
+            Function::Min | Function::Max | Function::Atan2 => {
+                args.iter().copied().find(|&id| self.is_complex(id))
+            }
+            Function::Piecewise => {
+                args[..args.len() - 1].iter().skip(1).step_by(2).copied().find(|&id| self.is_complex(id))
+            }
+            _ => None,
+        };
+        let Some(id) = place else { return Ok(()) };
+        let function =
+            if function == Function::Piecewise { "the condition of Piecewise" } else { function.name() };
+        Err(Error::Order { function, argument: self.to_quotation(id), symbol: self.complex_symbol(id) })
+    }
+
+    /// The text of the first complex symbol below a node.
+    pub(crate) fn complex_symbol(&self, id: Id) -> String {
+        let mut symbols = self.variables(&[id]).into_iter();
+        let complex = symbols.find(|&id| matches!(self.kind(id), Kind::Symbol(Assumption::None)));
+        complex.map_or_else(String::new, |id| self.to_text(id))
     }
 
     /// f(-x) = -f(x) or f(x): choose the sign of the argument so that its first term, as printed, is positive. Terms

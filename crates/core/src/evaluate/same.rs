@@ -23,7 +23,11 @@ impl<'g> Deeper<'g> {
 
 impl Drop for Deeper<'_> {
     fn drop(&mut self) {
-        self.0.lanes.borrow_mut().depth -= 1;
+        let mut lanes = self.0.lanes.borrow_mut();
+        lanes.depth -= 1;
+        if lanes.depth == 0 {
+            lanes.compared.clear();
+        }
     }
 }
 
@@ -97,8 +101,24 @@ impl Graph {
                 let other = self.value_in(id, field);
                 *value == if is_opposite { field.field().neg(&other) } else { other }
             }),
-            None => !is_opposite && self.deeper(|| self.has_equal_parts(pending, id)),
+            None => !is_opposite && self.has_equal_parts_once(pending, id),
         }
+    }
+
+    /// Whether something is made of equal parts in the same way as a node. Within one comparison, each pair of nodes is
+    /// compared once: conditions that are nested k deep have k^2 pairs.
+    fn has_equal_parts_once(&self, pending: Pending<'_>, id: Id) -> bool {
+        let Pending::Node(node) = pending else {
+            return self.deeper(|| self.has_equal_parts(pending, id));
+        };
+        if let Some(known) = self.lanes.borrow().compared.get(&(node, id)) {
+            return *known;
+        }
+        self.deeper(|| {
+            let verdict = self.has_equal_parts(pending, id);
+            self.lanes.borrow_mut().compared.insert((node, id), verdict);
+            verdict
+        })
     }
 
     /// The result of a comparison of parts, which is false where they are nested too deep for the stack.

@@ -16,6 +16,8 @@ use super::real_range::RealRange;
 pub(crate) struct Lanes {
     /// How deep comparisons of parts are nested at the moment.
     pub(crate) depth: usize,
+    /// The pairs of nodes whose parts the present comparison has compared.
+    pub(crate) compared: FxHashMap<(Id, Id), bool>,
     values: FxHashMap<(Id, FieldId), Quadratic>,
     /// The values in the first fields of all lanes but the hash lanes, which are found together, by point.
     columns: FxHashMap<(Id, u16), Column>,

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Annotated, Any, TypeAlias, TypeVar
 
-from symbody.errors import ArgumentError
+from symbody.errors import ArgumentError, notify
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 from symbody.symbolic.expression.container import is_container, rewritten
@@ -135,6 +135,7 @@ def taylor(expression: Kind, variables: About = None, order: int = 1) -> Kind:
     back = {x: x - at for x, at in (values or {}).items() if at != 0}
 
     def expanded(expressions: tuple[Expr, ...]) -> tuple[Expr, ...]:
+        _notice_namesakes(expressions, places or [])
         moved = _core.substitute(expressions, shift) if shift else expressions
         kept = _core.truncate(moved, n, places)
         return _core.substitute(kept, back) if back else kept
@@ -143,6 +144,14 @@ def taylor(expression: Kind, variables: About = None, order: int = 1) -> Kind:
         return expanded((_core.number(expression, "taylor, expression"),))[0]  # type: ignore[return-value]
     made: Kind = rewritten(expression, expanded, "taylor")
     return made
+
+
+def _notice_namesakes(expressions: tuple[Expr, ...], variables: Sequence[Expr]) -> None:
+    """Tell of variables that are not in the expressions, although others with their names are."""
+    present = _core.free_symbols(expressions)
+    absent = [variable for variable in variables if variable not in present]
+    if absent and (note := _core.namesakes(sorted(present, key=str), absent, ("in the expression", "given"))):
+        notify(f"taylor: {note}")
 
 
 def _values(variables: About) -> dict[Expr, Expr] | None:

@@ -158,6 +158,10 @@ def symbols(
     for option, value in (("positive", positive), ("real", real)):
         if not isinstance(value, bool):
             raise ArgumentError(f"symbols: {option} is {value!r}; expected True or False")
+    if positive and not real:
+        raise ArgumentError(
+            "symbols: positive=True with real=False; positive numbers are real: leave one of them out"
+        )
     return _noticed(names, lambda name: _core.symbol(name, positive=positive, real=real), "symbols")
 
 

@@ -99,6 +99,20 @@ def _describe(terminals: Iterable[str]) -> str:
     return " or ".join(filter(None, [", ".join(words[:-1]), words[-1]]))
 
 
+SHORT = 4000
+"""Python reads integers of up to 4300 digits at once."""
+
+
+def _integer(digits: str) -> int:
+    """Return an integer of any length, from the halves of its digits."""
+    if len(digits) <= SHORT:
+        return int(digits)
+    middle = len(digits) // 2
+    low = digits[middle:]
+    power: int = 10 ** len(low)
+    return _integer(digits[:middle]) * power + _integer(low)
+
+
 @cache
 def _parser() -> Lark:
     return Lark.open("expression.lark", rel_to=__file__, parser="lalr", maybe_placeholders=False)
@@ -114,7 +128,7 @@ class _Builder(Transformer_NonRecursive[Token, Expr]):
 
     def number(self, token: Token) -> Expr:
         if token.isdecimal():
-            return _core.number(int(token))
+            return _core.number(_integer(token))
         value = float(token)
         is_beyond = isinf(value) or (value == 0.0 and Decimal(token) != 0)
         return _core.number(Decimal(token) if is_beyond else value)
