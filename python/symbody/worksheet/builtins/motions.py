@@ -71,7 +71,7 @@ def dsolve(session: Session, problem: Value, *arguments: Value) -> Value:
     if isinstance(output, Expr) and str(output) == "listprocedure":
         return Listed(
             tuple(
-                Relation("=", name, Builtin(f"solution of {name}", _One(solution, name)))
+                Relation("=", name, Builtin(f"solution of {name}", _One(solution, name), of_numbers=True))
                 for name in solution.results
             )
         )

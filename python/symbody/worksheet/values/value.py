@@ -135,10 +135,14 @@ class ProcedureValue:
 
 @dataclass(frozen=True, slots=True)
 class Builtin:
-    """A command of Maple or of MBSymba, as a value: ``map(simplify, ..)``."""
+    """A command of Maple or of MBSymba, as a value: ``map(simplify, ..)``.
+
+    ``of_numbers`` says that a call of it stays as it is written until its arguments are numbers.
+    """
 
     name: str
     function: Callable[..., Value] = field(compare=False, repr=False)
+    of_numbers: bool = False
 
 
 @dataclass(frozen=True, slots=True)
