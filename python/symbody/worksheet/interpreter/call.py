@@ -54,7 +54,7 @@ def _call(session: Session, node: syntax.Call) -> Value:
         return _guarded(session, form, _head_name(head), node.arguments)
     arguments = session.evaluated(node.arguments)
     if name is not None and _waits(session, head, arguments):
-        return application(session, name, arguments)
+        return _waiting(session, name, arguments)
     return session.call(head, arguments)
 
 
@@ -64,6 +64,11 @@ def _waits(session: Session, function: Value, arguments: tuple[Value, ...]) -> b
         return False
     held = [session.current(each) for each in arguments]
     return any(isinstance(each, Expr) and not each.is_constant for each in held)
+
+
+def _waiting(session: Session, name: str, arguments: tuple[Value, ...]) -> Value:
+    session.applied.add(name)  # X(t), too, is called when t is a number
+    return application(session, name, arguments)
 
 
 def _form(session: Session, head: Value) -> Callable[..., Value] | None:
@@ -114,7 +119,7 @@ def call(session: Session, function: Value, arguments: tuple[Value, ...]) -> Val
         if isinstance(found, ProcedureValue):
             return _procedure_call(session, found, arguments, function.name)
         if _waits(session, found, arguments):
-            return application(session, function.name, arguments)
+            return _waiting(session, function.name, arguments)
         function = found
     if isinstance(function, ProcedureValue):
         return _procedure_call(session, function, arguments, "unnamed")
