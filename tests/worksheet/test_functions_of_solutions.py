@@ -11,7 +11,8 @@ from symbody.worksheet.interpreter.interpret import Interpreter
 from symbody.worksheet.values.value import Plot
 from tests.worksheet.printed_by import printed
 
-COSINE = "s := dsolve({diff(x(t),t,t) = -x(t), x(0) = 1, D(x)(0) = 0}, numeric, output=listprocedure): X := eval(x(t), s):"
+PROBLEM = "{diff(x(t),t,t) = -x(t), x(0) = 1, D(x)(0) = 0}"
+COSINE = f"s := dsolve({PROBLEM}, numeric, output=listprocedure): X := eval(x(t), s):"
 
 
 @pytest.mark.parametrize(
