@@ -179,6 +179,7 @@ def _from_content(session: Session, sizes: list[int], content: Value, kind: str)
         )
     if isinstance(found, Listed):
         if len(sizes) == 2:
+            _check_count(kind, len(found.items), sizes)
             entries = list(found.items) + [number(0)] * (sizes[0] * sizes[1] - len(found.items))
             return Array(sizes[0], sizes[1], entries[: sizes[0] * sizes[1]], kind)
         return (
@@ -190,10 +191,21 @@ def _from_content(session: Session, sizes: list[int], content: Value, kind: str)
     return filled(session, rows, sizes[1] if len(sizes) > 1 else rows, content, kind)
 
 
+def _check_count(kind: str, count: int, sizes: list[int]) -> None:
+    size = sizes[0] if len(sizes) == 1 else sizes[0] * sizes[1]
+    if count > size:
+        told = " x ".join(map(str, sizes))
+        raise WorksheetError(f"{kind}: {count} entries for a size of {told}; expected at most {size}")
+
+
 def _sized(array: Array, sizes: list[int], kind: str) -> Array:
     if not sizes:
         return array
     rows, columns = sizes[0], sizes[1] if len(sizes) > 1 else sizes[0]
+    if array.rows > rows or array.columns > columns:
+        raise WorksheetError(
+            f"{kind}: {array.rows} x {array.columns} entries for a size of {rows} x {columns}; expected at most as many"
+        )
     entries = [
         array.entries[i * array.columns + j] if i < array.rows and j < array.columns else number(0)
         for i in range(rows)
@@ -259,6 +271,7 @@ def _vector_command(kind: str) -> Command:
             made = filled(session, size or 0, 1, content, shape)
             items = list(made.entries)
         elif size is not None:
+            _check_count(kind, len(items), [size])
             items = items[:size] + [number(0)] * (size - len(items))
         return (
             Array(1, len(items), items, shape) if shape == "RowVector" else Array(len(items), 1, items, shape)
