@@ -192,7 +192,15 @@ def _of_array(session: Session, whole: Value, array: Array, indices: Indices) ->
 
 
 def _entry(session: Session, whole: Value, array: Array, place: int, indices: Indices) -> Value:
-    """Return an entry; of an old array, one without a value is the indexed name."""
+    """Return an entry; of an old array, one without a value is the indexed name.
+
+    Args:
+        session: the session.
+        whole: the array as the sheet has it.
+        array: the array.
+        place: where the entry is among all.
+        indices: its indices.
+    """
     entry = array.entries[place]
     if isinstance(entry, Expr) and entry.kind == "symbol" and entry.name.startswith("?["):
         return indexed_name(session, whole, indices) if isinstance(whole, Reference) else entry
