@@ -114,7 +114,7 @@ def _is_code(text: Sequence[Token]) -> bool:
     """Whether a text assigns something, belongs to a loop or a procedure, is a call, or has open brackets."""
     is_call = len(text) > 1 and text[0].type == "NAME" and text[1] == "(" and not _space(text, 0)
     return (
-        is_call
+        (is_call and not has_words_side_by_side(text))
         or text[0].type in _BEGINS
         or not _is_closed(text)
         or any(token == ":=" or token.type in _OF_BLOCKS for token in text)

@@ -49,7 +49,9 @@ def is_prose(text: Sequence[Token]) -> bool:
 
 def has_words_side_by_side(text: Sequence[Token]) -> bool:
     """Whether two operands stand side by side, or a sign has no meaning: no code has that."""
-    return any(token.type == "UNKNOWN" for token in text) or _are_side_by_side(text, _OPERANDS - _INFIX)
+    is_behind_bracket = any(one.type in CLOSING and two.type == "NAME" for one, two in pairwise(text))
+    has_sign = any(token.type == "UNKNOWN" for token in text)
+    return has_sign or is_behind_bracket or _are_side_by_side(text, _OPERANDS - _INFIX)
 
 
 def _are_side_by_side(text: Sequence[Token], kinds: frozenset[str]) -> bool:
@@ -89,8 +91,15 @@ def is_used(line: Sequence[Token], index: int) -> bool:
 
 
 def holds_code(text: Sequence[Token], used: Collection[str]) -> bool:
-    """Whether a remark has names of the code in it, calculates, or has numbers: more than words."""
-    return any(token in used or token.type in _CALCULATIONS | LITERALS or token == ":=" for token in text)
+    """Whether a remark may have been meant as code: it calculates, or begins with an item, or a name of the code."""
+    if any(token.type in _CALCULATIONS or token == ":=" for token in text):
+        return True
+    if text[0].type not in LITERALS | {"NAME"}:
+        return False
+    if len(text) == 1:
+        return text[0].type in LITERALS or text[0] in used
+    is_item = text[1].type == "COMMA"
+    return is_item or (text[0] in used and text[1].type in OPENING)
 
 
 def stands_far(one: Token, two: Token) -> bool:
