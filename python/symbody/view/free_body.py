@@ -54,6 +54,9 @@ FLAT = 1e-6
 CLEAR = 0.05
 """Points of action that are seen closer than this part of their largest distance lie on each other."""
 
+HUGE = 1.5
+"""Solids longer than this multiple of the part's extent, as some that are found by inertia, would hide its forces."""
+
 TURNS = (0.0, 15.0, -15.0, 30.0, -30.0)
 """Turns of the camera about the vertical, in degrees, in the order of preference."""
 
@@ -145,7 +148,7 @@ def free_body_diagram(
     content = scene(drawn, DrawingOptions(), "")
     kept = [k for k, body in enumerate(system.bodies) if body in members]
     members = [system.bodies[k] for k in kept]
-    content["bodies"] = [content["bodies"][k] for k in kept]
+    content["bodies"] = [{**content["bodies"][k], "has_axes": False} for k in kept]
     content["links"] = [rod for rod in content["links"] if rod["body"] in kept]
     content["links"] += _arms(drawn, system, members, content["bodies"])
     content["axes"], content["lines"] = [], []
@@ -153,6 +156,7 @@ def free_body_diagram(
     acting = [*_loads(drawn, system, members), *_weights(system, members), *_reactions(system, members)]
     content["actions"] = _entries(drawn, acting, content)
     content["view"] |= _facing(content)
+    content["bodies"] = _without_what_hides(content)
     return write_whole(file, _writer(sketch_svg(sketch_of(content))), where=_WHERE)
 
 
@@ -363,6 +367,21 @@ def _apart(content: dict[str, Any]) -> dict[str, list[float]]:
         return {}
     best = max(TURNS, key=clearance)
     return {"direction": Rotation.from_rotvec(np.radians(best) * up).apply(direction).tolist()}
+
+
+def _without_what_hides(content: dict[str, Any]) -> list[dict[str, Any]]:
+    """Return the bodies without solids far larger than the part: rods to the joints show it, and forces are seen."""
+    places = _places(content)
+    extent = float(np.ptp(places, axis=0).max())
+    if extent < 0.1 * float(content["view"]["radius"]):
+        return list(content["bodies"])
+    return [
+        {
+            **body,
+            "parts": [part for part in body["parts"] if np.ptp(corners(part), axis=0).max() <= HUGE * extent],
+        }
+        for body in content["bodies"]
+    ]
 
 
 def _radius(content: dict[str, Any]) -> float:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import count, pairwise, product
+from itertools import pairwise, product
 from typing import Any
 
 import numpy as np
@@ -14,6 +14,7 @@ from scipy.spatial.transform import Rotation
 from symbody.view.camera import AXES
 from symbody.view.drawable_motion import DrawableMotion
 from symbody.view.drawing_options import DrawingOptions
+from symbody.view.label_placement import with_placed_labels
 from symbody.view.mark import Dot, Ellipse, Label, Line, Mark, Patch, Place, Sketch, outermost
 from symbody.view.scene import scene
 from symbody.view.solid import corners
@@ -100,7 +101,7 @@ class _Projection:
         self.is_measuring = False
         height = extent[1] * self.scale + 2 * MARGIN
         self.origin = np.array([WIDTH, height]) / 2 - self.scale * (low + high) / 2
-        marks = tuple(_spread(self._marks()))
+        marks = tuple(with_placed_labels(self._marks()))
         return Sketch(_width(marks), _height(marks, float(height)), marks)
 
     def _marks(self) -> list[Mark]:
@@ -292,47 +293,6 @@ def _beside_tip(path: Sequence[Place]) -> Place:
     """Return where the name of an arrow begins: names go to the right, so that one on the left is below its shaft."""
     (before, above), (x, y) = path[-2:]
     return (x, y + 22) if before > x and above <= y else (x, y)
-
-
-def _spread(marks: Sequence[Mark]) -> Iterator[Mark]:
-    """Yield the marks with labels moved until none lies on another one or on the head of an arrow.
-
-    They are moved down; beside arrows up or down, whichever is nearer, as a name belongs to one of them.
-    """
-    heads = [mark.corners for mark in marks if isinstance(mark, Patch) and mark.opacity == 1.0]
-    taken: list[Place] = []
-    for mark in marks:
-        if not isinstance(mark, Label):
-            yield mark
-            continue
-        x, first = mark.at[0] + 6, mark.at[1] - 6
-        width = 7 * len(mark.text) + 8
-        shifts = (side * 13 * step for step in count() for side in ((1, -1) if heads and step else (1,)))
-        places = ((x, first + shift) for shift in shifts if not heads or first + shift > 12)
-        x, y = next(place for place in places if _is_free(place, width, taken, heads))
-        taken.append((x, y))
-        yield Label((round(x, 2), round(y, 2)), mark.text, mark.color)
-
-
-def _is_free(place: Place, width: float, taken: Sequence[Place], heads: Sequence[Sequence[Place]]) -> bool:
-    """Return whether a text of one line may begin at a place.
-
-    Args:
-        place: where it begins.
-        width: the width of the text.
-        taken: where other texts begin.
-        heads: the corners of the heads of arrows.
-    """
-    x, y = place
-    if any(abs(x - a) < width and abs(y - b) < 13 for a, b in taken):
-        return False
-    return not any(
-        x < max(a for a, _ in head)
-        and min(a for a, _ in head) < x + width
-        and y - 10 < max(b for _, b in head)
-        and min(b for _, b in head) < y + 1
-        for head in heads
-    )
 
 
 def _width(marks: Sequence[Mark]) -> float:
