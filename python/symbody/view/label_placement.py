@@ -36,9 +36,7 @@ class Box(NamedTuple):
 
     def meets(self, other: Box) -> bool:
         return (
-            self.x < other.x + other.width
-            and other.x < self.x + self.width
-            and abs(self.y - other.y) < LINE
+            self.x < other.x + other.width and other.x < self.x + self.width and abs(self.y - other.y) < LINE
         )
 
     def holds_corner_of(self, head: Sequence[Place]) -> bool:

@@ -17,7 +17,7 @@ from symbody.view.drawing_options import DrawingOptions
 from symbody.view.label_placement import with_placed_labels
 from symbody.view.mark import Dot, Ellipse, Label, Line, Mark, Patch, Place, Sketch, outermost
 from symbody.view.scene import scene
-from symbody.view.solid import corners
+from symbody.view.solid import INSIDE, corners
 
 Array = NDArray[np.float64]
 
@@ -237,7 +237,8 @@ class _Projection:
     def _points(self) -> Iterator[Mark]:
         for body in self.content["bodies"]:
             (centre,) = self._flat(self._in_root(body["pose"], [[0.0, 0.0, 0.0]]))
-            yield Dot(centre, body["color"], 3.5)
+            if not body["parts"] or self._is_among(centre, body["parts"]):
+                yield Dot(centre, body["color"], 3.5)
         for point in self.content["points"]:
             (place,) = self._flat(np.array(point["path"]).reshape(-1, 3)[self.instant])
             yield Dot(place, "#1c2733", 2.5)
@@ -245,10 +246,26 @@ class _Projection:
                 yield Label(place, point["name"], "#1c2733")
 
     def _names(self) -> Iterator[Label]:
+        """Yield the names of bodies, at their centres of mass; at the first solid of one whose solids are elsewhere."""
         for body in self.content["bodies"]:
             if body["is_named"]:
-                (centre,) = self._flat(self._in_root(body["pose"], [[0.0, 0.0, 0.0]]))
-                yield Label(centre, body["name"], body["color"])
+                (place,) = self._flat(self._in_root(body["pose"], [[0.0, 0.0, 0.0]]))
+                if body["parts"] and not self._is_among(place, body["parts"]):
+                    place = self._middle(body["parts"][0])
+                yield Label(place, body["name"], body["color"])
+
+    def _is_among(self, place: Place, parts: Sequence[dict[str, Any]]) -> bool:
+        """Return whether a place is seen well within the rectangle around solids."""
+        seen = np.array([corner for part in parts for corner in self._box_around(part)])
+        low, high = seen.min(axis=0), seen.max(axis=0)
+        return bool(np.all(np.abs(np.array(place) - (low + high) / 2) <= INSIDE * (high - low) / 2 + 0.5))
+
+    def _middle(self, part: dict[str, Any]) -> Place:
+        across, down = np.mean(self._box_around(part), axis=0)
+        return (round(float(across), 2), round(float(down), 2))
+
+    def _box_around(self, part: dict[str, Any]) -> list[Place]:
+        return self._flat(self._in_root(part["pose"], corners(part)))
 
 
 def _coil(start: Place, end: Place) -> list[Place]:
