@@ -286,6 +286,11 @@ def test_positions_beyond_limits_are_told_wherever_they_are_found() -> None:
     consistent_state(equations, {}, {s: 0.1})
 
 
+def test_limits_of_one_coordinate_are_given_by_its_name_or_without():
+    by_name = revolute("A", ground, LINK, limits={"phi": (-0.5, None)}).limits
+    assert [(each.name, each.low, each.high) for each in by_name] == [("phi", -0.5, None)]
+
+
 def sliding_cart():
     """A cart of 2 kg on a rail from -1 to 1, pushed by the force a."""
     cart = Link("cart", 2.0)

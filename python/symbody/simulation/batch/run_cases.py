@@ -77,7 +77,15 @@ def run_cases(task: Task, cases: Cases, threads: int = 1, keep_going: KeepGoing 
 
 
 def _unstopped(task: Task, begun: list[int], cases: Cases, states: Array, results: Results) -> list[int]:
-    """Return the cases whose starts no stop forbids; record why the others fail."""
+    """Return the cases whose starts no stop forbids; record why the others fail.
+
+    Args:
+        task: what these cases share.
+        begun: their numbers.
+        cases: all cases.
+        states: the initial states of all cases.
+        results: where to record it.
+    """
     if not task.events:
         return begun
     forbidden = stopped_starts(task, cases.subset(np.array(begun)).parameters, states[begun])

@@ -161,6 +161,8 @@ def given_inputs(
     *,
     where: str = "simulate",
     besides: Collection[Expr] = (),
+    parameters: Mapping[Expr, object] | None = None,
+    example: str = "sin(t)",
 ) -> dict[Expr, Expr]:
     """Return the expressions that replace the input functions of time.
 
@@ -169,6 +171,8 @@ def given_inputs(
         inputs: expressions of time, state and parameters.
         where: the function that the user called, for messages.
         besides: functions of time that need no expression, because they are solved for.
+        parameters: what the user gave as parameters, where inputs may stand by mistake.
+        example: a value that messages propose for an input.
 
     Raises:
         ModelError: an input has no expression, or a key is not an input of the equations.
@@ -193,10 +197,18 @@ def given_inputs(
     known = {function.name for function in (*given, *besides)}
     missing = [name for name in names if name not in known]
     if missing:
+        values = {str(name): value for name, value in (parameters or {}).items()}
+        misplaced = [name for name in missing if name in values]
+        stands = (
+            f"; {_listed(misplaced)} {'is' if len(misplaced) == 1 else 'are'} among the parameters"
+            if misplaced
+            else ""
+        )
+        shown = brief(repr(values[misplaced[0]])) if misplaced else example
         raise ModelError(
             f"{where}: the equations contain the functions of time {_listed(missing)}, which are neither coordinates "
-            f"nor speeds; give them as inputs={{{missing[0]}: sin(t)}}, or add those that are unknown to the "
-            "coordinates of the System"
+            f"nor speeds{stands}; give them as inputs={{{(misplaced or missing)[0]}: {shown}}}, or add those that are "
+            "unknown to the coordinates of the System"
         )
     formulas = {function: _input(eqs, function, value, where) for function, value in given.items()}
     check_no_circle(eqs.system, formulas, where)

@@ -51,7 +51,12 @@ def stopped_starts(task: Task, parameters: Columns, states: Array) -> dict[int, 
             own = {name: column[case : case + 1] for name, column in parameters.items()}
             course = _outward_course(task, event, own, states[case])
             if course and case not in found:
-                found[case] = _message(task, event, joint, float(excess[case]), course)
+                place = f"{excess[case]:.3g} beyond" if excess[case] > 0 else "at"
+                found[case] = (
+                    f"simulate, events: {joint} begins {place} its limit at t = {task.instants[0]:.6g} s, and "
+                    f"{course}, so that the stop {event} never ends the motion; expected a start within the limits, "
+                    "or a velocity inwards; to model what happens at a stop, use a load"
+                )
     return found
 
 
@@ -84,12 +89,3 @@ def _values(task: Task, expression: Expr, parameters: Columns, states: Array) ->
     start = np.full(len(states), task.instants[0])
     variables = states[:, : len(task.model.state)].T
     return np.asarray(function(start, *variables, *parameters.values()), dtype=float).reshape(-1)
-
-
-def _message(task: Task, event: Event, joint: str, excess: float, course: str) -> str:
-    place = f"{excess:.3g} beyond" if excess > 0 else "at"
-    return (
-        f"simulate, events: {joint} begins {place} its limit at t = {task.instants[0]:.6g} s, and {course}, so that "
-        f"the stop {event} never ends the motion; expected a start within the limits, or a velocity inwards; to model "
-        "what happens at a stop, use a load"
-    )
