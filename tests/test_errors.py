@@ -1953,8 +1953,8 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
             )
         ),
         (
-            "newton_euler: push isn't linear in the acceleration x''; give a function of time for the load, "
-            "and its law as an additional equation"
+            "newton_euler: push isn't linear in the acceleration x''; expected a load by positions, speeds and states: "
+            "a state can follow the law with a short lag tau, as in System(..., states={F: (law - F)/tau})"
         ),
     ),
     (
@@ -2377,7 +2377,8 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         ),
         (
             "kane: Force(Vector(ground, u1'**2, 0, 0), at=Point(transl... y, 0), 0, 0, 0), on=bead) isn't linear "
-            "in the acceleration u1'; give a function of time for the load, and its law as an additional equation"
+            "in the acceleration u1'; expected a load by positions, speeds and states: a state can follow the law with "
+            "a short lag tau, as in System(..., states={F: (law - F)/tau})"
         ),
     ),
     (

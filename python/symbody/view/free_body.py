@@ -45,6 +45,9 @@ LONGEST = 0.6
 LEAST = 1e-5
 """Forces and moments below this part of the largest one are not drawn: they are rounding, or can't be seen."""
 
+SMALL = 0.01
+"""Moments below this part of the largest force times the radius are drawn smaller than the largest arc."""
+
 BALANCED = 1e-9
 """Forces and moments whose resultant is below this part of the largest are an action and its reaction."""
 
@@ -295,11 +298,12 @@ def _entries(
         for kind in (False, True)
     }
     arm = max(largest[False] * radius, largest[True])
+    longest = {False: largest[False], True: max(largest[True], SMALL * arm)}
     return [
         {
             "name": f"{each.name} {_three_digits(size)} {'N m' if each.is_moment else 'N'}",
             "at": place.tolist(),
-            "vector": (vector * LONGEST * radius / largest[each.is_moment]).tolist(),
+            "vector": (vector * LONGEST * radius / longest[each.is_moment]).tolist(),
             "color": COLORS[each.kind],
             "is_moment": each.is_moment,
         }

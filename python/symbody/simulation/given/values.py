@@ -19,6 +19,7 @@ from symbody.symbolic.given.similar_name import did_you_mean
 from .closing_joint import closing_joint
 from .column import column_of
 from .given_input import check_no_circle
+from .missing_input import missing_inputs
 
 __all__ = [
     "check_equations",
@@ -197,19 +198,7 @@ def given_inputs(
     known = {function.name for function in (*given, *besides)}
     missing = [name for name in names if name not in known]
     if missing:
-        values = {str(name): value for name, value in (parameters or {}).items()}
-        misplaced = [name for name in missing if name in values]
-        stands = (
-            f"; {_listed(misplaced)} {'is' if len(misplaced) == 1 else 'are'} among the parameters"
-            if misplaced
-            else ""
-        )
-        shown = brief(repr(values[misplaced[0]])) if misplaced else example
-        raise ModelError(
-            f"{where}: the equations contain the functions of time {_listed(missing)}, which are neither coordinates "
-            f"nor speeds{stands}; give them as inputs={{{(misplaced or missing)[0]}: {shown}}}, or add those that are "
-            "unknown to the coordinates of the System"
-        )
+        raise ModelError(missing_inputs(eqs, missing, parameters or {}, where, example))
     formulas = {function: _input(eqs, function, value, where) for function, value in given.items()}
     check_no_circle(eqs.system, formulas, where)
     return formulas
