@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 import pytest
 
-from symbody.symbolic import Abs, Expr, Max, Min, exp, log, number, sign, symbols
+from symbody.symbolic import Abs, Expr, Max, Min, atan2, exp, log, number, pi, sign, symbols
 
 x, y = symbols("x y")
 a = symbols("a", positive=True)
@@ -31,3 +33,10 @@ def test_a_choice_of_exponents_is_a_choice_of_signs() -> None:
 def test_powers_of_what_is_positive_are_positive(power: Expr) -> None:
     assert sign(power) == 1
     assert Abs(power) == power
+
+
+@pytest.mark.parametrize("degree", [2, 3, 5])
+def test_the_exponential_of_the_logarithm_of_a_hidden_sign_is_that_sign(degree: int) -> None:
+    """The logarithm of a sign that is known in no lane alone asks for the signs of every lane."""
+    hidden = sign(atan2(a, pi) ** Fraction(1, degree))
+    assert exp(log(hidden)) == hidden
