@@ -17,6 +17,9 @@ _FIELDS = {
     "inertia": "inertia",
     "comps": "components",
     "coords": "coordinates",
+    "acting": "on",
+    "reacting": "reaction",
+    "applied": "at",
 }
 
 
