@@ -38,11 +38,13 @@ CASES = {
     ),
     "what can't be decided stays": (
         "c := x > 0: true and not c; false or c; c and y > 0; not (3 > 2); false and c;",
-        ["x <= 0", "0 < x", "0 < x and 0 < y", "false", "false"],
+        ["x <= 0", "0 < x", "(0 < x) and (0 < y)", "false", "false"],
     ),
     "assumptions": (
-        "e := sqrt(m^2)*abs(k): assume(m > 0): e; is(m > 0), is(-m > 0); sqrt(k^2) assuming k > 0; "
-        "additionally(k, positive): e; sqrt(m^2*x); m := 'm': e; [sqrt(q^2), abs(p)] assuming q > 0, p::positive;",
+        (
+            "e := sqrt(m^2)*abs(k): assume(m > 0): e; is(m > 0), is(-m > 0); sqrt(k^2) assuming k > 0; "
+            "additionally(k, positive): e; sqrt(m^2*x); m := 'm': e; [sqrt(q^2), abs(p)] assuming q > 0, p::positive;"
+        ),
         ["m*abs(k)", "true, false", "k", "k*m", "m*x^(1/2)", "k*abs(m)", "[q, p]"],
     ),
     "in an operator": (

@@ -8,9 +8,11 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Iterable, Iterator, Set
+from math import prod
 from typing import TYPE_CHECKING
 
-from symbody.symbolic import Expr, sign, subs, symbols
+from symbody.symbolic import Expr, number, sign, subs, symbols, t
+from symbody.symbolic.expression.traverse import post_order
 from symbody.worksheet.values.value import Listed, MapleSet, Reference, Relation, Sequence, Value
 
 if TYPE_CHECKING:
@@ -29,7 +31,7 @@ def positive_names(session: Session, command: str, conditions: Iterable[Value]) 
     for condition in _opened(conditions):
         name = _positive(condition)
         if name is not None:
-            found.add(name)
+            found |= {name} - {t}  # the time has no other symbol
         elif not _is_known(condition):
             shown = session.text(condition)[:60]
             session.notice(
@@ -75,12 +77,24 @@ def under(value: Value, positive: Set[Expr]) -> Value:
     """Return a value as it is where names are positive: ``sqrt(m^2)`` is m."""
     if isinstance(value, Expr):
         marks = _marks(positive)
-        return subs(subs(value, marks), {mark: name for name, mark in marks.items()})
+        marked = _without_positive_factors(subs(value, marks), set(marks.values()))
+        return subs(marked, {mark: name for name, mark in marks.items()})
     if isinstance(value, Listed | Sequence):
         return type(value)(tuple(under(item, positive) for item in value.items))
     if isinstance(value, Relation):
         return Relation(value.operator, under(value.left, positive), under(value.right, positive))
     return value
+
+
+def _without_positive_factors(value: Expr, marks: Set[Expr]) -> Expr:
+    """Return a value with ``p*abs(k)`` for ``abs(k*p)``, where p is positive."""
+    made: dict[Expr, Expr] = {}
+    for node in post_order([value], lambda node: node.args, lambda node: node.id):
+        if node.kind == "function" and node.name == "Abs" and node.args[0].kind == "product":
+            factors = [each for each in node.args[0].args if each in marks]
+            outside = prod(factors, start=number(1))
+            made[node] = outside * abs(node.args[0] / outside) if factors else node
+    return subs(value, made) if made else value
 
 
 def is_positive(value: Expr, positive: Set[Expr]) -> bool | None:
