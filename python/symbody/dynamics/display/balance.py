@@ -12,6 +12,7 @@ from symbody.symbolic.calculus.reader import Reader
 from .causes import generalized_forces
 from .degree import Degrees, by_christoffel, degrees, is_defined_without, part_of, without
 from .device import by_device, devices
+from .given_rate import by_given_rates
 from .like_terms import joined
 from .reader_of import reader_of
 from .source import Sources, sources
@@ -81,6 +82,7 @@ def balances(
     gravity = _gravity(parts, system, [*mass_matrix.entries, *bias])
     mass_matrix = _read(mass_matrix, reader)
     inertia = _by_degree([part.inertia for part in parts], mass_matrix, system)
+    turning = by_given_rates([part.inertia for part in parts], system)
     loads = _loads([part.loads for part in parts], kinds, system.speeds, reader)
     made = []
     for i, (residual, part) in enumerate(zip(residuals, parts, strict=True)):
@@ -89,7 +91,7 @@ def balances(
         balance = _balance(
             [pair for pair in row if not pair[0].is_zero],
             part,
-            inertia[i],
+            (inertia[i], turning[i]),
             gravity[i],
             loads[i],
             [pair for pair in forces if not pair[0].is_zero],
@@ -202,7 +204,7 @@ def _by_degree(inertia: Sequence[Expr], mass_matrix: Matrix, system: Variables) 
 def _balance(
     row: Sequence[tuple[Expr, Expr]],
     part: _Parts,
-    inertia: Degrees | None,
+    inertia: Sequence[Degrees | None],
     gravity: tuple[Expr, ...],
     loads: tuple[Expr, ...],
     forces: Sequence[tuple[Expr, Expr]],
@@ -213,17 +215,14 @@ def _balance(
     Args:
         row: the entries of its row of M, each with its acceleration.
         part: its bias by the sources of the terms.
-        inertia: the forces of inertia by their degree in the speeds, if they are quadratic.
+        inertia: the forces of inertia by their degree in the speeds, and in these and given rates, if they are so.
         gravity: the terms of weight.
         loads: the terms of springs, dampers and others.
         forces: the entries of its column of phi_q, each with its multiplier.
         reader: which finds the forms.
     """
-    if inertia is None:
-        velocities = _terms(part.inertia, reader)
-    else:
-        products = (*inertia.quadratic, *inertia.linear)
-        velocities = (*joined(products, reader), *_given_accelerations(inertia.constant, reader))
+    ways = [_by_products(each, reader) for each in inertia if each is not None]
+    velocities = min(ways or [_terms(part.inertia, reader)], key=lambda terms: sum(map(reader.length, terms)))
     gravity, applied = _without_pairs(part, gravity, reader)
     return Balance(
         accelerations=tuple(entry * acceleration for entry, acceleration in row),
@@ -233,6 +232,12 @@ def _balance(
         applied=applied,
         constraints=tuple(joined(forces, reader, by_sign_only=True)),
     )
+
+
+def _by_products(inertia: Degrees, reader: Reader) -> tuple[Expr, ...]:
+    """Return forces of inertia, one term for each product of speeds."""
+    products = (*inertia.quadratic, *inertia.linear)
+    return (*joined(products, reader), *_given_accelerations(inertia.constant, reader))
 
 
 def _without_pairs(

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from symbody.errors import SymbodyError
 from symbody.multibody import Variables
-from symbody.symbolic import Expr, Matrix, diff, jacobian, number, subs
+from symbody.symbolic import Expr, Matrix, diff, jacobian, number, subs, substitute
 
 Product = tuple[Expr, Expr]
 """A coefficient, and the product of speeds that it multiplies."""
@@ -31,6 +31,14 @@ class Degrees:
     def total(self) -> Expr:
         """The polynomial."""
         return sum((c * u for c, u in (*self.linear, *self.quadratic)), start=self.constant)
+
+    def substituted(self, mapping: Mapping[Expr, Expr]) -> Degrees:
+        """Return the polynomial with other leaves in its coefficients."""
+        linear, quadratic = (
+            tuple((substitute([value], mapping)[0], product) for value, product in products)
+            for products in (self.linear, self.quadratic)
+        )
+        return Degrees(substitute([self.constant], mapping)[0], linear, quadratic)
 
 
 def without(expression: Expr, symbols: Sequence[Expr]) -> Expr:
@@ -67,7 +75,7 @@ def by_christoffel(inertia: Sequence[Expr], mass_matrix: Matrix, system: Variabl
     n = len(inertia)
     if system.has_quasi_velocities:
         return [None] * n
-    rates = [[[diff(mass_matrix[i, j], q) for q in system.coordinates] for j in range(n)] for i in range(n)]
+    rates = [[_slopes(mass_matrix[i, j], system.coordinates) for j in range(n)] for i in range(n)]
 
     def coefficient(i: int, j: int, k: int) -> Expr:
         if j == k:
@@ -85,6 +93,12 @@ def by_christoffel(inertia: Sequence[Expr], mass_matrix: Matrix, system: Variabl
         degrees = Degrees(number(0), (), quadratic)
         found.append(degrees if degrees.total == force else None)
     return found
+
+
+def _slopes(entry: Expr, coordinates: Sequence[Expr]) -> list[Expr]:
+    """Return the derivatives by coordinates, of which most are zero in a large mass matrix."""
+    held, nothing = entry.free_symbols, number(0)
+    return [diff(entry, q) if q in held else nothing for q in coordinates]
 
 
 def degrees(expressions: Sequence[Expr], speeds: Sequence[Expr]) -> list[Degrees | None]:
