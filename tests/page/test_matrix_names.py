@@ -68,16 +68,3 @@ def test_a_label_is_no_parameter_of_a_named_force() -> None:
     assert "F := g2*d' + k1*(d - l)" in text
     assert "k[1] = F*x/d" in text
     assert "g[2] = g*m" in text
-
-
-def test_thirty_links_keep_one_form() -> None:
-    """No entry of a large mass matrix is left as it was derived, and names are put in order at once."""
-    angles = functions_of_time(" ".join(f"q{i}" for i in range(30)))
-    frame, bodies = ground, []
-    for before, angle in zip((0, *angles), angles, strict=False):
-        frame = frame * rotate("Z", angle - before) * translate(0, -l, 0)
-        bodies.append(Body(frame, m))
-    equations = newton_euler(System(bodies, [], angles, gravity=DOWN))
-    row = equations.equation_of(angles[12]).description()
-    assert "17*m*l**2*cos(q12 - q13)*q13''" in row
-    assert ":=" not in row

@@ -67,23 +67,35 @@ def part_of(expression: Expr, symbols: Sequence[Expr]) -> Expr:
     return linear if linear == rest else rest
 
 
-def by_christoffel(inertia: Sequence[Expr], mass_matrix: Matrix, system: Variables) -> list[Degrees | None]:
+def by_christoffel(
+    inertia: Sequence[Expr], mass_matrix: Matrix, system: Variables, places: Sequence[int] | None = None
+) -> list[Degrees | None]:
     """Return the forces of inertia that follow from the mass matrix alone, by Christoffel's symbols.
 
     Derivatives of short entries are short. None where the forces have other terms too, as on a moving support.
+
+    Args:
+        inertia: the forces of inertia.
+        mass_matrix: M, n x n.
+        system: the system to which the forces belong.
+        places: the rows whose forces they are; by default all.
     """
-    n = len(inertia)
     if system.has_quasi_velocities:
-        return [None] * n
-    rates = [[_slopes(mass_matrix[i, j], system.coordinates) for j in range(n)] for i in range(n)]
+        return [None] * len(inertia)
+    n, nothing = mass_matrix.rows, number(0)
+    held = [[mass_matrix[i, j].free_symbols for j in range(n)] for i in range(n)]
+
+    def slope(i: int, j: int, k: int) -> Expr:
+        q = system.coordinates[k]
+        return diff(mass_matrix[i, j], q) if q in held[i][j] else nothing
 
     def coefficient(i: int, j: int, k: int) -> Expr:
         if j == k:
-            return rates[i][j][j] - rates[j][j][i] / 2
-        return rates[i][j][k] + rates[i][k][j] - rates[j][k][i]
+            return slope(i, j, j) - slope(j, j, i) / 2
+        return slope(i, j, k) + slope(i, k, j) - slope(j, k, i)
 
     found = list[Degrees | None]()
-    for i, force in enumerate(inertia):
+    for i, force in zip(range(n) if places is None else places, inertia, strict=True):
         quadratic = tuple(
             (value, system.speeds[j] * system.speeds[k])
             for j in range(n)
@@ -93,12 +105,6 @@ def by_christoffel(inertia: Sequence[Expr], mass_matrix: Matrix, system: Variabl
         degrees = Degrees(number(0), (), quadratic)
         found.append(degrees if degrees.total == force else None)
     return found
-
-
-def _slopes(entry: Expr, coordinates: Sequence[Expr]) -> list[Expr]:
-    """Return the derivatives by coordinates, of which most are zero in a large mass matrix."""
-    held, nothing = entry.free_symbols, number(0)
-    return [diff(entry, q) if q in held else nothing for q in coordinates]
 
 
 def degrees(expressions: Sequence[Expr], speeds: Sequence[Expr]) -> list[Degrees | None]:
