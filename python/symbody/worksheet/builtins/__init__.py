@@ -9,6 +9,7 @@ from symbody.symbolic import Expr
 from symbody.worksheet.builtins import (
     algebra,
     arrays,
+    assuming,
     bounded_arrays,
     calculus,
     code,
@@ -81,6 +82,7 @@ _FAMILIES = (
         containers,
         sets,
         arrays,
+        assuming,
         bounded_arrays,
         matrices,
         row_echelon,
