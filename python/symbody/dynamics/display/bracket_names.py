@@ -9,8 +9,8 @@ import re
 from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
 
-WALL = 4000
-"""Characters from which on sums have names: two pages, which nobody reads term by term."""
+WALL = 8000
+"""Characters of text from which on sums have names: two pages, which nobody reads term by term."""
 _SHORT, _OFTEN, _MOST = 14, 3, 20
 """The characters of a sum and how often it stands, at least; the most names."""
 _DEFINED = len("     := ")
