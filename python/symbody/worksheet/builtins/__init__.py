@@ -9,6 +9,7 @@ from symbody.symbolic import Expr
 from symbody.worksheet.builtins import (
     algebra,
     arrays,
+    assuming,
     calculus,
     code,
     complex_numbers,
@@ -80,6 +81,7 @@ _FAMILIES = (
         containers,
         sets,
         arrays,
+        assuming,
         matrices,
         row_echelon,
         minors,

@@ -10,6 +10,7 @@ from symbody.symbolic import Expr, cos, exp, number, pi, sin
 from symbody.symbolic.expression.traverse import post_order
 from symbody.worksheet.builtins.arrays import array_of
 from symbody.worksheet.builtins.elementary import in_decimals
+from symbody.worksheet.builtins.factors import partial_fractions
 from symbody.worksheet.builtins.structural import operands
 from symbody.worksheet.builtins.texts import unparsed
 from symbody.worksheet.evaluation.arithmetic import scalar
@@ -252,6 +253,7 @@ _CONVERSIONS: dict[str, Command] = {
     "global": _same,
     "local": _same,
     "polynom": _to_polynomial,
+    "parfrac": partial_fractions,
 }
 
 
