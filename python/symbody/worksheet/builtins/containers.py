@@ -62,9 +62,9 @@ def indices(session: Session, value: Value, *options: Value) -> Value:
     """indices(T): the indices of a table, each in a list."""
     found = session.table(value)
     if isinstance(found, Array):
-        return sequence(
-            [Listed((number(i + 1), number(j + 1))) for i in range(found.rows) for j in range(found.columns)]
-        )
+        (up, left), width = found.first, 1 if found.kind.lower() == "vector" else 2
+        places = [(number(up + i), number(left + j)) for i in range(found.rows) for j in range(found.columns)]
+        return sequence([Listed(place[:width]) for place in places])
     plain = any(getattr(each, "name", "") == "nolist" for each in options)
     return sequence([key[0] if plain and len(key) == 1 else Listed(key) for key in found.entries])
 

@@ -7,6 +7,7 @@ not found. A derivative is replaced before the function inside it.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from symbody.symbolic import Expr, UndefinedFunction, t, time_derivative
@@ -55,7 +56,7 @@ def _is_key(value: Value) -> bool:
 
 def _in_array(session: Session, array: Array, mapping: Mapping[Value, Value]) -> Value:
     entries = [substituted(session, session.current(entry), mapping) for entry in array.entries]
-    after = Array(array.rows, array.columns, entries, array.kind)
+    after = replace(array, entries=entries, attributes=(), frame=None)
     scalars = {old: new for old, new in mapping.items() if isinstance(old, Expr) and isinstance(new, Expr)}
     plain = len(scalars) == len(mapping) and all(old.kind in _LEAVES for old in scalars)
     return (

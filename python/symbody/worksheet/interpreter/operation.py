@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any, TypeAlias
 
 from symbody.worksheet import builtins
@@ -161,7 +162,7 @@ def _entrywise(session: Session, operator: str, left: Value, right: Value) -> Va
             entries = [_operated(session, operator, x, y) for x, y in pairs]
             if isinstance(side, Listed):
                 return Listed(tuple(entries))
-            return Array(side.rows, side.columns, entries, side.kind)
+            return replace(side, entries=entries, attributes=(), frame=None)
     return _operated(session, operator, left, right)
 
 
