@@ -312,15 +312,12 @@ impl<'a> Lowering<'a> {
         let mut quotient = Quotient { constant: 1.0, above: Vec::new(), below: Vec::new() };
         for (base, exponent) in factors.iter() {
             let exponent = self.graph.get_number(exponent);
-            let power = match self.beyond_doubles(base) {
-                Some(base) => {
-                    let exponent = self.code.constant(exponent.abs().to_f64()).operand;
-                    Signed::plus(self.code.power_of_extended(base, exponent))
-                }
-                None => {
-                    let base = self.at(base);
-                    self.power(base, exponent)
-                }
+            let power = if let Some(base) = self.beyond_doubles(base) {
+                let exponent = self.code.constant(exponent.abs().to_f64()).operand;
+                Signed::plus(self.code.power_of_extended(base, exponent))
+            } else {
+                let base = self.at(base);
+                self.power(base, exponent)
             };
             quotient.push(power, self.code.number_in(power), exponent.is_negative());
         }
