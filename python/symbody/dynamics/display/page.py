@@ -13,7 +13,7 @@ from symbody.symbolic.expression.latex_layout import ARTICLE, aligned, broken
 from symbody.symbolic.expression.text_layout import LINE, lines
 
 from .balance import Balance
-from .reader_of import reader_of
+from .reader_of import names_of_masses, reader_of
 from .row import printed, written
 from .short_names import Definition, in_order_of_use, shortened
 
@@ -96,15 +96,24 @@ class Page:
         entries, given, rows = self._rows(notation)
         texts = [side for row in rows for side in row]
         is_wanted = None if notation == "text" else self._has_short_names
-        definitions, sides = shortened(texts, entries, given, notation, is_wanted=is_wanted)
+        masses = names_of_masses(self.system)
+        definitions, sides = shortened(texts, entries, given, notation, is_wanted=is_wanted, masses=masses)
         return definitions, list(zip(sides[::2], sides[1::2], strict=True))
 
     @cached_property
     def _has_short_names(self) -> bool:
         """Whether the text has them; then all notations have."""
+        return self._names_but_of_sums != self._rows("text")[1]
+
+    @property
+    def has_names_of_sums(self) -> bool:
+        """Whether repeated sums have names in the text, which other notations write out."""
+        return self._named_rows("text")[0] != self._names_but_of_sums
+
+    @cached_property
+    def _names_but_of_sums(self) -> list[Definition]:
         entries, given, rows = self._rows("text")
-        definitions, _ = shortened([side for row in rows for side in row], entries, given)
-        return definitions != given
+        return shortened([side for row in rows for side in row], entries, given)[0]
 
     def _rows(self, notation: str) -> tuple[list[Entry], list[Definition], list[tuple[str, str]]]:
         """Return the entries of the mass matrix, named quantities, and the left and right sides of all rows."""

@@ -346,7 +346,15 @@ class Equations:
 
     @cached_property
     def is_readable(self) -> bool:
-        """Whether the equations are written out: they have at most 1000 operations, and fill at most two pages."""
+        """Whether the equations are written out: they have at most 1000 operations, and fill at most two pages.
+
+        Equations that do so as text alone, by names of repeated sums, are not written out as formulas.
+        """
+        return self._is_printed and not self._printed_page.has_names_of_sums
+
+    @cached_property
+    def _is_printed(self) -> bool:
+        """Whether the equations are written out as text."""
         return self._has_page and self._printed_page.description().count("\n") <= PAGES
 
     def description(self, *, whole: bool = False) -> str:
@@ -361,7 +369,7 @@ class Equations:
         """
         if not self._has_page:
             return summary(self.system, self.residuals)
-        if whole or self.is_readable:
+        if whole or self._is_printed:
             return self._printed_page.description()
         return abridged(self._printed_page, self.residuals)
 
@@ -388,9 +396,14 @@ class Equations:
         k = places[speed]
         if self._has_page:
             return pages_of(self._printed_page)[k]
-        return EquationPage(
-            self.system, self.system.driving[k], Balance(velocities=(readable(self.residuals[k]),))
+        rows, _ = balances(
+            self.system, self.residuals, self.mass_matrix, self.bias, self.constraint_jacobian, places=[k]
         )
+        page = EquationPage(self.system, self.system.driving[k], rows[0])
+        if len(page.description()) <= _WALL:
+            return page
+        whole = Balance(velocities=(readable(self.residuals[k]),))
+        return min(page, replace(page, balance=whole), key=lambda each: len(each.description()))
 
     def latex(self, *, whole: bool = False) -> str:
         r"""Return the equations and constraints in LaTeX, as a textbook prints them.
@@ -447,6 +460,9 @@ class Equations:
         """Return the sizes of equations that are too long to be read."""
         return None if self._latex_of_notebook else summary_table(self.system, self.residuals)
 
+
+_WALL = 3000
+"""The characters from which on an equation of a large system may be shorter if its terms are not told apart."""
 
 _BY_RATIOS = 400
 """Operations of equations with constraints up to which embedded ones are written by velocity ratios."""
