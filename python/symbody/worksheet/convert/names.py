@@ -13,7 +13,8 @@ from symbody.worksheet.sheet import syntax
 
 __all__ = ["Names", "NoText", "identifier"]
 
-_MODULES = """import math
+_MODULES = """import functools
+import math
 import pickle
 from pathlib import Path
 
@@ -41,6 +42,7 @@ _TAKEN = frozenset(
         "dict",
         "np",
         "plt",
+        "functools",
         "math",
         "scipy",
         "sympy",
