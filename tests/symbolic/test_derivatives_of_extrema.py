@@ -3,10 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from fractions import Fraction
 
 import pytest
 
-from symbody import Abs, Expr, Max, Min, diff, functions_of_time, gradient, symbols, t, time_derivative
+from symbody import (
+    Abs,
+    Expr,
+    Max,
+    Min,
+    Piecewise,
+    diff,
+    functions_of_time,
+    gradient,
+    symbols,
+    t,
+    time_derivative,
+)
 
 x, y, w = symbols("x y w")
 
@@ -47,3 +60,12 @@ def test_the_rate_of_an_extremum() -> None:
     q = functions_of_time("q")
     rate = time_derivative(Max(q, Abs(q), w))
     assert rate.evaluate({q: 2, q.diff(t): 1, w: -1}) == 1
+
+
+@pytest.mark.parametrize("degree", [Fraction(1, 2), Fraction(-1, 2), Fraction(3, 2), Fraction(1, 3)])
+def test_extrema_of_what_may_not_be_real_have_the_derivatives_of_their_branches(degree: Fraction) -> None:
+    a, root = symbols("a", positive=True), x**degree
+    for extremum, ahead in ((Min(root, a), root - a), (Max(root, a), a - root)):
+        branches = Piecewise((a, ahead), otherwise=root)
+        assert extremum == branches
+        assert diff(extremum, x) == diff(branches, x)

@@ -322,7 +322,7 @@ impl Graph {
 
     /// The partial derivative of max(max(max(a, b), c), ...) by argument k: the product of those of each max(m, a) = (m + a +
     /// |m - a|)/2 on the way, which are (1 + sign(m - a))/2 and (1 + sign(a - m))/2. So the weights of all arguments add up to
-    /// one, also where several of them are the extremum.
+    /// one, also where several of them are the extremum. Of what may not be real, the condition m - a > 0 chooses.
     fn extremum_partial(&mut self, function: Function, args: &[Id], k: usize) -> Result<Id, Error> {
         let half = self.number_id(&Number::rational(1, 2));
         let mut weights = Vec::new();
@@ -330,8 +330,14 @@ impl Graph {
             let before = if last == 1 { args[0] } else { self.apply(function, &args[..last])? };
             let (kept, other) = if last == k { (args[k], before) } else { (before, args[last]) };
             let ahead = if function == Function::Max { self.sub(kept, other) } else { self.sub(other, kept) };
-            let sign = self.apply(Function::Sign, &[ahead])?;
-            weights.push((self.sum(&[(half, Id::ONE), (half, sign)]), NumberId::ONE));
+            let weight = if self.has_real_values(ahead) {
+                let sign = self.apply(Function::Sign, &[ahead])?;
+                self.sum(&[(half, Id::ONE), (half, sign)])
+            } else {
+                // where a root is imaginary, a sign is no 1 or -1, but a condition chooses
+                self.apply(Function::Piecewise, &[Id::ONE, ahead, Id::ZERO])?
+            };
+            weights.push((weight, NumberId::ONE));
         }
         self.product(&weights)
     }
