@@ -135,7 +135,9 @@ class Track(Pair):
 
     def _along(self, sides: Sides) -> Vector:
         """Return the vector whose product with the velocity of the point is s': the tangent r', by its square."""
-        tangent = tuple(diff(each, *self.keeps) for each in self.place)
+        (parameter,) = self.keeps
+        x, y, z = (diff(each, parameter) for each in self.place)
+        tangent = x, y, z
         square = dot3(tangent, tangent)
         axes = (sides.of_parent(k) * (each / square) for k, each in enumerate(tangent))
         return sum(axes, start=sides.of_parent(0) * 0)
