@@ -108,14 +108,15 @@ def in_order_of_use(definitions: Sequence[Definition]) -> list[Definition]:
     >>> in_order_of_use([("z1", "F1*l"), ("F1", "k*l")])
     [('F1', 'k*l'), ('z1', 'F1*l')]
     """
+    names = [name for name, _ in definitions]
+    uses = {
+        own: {name for name in names if name != own and name in value and occurs(name, [value])}
+        for own, value in definitions
+    }
     made, remaining = list[Definition](), [*definitions]
     while remaining:
-        names = [name for name, _ in remaining]
-        ready = (
-            place
-            for place, (own, value) in enumerate(remaining)
-            if not any(occurs(name, [value]) for name in names if name != own)
-        )
+        left = {name for name, _ in remaining}
+        ready = (place for place, (own, _) in enumerate(remaining) if not uses[own] & left)
         made.append(remaining.pop(next(ready, 0)))
     return made
 

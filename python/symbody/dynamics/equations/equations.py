@@ -388,9 +388,14 @@ class Equations:
         k = places[speed]
         if self._has_page:
             return pages_of(self._printed_page)[k]
-        return EquationPage(
-            self.system, self.system.driving[k], Balance(velocities=(readable(self.residuals[k]),))
+        rows, _ = balances(
+            self.system, self.residuals, self.mass_matrix, self.bias, self.constraint_jacobian, places=[k]
         )
+        page = EquationPage(self.system, self.system.driving[k], rows[0])
+        if len(page.description()) <= _WALL:
+            return page
+        whole = Balance(velocities=(readable(self.residuals[k]),))
+        return min(page, replace(page, balance=whole), key=lambda each: len(each.description()))
 
     def latex(self, *, whole: bool = False) -> str:
         r"""Return the equations and constraints in LaTeX, as a textbook prints them.
@@ -447,6 +452,9 @@ class Equations:
         """Return the sizes of equations that are too long to be read."""
         return None if self._latex_of_notebook else summary_table(self.system, self.residuals)
 
+
+_WALL = 3000
+"""The characters from which on an equation of a large system may be shorter if its terms are not told apart."""
 
 _BY_RATIOS = 400
 """Operations of equations with constraints up to which embedded ones are written by velocity ratios."""

@@ -23,7 +23,7 @@ _LARGE = 100
 """Operations from which on an expression stays as it is: nobody reads it."""
 _TOTAL = 1800
 """Operations of all expressions together, after which only small ones are rewritten."""
-_SMALL = 12
+_SMALL = 20
 _EXPANDED = 40
 """Operations up to which `textbook_form` looks for the form from the expanded expression, too."""
 _OF_BODIES, _SHORT = 60, 35

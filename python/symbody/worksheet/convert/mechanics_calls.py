@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable, Mapping
 from typing import TypeAlias
 
-from symbody.geometry import Frame, Vector
+from symbody.geometry import Frame, Point, Vector
 from symbody.multibody import Body
 from symbody.symbolic import Expr, Matrix
 from symbody.worksheet.convert.frames import axis, components, frame
@@ -128,6 +128,14 @@ def _center(text: Writer, arguments: Arguments) -> str:
     return f"{grouped(whole)}.center_of_mass"
 
 
+def _origin(text: Writer, arguments: Arguments) -> str:
+    """Return the origin of a frame, or of that of a body, a point or a vector."""
+    whole = text.text(arguments[0])
+    if isinstance(text.value(whole), Body | Point | Vector):
+        return f"sb.origin({grouped(whole)}.frame)"
+    return f"sb.origin({frame(text, arguments[0])})"
+
+
 def _velocity(function: str) -> Call:
     """Return the writer of a velocity: of a point, which may be the origin of a frame."""
 
@@ -238,7 +246,7 @@ MECHANICS: Mapping[str, Call] = {
     "make_BODY": _body,
     "make_FORCE": _force,
     "make_TORQUE": _torque,
-    "origin": _framed("sb.origin", 0),
+    "origin": _origin,
     "CoM": _center,
     "frame_frozen_velocity": _framed("sb.frozen_velocity", 1),
     "project": _framed("sb.project", 1),

@@ -22,7 +22,8 @@ def outcomes(cells: Sequence[Cell], interpreter: Interpreter) -> Iterator[Outcom
     for number, cell in enumerate(cells):
         for item in statements(cell, used):
             if isinstance(item, Remark):
-                yield Outcome(number, item.place.line, remark=item.text)
+                notices = (item.notice,) if item.notice else ()
+                yield Outcome(number, item.place.line, notices=notices, remark=item.text)
             elif isinstance(item, SyntaxMistake):
                 yield Outcome(number, item.place.line, error=item.message)
             else:

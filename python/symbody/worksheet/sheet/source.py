@@ -56,10 +56,22 @@ class ReadFile:
 
 @dataclass(frozen=True, slots=True)
 class Remark:
-    """Text among the code that is no code, though it has no ``#``."""
+    """Text among the code that is no code, though it has no ``#``.
+
+    Attributes:
+        place: where it stands.
+        text: the text.
+        has_code: whether names of the code, numbers or operators are in it, so that it may have been meant as code.
+    """
 
     place: Place
     text: str
+    has_code: bool = False
+
+    @property
+    def notice(self) -> str:
+        """What the user should know; nothing where the text has only words."""
+        return f"taken for a remark: {self.text}" if self.has_code else ""
 
 
 @dataclass(frozen=True, slots=True)
