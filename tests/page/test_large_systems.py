@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from itertools import pairwise
 
 from symbody import (
@@ -17,10 +18,12 @@ from symbody import (
     latex,
     linearize,
     newton_euler,
+    parse,
     rotate,
     symbols,
     translate,
 )
+from symbody.models import rattleback
 
 g, m, M, l = symbols("g m M l")
 DOWN = Vector(ground, 0, -g, 0)
@@ -68,3 +71,24 @@ def test_the_rest_of_what_is_shown_of_a_train_is_short() -> None:
     for shown in (linearize(equations), forward_dynamics(equations), hamilton(train)):
         assert len(describe(shown).splitlines()) < 15
         assert len(latex(shown)) < 1000
+
+
+def test_a_wall_has_names_of_its_sums_by_what_they_are() -> None:
+    """As of the rattleback: 14 702 characters before, more than two pages; its rows are the equations."""
+    equations = newton_euler(rattleback().system)
+    text = describe(equations)
+    rows = [" ".join(row.split()) for row in re.split(r"\n    (?! )", text)[1:]]
+    assert equations.is_readable
+    assert len(text) < 7000
+    assert "R1 := s_alpha*s_gamma - c_alpha*s_beta*c_gamma" in rows
+    assert "J1 := A - C + M*h**2" in rows
+    names = {leaf.name: leaf for leaf in equations.system.leaves}
+    names |= {each.name: each for each in (*equations.coordinates, *equations.system.multipliers)}
+    shown = []
+    for row in rows:
+        left, right = row.split(" := " if " := " in row else " = ")
+        if " := " in row:
+            names[left] = parse(right, names)
+        elif not row.startswith("constraint"):
+            shown.append(parse(left, names) - parse(right, names))
+    assert shown == [*equations.residuals]

@@ -13,7 +13,7 @@ from symbody.symbolic.expression.latex_layout import ARTICLE, aligned, broken
 from symbody.symbolic.expression.text_layout import LINE, lines
 
 from .balance import Balance
-from .reader_of import reader_of
+from .reader_of import names_of_masses, reader_of
 from .row import printed, written
 from .short_names import Definition, in_order_of_use, shortened
 
@@ -96,7 +96,8 @@ class Page:
         entries, given, rows = self._rows(notation)
         texts = [side for row in rows for side in row]
         is_wanted = None if notation == "text" else self._has_short_names
-        definitions, sides = shortened(texts, entries, given, notation, is_wanted=is_wanted)
+        masses = names_of_masses(self.system)
+        definitions, sides = shortened(texts, entries, given, notation, is_wanted=is_wanted, masses=masses)
         return definitions, list(zip(sides[::2], sides[1::2], strict=True))
 
     @cached_property

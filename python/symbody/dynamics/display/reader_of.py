@@ -35,6 +35,11 @@ _BY_BODIES = 400
 """Operations of equations up to which forms with a term for each body are looked for."""
 
 
+def names_of_masses(system: Variables) -> frozenset[str]:
+    """Return the names of masses and moments of inertia; none of equations that were given without bodies."""
+    return frozenset(leaf.name for leaf in _inertias(system)) if isinstance(system, System) else frozenset()
+
+
 def _inertias(system: System) -> frozenset[Expr]:
     """Return the parameters of the masses and moments of inertia."""
     return free_symbols(

@@ -247,9 +247,14 @@ def finite_number(name: Expr, value: ArrayLike, place: str) -> float:
     """
     column = column_of(name, value, place)
     if column.ndim:
+        function = place.split(",", maxsplit=1)[0]
+        way = (
+            "for many motions use simulate_many"
+            if function == "simulate"
+            else f"call {function} for each value"
+        )
         raise ParameterError(
-            f"{place}: {name} has values of shape {column.shape}; expected one number; for many motions use "
-            "simulate_many"
+            f"{place}: {name} has values of shape {column.shape}; expected one number; {way}"
         )
     if not np.isfinite(column):
         raise ParameterError(f"{place}: {name} is {float(column)}; expected a finite number")

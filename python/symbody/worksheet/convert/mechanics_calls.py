@@ -151,6 +151,13 @@ def _velocity(function: str) -> Call:
     return write
 
 
+def _spin(text: Writer, arguments: Arguments) -> str:
+    """Return the angular velocity of a frame, also relative to another one, in the axes of the first."""
+    of, *others = (frame(text, each) for each in arguments)
+    relative = "".join(f" - sb.project(sb.angular_velocity({other}), {of})" for other in others)
+    return f"sb.angular_velocity({of}){relative}"
+
+
 def _lagrange(text: Writer, arguments: Arguments) -> str:
     """Return Lagrange's expression for a coordinate, or those for a list of coordinates."""
     energy, unknown = (text.text(each) for each in arguments[:2])
@@ -258,7 +265,7 @@ MECHANICS: Mapping[str, Call] = {
     **dict.fromkeys(("comp_XYZ", "Comps"), components),
     **{f"uvec_{axis}": _unit(index) for index, axis in enumerate("XYZ")},
     **{name: _velocity(f"sb.{name}") for name in ("velocity", "acceleration")},
-    "angular_velocity": _framed("sb.angular_velocity", 0, 1),
+    "angular_velocity": _spin,
     "linear_momentum": _framed("sb.linear_momentum", 1),
     "angular_momentum": _framed("sb.angular_momentum", 2),
     "kinetic_energy": _framed("sb.kinetic_energy"),

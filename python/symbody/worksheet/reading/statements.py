@@ -116,7 +116,15 @@ def _read(
 
 
 def _taken(cell: Cell, tokens: list[Token], begin: int, span: Span, used: Collection[str]) -> Remark:
-    """Take a remark out of the tokens, with its end where it ends before a prompt, not with the cell."""
+    """Take a remark out of the tokens, with its end where it ends before a prompt, not with the cell.
+
+    Args:
+        cell: the cell.
+        tokens: its tokens, which lose the remark.
+        begin: where the statement begins.
+        span: where the remark is among the tokens.
+        used: the names that the sheet uses.
+    """
     remark = _remark(cell, tokens[span.begin : span.end], used)
     del tokens[span.begin : span.end]
     if begin + 1 < len(tokens) and not tokens[begin]:
@@ -127,7 +135,15 @@ def _taken(cell: Cell, tokens: list[Token], begin: int, span: Span, used: Collec
 def _before_prompt(
     cell: Cell, tokens: list[Token], begin: int, end: int, used: Collection[str]
 ) -> Statement | Remark:
-    """Take the text behind the last terminator of a line out of the tokens: a remark, or a call such as ``show(B)``."""
+    """Take the text behind the last terminator of a line out of the tokens: a remark, or a call such as ``show(B)``.
+
+    Args:
+        cell: the cell.
+        tokens: its tokens, which lose the text.
+        begin: where the text begins.
+        end: where it ends.
+        used: the names that the sheet uses.
+    """
     piece = [*tokens[begin - 1 : end], terminator_after(tokens[end - 1])]
     found = next_statement(piece, 1)
     del tokens[begin:end]

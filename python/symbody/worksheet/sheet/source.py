@@ -37,6 +37,7 @@ class Cell:
         remarks_lost_marks: text behind the last terminator of a line, without one of its own, is a remark: exports to
             text leave out the marks of remarks.
         unread: input of which the file has no text.
+        is_startup: whether Maple executes it when the file is opened, and again behind each ``restart``.
     """
 
     input: tuple[Line, ...]
@@ -44,6 +45,7 @@ class Cell:
     prose: tuple[str, ...] = ()
     remarks_lost_marks: bool = True
     unread: tuple[SyntaxMistake, ...] = ()
+    is_startup: bool = False
 
 
 @dataclass(frozen=True, slots=True)
