@@ -12,7 +12,8 @@ from symbody.symbolic import Expr, symbol, time_function
 
 __all__ = ["Names", "NoText", "identifier"]
 
-_MODULES = """import math
+_MODULES = """import functools
+import math
 import pickle
 from pathlib import Path
 
@@ -40,6 +41,7 @@ _TAKEN = frozenset(
         "dict",
         "np",
         "plt",
+        "functools",
         "math",
         "scipy",
         "sympy",

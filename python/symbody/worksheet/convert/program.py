@@ -168,6 +168,7 @@ def _end(body: str) -> str:
 def _imports(body: str) -> str:
     """Return the lines that import what the program needs of the standard library."""
     needed = {
+        "functools.": "import functools\n",
         "math.": "import math\n",
         "pickle.": "import pickle\n",
         "Path(": "from pathlib import Path\n",
