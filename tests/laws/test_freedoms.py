@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from symbody import Body, motor, power, time_derivative, torsion_spring
+from symbody import Body, friction, motor, power, time_derivative, torsion_spring
 from symbody.multibody.joint.placed_joint import PlacedJoint
 from symbody.symbolic import number
 from tests.laws.test_joints import Moving, moving
@@ -57,19 +57,19 @@ def test_the_power_along_a_freedom_is_the_effort_times_its_rate(kind: str, form:
     placed = joint_of(case, form)
     on, reaction = ends(case, placed)
     state = dict(case.state)
-    if (
-        kind != "screw"
-    ):  # of which a loop holds the angle to the displacement by a constraint; it may not move at all
+    if kind != "screw" and (kind, form) != (
+        "point_on_curve",
+        "loop",
+    ):  # of which a constraint holds the coordinate to the displacement; the screw may not move at all
         state |= dict(
             zip(case.equations.speeds, np.random.default_rng(seed).uniform(-1, 2, 99), strict=False)
         )
     moves = []
     for name in placed.joint.pair.names:
-        if (kind, form, name) == ("point_on_curve", "loop", "s"):
-            continue  # of which there is no freedom
         freedom = placed.freedom(name)
         drive = motor(freedom, 3, on=on, reaction=reaction)
         spring = torsion_spring(freedom, 2, free_angle=1, on=on, reaction=reaction)
+        drag = friction(freedom, viscous=2, on=on, reaction=reaction)
         found = case._numbers(
             [
                 power(drive),
@@ -77,10 +77,12 @@ def test_the_power_along_a_freedom_is_the_effort_times_its_rate(kind: str, form:
                 3 * time_derivative(freedom.value),
                 power(spring),
                 -time_derivative(spring.potential),
+                power(drag),
             ],
             state,
         )
         np.testing.assert_allclose(found[1:3], found[0], atol=1e-9)
         np.testing.assert_allclose(found[3], found[4], atol=1e-9)
+        np.testing.assert_allclose(found[5], -2 * found[2] ** 2 / 9, atol=1e-9)
         moves.append(abs(found[0]) > 1e-9)
     assert any(moves) or (kind, form) == ("screw", "loop") or not moves

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 from symbody import (
     Expr,
@@ -20,17 +21,21 @@ from symbody import (
     functions_of_time,
     generalized_force,
     ground,
+    lagrange_equations,
     motor,
     newton_euler,
     pi,
     planar,
+    point_on_curve,
     power,
     prismatic,
+    reaction,
     revolute,
     rolling,
     rotate,
     simulate,
     spherical,
+    sqrt,
     symbols,
     time_derivative,
     torsion_spring,
@@ -276,6 +281,48 @@ def test_what_is_no_freedom_is_told() -> None:
         motor(ball.joint("Q").freedom("e1"), 1, on=ball.body(arm))
     with pytest.raises(JointError, match=r"^prismatic S: no freedom 'phi'"):
         made.joint("S").freedom("phi")
+
+
+def test_friction_in_a_curved_slot_that_closes_a_loop() -> None:
+    """A crank pin in the slot x = b p^2, y = p of a sliding plate: one equation of motion by its angle."""
+    I_, m_, r_, b_, c_, F_, width = 0.05, 2.0, 0.2, 1.5, 3.0, 1.2, 0.05
+    crank, plate = Link("crank", 0, Iz=I_), Link("plate", m_)
+    A, S = revolute("A", ground, crank), prismatic("S", ground, plate)
+    slot = point_on_curve(
+        "W", plate, crank, curve=lambda p: (b_ * p**2, p, 0), to=(r_, 0, 0), axes="Z", loop=True
+    )
+    made = assemble([A, S, slot])
+    (p,) = made.joint(slot).coordinates
+    stretch = sqrt(1 + (2 * b_ * p) ** 2)  # the length of the slot per unit of its parameter
+    along = made.joint(slot).freedom("s")
+    bodies = {"on": made.body(crank), "reaction": made.body(plate)}
+    drag = friction(
+        along, viscous=c_ * stretch**2, coulomb=F_ * stretch, creep_speed=width / stretch, **bodies
+    )
+    eqs = newton_euler(made.system([drag]))
+    assert lagrange_equations(made.system([drag])).residuals == eqs.residuals
+
+    def rate(_: float, state: np.ndarray) -> list[float]:
+        """x = r cos(phi) - b (r sin(phi))^2 of the plate, and friction c v + F tanh(v/v0) along the slot."""
+        phi, u = state
+        x1 = -r_ * np.sin(phi) - b_ * r_**2 * np.sin(2 * phi)
+        x2 = -r_ * np.cos(phi) - 2 * b_ * r_**2 * np.cos(2 * phi)
+        slide = r_ * np.cos(phi) * np.sqrt(1 + (2 * b_ * r_ * np.sin(phi)) ** 2)
+        force = c_ * slide * u + F_ * np.tanh(slide * u / width)
+        return [u, (-m_ * x1 * x2 * u**2 - force * slide) / (I_ + m_ * x1**2)]
+
+    t = np.linspace(0, 1, 51)
+    start = {A.coordinate: 0.4, time_derivative(A.coordinate): 12.0}
+    motion = simulate(eqs, {}, start, t=t, guess={p: 0.08, S.coordinate: 0.17}, rtol=1e-10, atol=1e-12)
+    own = solve_ivp(rate, (0, 1), [0.4, 12.0], t_eval=t, rtol=1e-10, atol=1e-12)
+    np.testing.assert_allclose(motion[A.coordinate], own.y[0], rtol=1e-7)
+    assert motion.energy_drift < 1e-8
+    across = reaction(eqs, slot, frame=made.frame(plate)).force.components
+    normal, tangential = motion.evaluate(
+        [across[0] - 2 * b_ * p * across[1], 2 * b_ * p * across[0] + across[1]]
+    )
+    assert np.abs(normal).max() > 1
+    np.testing.assert_allclose(tangential, 0, atol=1e-9)
 
 
 def test_the_rate_of_a_freedom_of_a_spatial_loop_is_the_slope_of_its_angle() -> None:

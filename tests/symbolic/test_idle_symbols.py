@@ -9,17 +9,27 @@ import pytest
 from symbody import (
     Abs,
     Expr,
+    Link,
+    Max,
+    assemble,
+    contact,
     cos,
     cost,
     exp,
+    free,
     functions_of_time,
+    ground,
+    newton_euler,
     number,
     pi,
+    planar,
+    rotate,
     sin,
     sqrt,
     symbols,
     tan,
     time_derivative,
+    translate,
 )
 from symbody.symbolic import derivation, idle_symbols, linear_solve, without_idle_symbols
 
@@ -92,6 +102,27 @@ def test_a_symbol_is_idle_in_all_expressions_or_in_none() -> None:
     assert idle_symbols([e, b + c]) == ()
     assert idle_symbols([]) == ()
     assert without_idle_symbols([e, number(2), e]) == (a, number(2), a)
+
+
+@pytest.mark.parametrize("k", range(8))
+def test_a_symbol_of_one_branch_is_not_idle(k: int) -> None:
+    """Each sign is a coin in a lane: of a few symbols, some are on either side of a kink there."""
+    e = a * Max(0, symbols(f"x{k}")) + b
+    assert idle_symbols([e]) == ()
+    assert idle_symbols([Abs(e) * c - Abs(e) * (c + s)]) == (c,)
+
+
+def test_a_contact_is_derived_without_trials() -> None:
+    """Whatever one of its branches lacks, the residuals hold: of 13 symbols, each was replaced by three numbers."""
+    table, block = Link("table", 4, 0.2, 0.3, 0.4), Link("block", 1, 0.01, 0.01, 0.01)
+    made = assemble([planar("H", ground, table, axis="Y"), free("F", ground, block)])
+    plane = made.frame(table) * translate(0, 0, 0.02) * rotate("Y", 0.1)
+    rubbing = {"damping": 0.3, "friction": 0.4, "creep_speed": 0.01}
+    bodies = {"on": made.body(block), "reaction": made.body(table)}
+    touch = contact(made.point(block, 0.02, 0, -0.05), 0.05, 1e5, plane=plane, **rubbing, **bodies)
+    equations = newton_euler(made.system([touch]))
+    assert idle_symbols(equations.residuals) == ()
+    assert idle_symbols([*equations.mass_matrix.entries, *equations.bias]) == ()
 
 
 def test_rates_stay_if_their_function_is_idle() -> None:

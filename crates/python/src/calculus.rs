@@ -85,11 +85,12 @@ fn free_symbols<'py>(py: Python<'py>, expressions: &Object<'py>) -> PyResult<Bou
     leaves(py, &operands(expressions, "free_symbols")?)
 }
 
-/// The leaves of several expressions on which no value of them depends.
+/// The leaves of several expressions on which no value of them depends, or those for which it seems so in two lanes.
 #[pyfunction]
-fn idle_symbols<'py>(py: Python<'py>, expressions: &Object<'py>) -> Tuple<'py> {
+fn idle_symbols<'py>(py: Python<'py>, expressions: &Object<'py>, surely: bool) -> Tuple<'py> {
     let roots = operands(expressions, "idle_symbols")?;
-    tuple(py, long_with_forms(py, |graph| Ok(graph.idle_variables(&roots)))?)
+    let find = if surely { Graph::idle_variables } else { Graph::seemingly_idle_variables };
+    tuple(py, long_with_forms(py, |graph| Ok(find(graph, &roots)))?)
 }
 
 /// The expressions in forms without such leaves, made outside any derivation, or in that of this thread.

@@ -14,7 +14,12 @@ from symbody.symbolic.calculus.derivative import (
     time_derivative,
     time_derivatives,
 )
-from symbody.symbolic.calculus.idle import idle_symbols, with_numbers_for_idle_symbols, without_idle_symbols
+from symbody.symbolic.calculus.idle import (
+    idle_symbols,
+    seemingly_idle_symbols,
+    with_numbers_for_idle_symbols,
+    without_idle_symbols,
+)
 from symbody.symbolic.calculus.readable import readable
 from symbody.symbolic.calculus.rewrite import (
     coeff,
@@ -166,6 +171,7 @@ __all__ = [
     "rotate_back3",
     "saddle_point_solve",
     "scale3",
+    "seemingly_idle_symbols",
     "sign",
     "simplify",
     "sin",

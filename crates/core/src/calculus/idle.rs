@@ -3,6 +3,8 @@
 //! The spin angle of a disc stands in `sin(q)**2*a + cos(q)**2*b - (b - a)*cos(q)**2`, but not in its value. Any number in
 //! place of such a variable gives an expression of the same value, which is proved before it is taken.
 
+use std::collections::VecDeque;
+
 use crate::graph::{ByValue, Function, Graph, Id, View};
 use crate::value::Number;
 
@@ -10,30 +12,44 @@ impl Graph {
     /// The roots in forms without idle variables, so far as such forms are found and take no more operations.
     pub fn without_idle_variables(&mut self, roots: &[Id]) -> Vec<Id> {
         let mut best = roots.to_vec();
-        for variable in self.idle_variables(roots) {
-            best = self.without_idle(variable, best);
+        let mut idle = VecDeque::from(self.seemingly_idle_variables(roots));
+        let mut is_sure = false;
+        while let Some(&variable) = idle.front() {
+            if let Some(found) = self.without_idle(variable, &best, is_sure) {
+                best = found;
+                idle.pop_front();
+            } else {
+                let sure = self.idle_variables(&best); // which takes longer than a trial that succeeds
+                idle.retain(|id| sure.contains(id));
+                is_sure = true;
+            }
         }
         best
     }
 
     /// The roots with a number in place of a variable, if their values and their costs allow it.
-    fn without_idle(&mut self, variable: Id, roots: Vec<Id>) -> Vec<Id> {
-        let mut pairs = self.rates_of(variable, &roots);
-        for place in self.places_for(variable, &roots) {
+    ///
+    /// Nothing if the values differ and it isn't sure that the variable is idle.
+    fn without_idle(&mut self, variable: Id, roots: &[Id], is_sure: bool) -> Option<Vec<Id>> {
+        let mut pairs = self.rates_of(variable, roots);
+        for place in self.places_for(variable, roots) {
             pairs.push((variable, place));
-            let replaced = self.substitute(&roots, &pairs);
+            let replaced = self.substitute(roots, &pairs);
             pairs.pop();
             // A division by zero, or by what became zero, is no reason to fail: another number may do.
             let Ok(replaced) = replaced else { continue };
             let is_equal = roots.iter().zip(&replaced).all(|(&a, &b)| self.equal(a, b));
+            if !is_equal && !is_sure {
+                return None;
+            }
             if is_equal
-                && self.is_as_regular(&replaced, &roots)
-                && self.cost(&replaced).total() <= self.cost(&roots).total()
+                && self.is_as_regular(&replaced, roots)
+                && self.cost(&replaced).total() <= self.cost(roots).total()
             {
-                return replaced;
+                return Some(replaced);
             }
         }
-        roots
+        Some(roots.to_vec())
     }
 
     /// Whether forms have no poles but those of other forms: whether they divide by what these divide by.

@@ -28,8 +28,8 @@ from symbody.symbolic import (
     cost,
     derivation,
     free_symbols,
-    idle_symbols,
     readable,
+    seemingly_idle_symbols,
     truncated,
     with_numbers_for_idle_symbols,
     without_idle_symbols,
@@ -97,7 +97,7 @@ def _each_without_idle_symbols(entries: tuple[Expr, ...]) -> tuple[Expr, ...]:
 
     Those that are numbers are written as such in any case.
     """
-    idle = {entry: found for entry in dict.fromkeys(entries) if (found := idle_symbols((entry,)))}
+    idle = {entry: found for entry in dict.fromkeys(entries) if (found := seemingly_idle_symbols((entry,)))}
     bare: dict[Expr, Expr] = {}
     for entry in [entry for entry, found in idle.items() if entry.free_symbols <= {*found}]:
         form = without_idle_symbols((entry,))[0]

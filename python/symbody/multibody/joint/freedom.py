@@ -28,7 +28,7 @@ class Freedom:
         ends: the names of the parent and of the child, empty for a frame.
         sides: the axes of the joint on both.
         travel: how the child moves along it; None where the coordinate alone determines it.
-        is_coordinate: whether the value is a coordinate, as in the tree.
+        is_coordinate: whether the value is a coordinate, as in the tree, or along a curve.
 
     >>> from symbody import Link, assemble, ground, prismatic, revolute, symbols
     >>> r, l = symbols("r l")

@@ -163,7 +163,8 @@ class PlacedJoint:
         if self.opens and travel is not None and travel.is_rotation:
             travel = None  # the coordinate gives a shorter torque
         value, ends, sides = self.measured[chosen], (parent, child), (one, other)
-        return Freedom(str(self), chosen, value, ends, sides, travel, is_coordinate=self.opens)
+        is_coordinate = self.opens or value in self.coordinates
+        return Freedom(str(self), chosen, value, ends, sides, travel, is_coordinate=is_coordinate)
 
     @property
     def point(self) -> Point:

@@ -8,10 +8,10 @@ from itertools import pairwise
 from typing import Annotated, TypeAlias, final
 
 from symbody.errors import ExpressionError, JointError, ParameterError
-from symbody.geometry import Frame, Scalar, rotate, translate
+from symbody.geometry import Frame, Scalar, Vector, rotate, translate
 from symbody.geometry.component.triple import NULL, Triple, triple
 from symbody.geometry.given.argument import checked
-from symbody.symbolic import Expr, diff
+from symbody.symbolic import Expr, diff, dot3
 from symbody.symbolic.given.arguments import brief, described
 
 from .axis import Axes
@@ -45,7 +45,7 @@ def point_on_curve(
     """Return a point on a curve: a point of the child moves along a curve that is fixed in the parent.
 
     Its reaction is a force across the curve. Where it closes a loop, the parameter of the curve stays a coordinate,
-    which three conditions hold.
+    which three conditions hold; friction along the curve then takes ``mechanism.joint(name).freedom("s")``.
 
     Args:
         name: the name of the joint.
@@ -129,9 +129,18 @@ class Track(Pair):
 
     def travel(self, sides: Sides, name: str) -> Travel | None:
         if name == "s":
-            return None
+            return Travel(self._along(sides), is_rotation=False)
         axis = turning_axis(sides, self.turns, self.names.index(name) - 1)
         return Travel(axis, is_rotation=True, jumps=not turns_back(self.turns, name))
+
+    def _along(self, sides: Sides) -> Vector:
+        """Return the vector whose product with the velocity of the point is s': the tangent r', by its square."""
+        (parameter,) = self.keeps
+        x, y, z = (diff(each, parameter) for each in self.place)
+        tangent = x, y, z
+        square = dot3(tangent, tangent)
+        axes = (sides.of_parent(k) * (each / square) for k, each in enumerate(tangent))
+        return sum(axes, start=sides.of_parent(0) * 0)
 
     def closures(self, sides: Sides) -> tuple[Closure, ...]:
         null = sides.of_parent(0) * 0
