@@ -6,7 +6,7 @@ names, all equally long, which the variables get in the order of the model.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from hashlib import blake2b
 
@@ -69,42 +69,71 @@ def standard_names(variables: Sequence[Expr], expressions: Iterable[Expr]) -> St
 def _enter_all(expression: Expr, standing: dict[Expr, Expr]) -> None:
     leaves = (leaf for leaf in expression.free_symbols if leaf.kind in _LETTERS and leaf != _TIME)
     new = {_base(leaf) for leaf in leaves} - {*standing}
-    for leaf in sorted(new, key=lambda leaf: _rank(leaf, new, expression, standing)):
+    # A variable is told from others by how it occurs in the expression; at last by its name.
+    found = _occurrences(expression, new, standing) if 1 < len(new) <= _RANKED else {}
+    for leaf in sorted(new, key=lambda leaf: (leaf.kind, found.get(leaf, b""), leaf.name)):
         _enter(leaf, standing)
 
 
-def _rank(
-    leaf: Expr, new: set[Expr], expression: Expr, standing: Mapping[Expr, Expr]
-) -> tuple[str, bytes, str]:
-    """Return what tells a variable from others in an expression: how it occurs there; at last its name."""
-    if not 1 < len(new) <= _RANKED:
-        return leaf.kind, b"", leaf.name
-    return leaf.kind, _occurrence(leaf, new, expression, standing), leaf.name
+@dataclass(frozen=True)
+class _Node:
+    """A node by its number, and the numbers of its parts.
+
+    Attributes:
+        new: the variable to be named that it is, or is a derivative of.
+        head: what it is beside its parts; such a variable is "this" there if it is looked at, or else "another".
+    """
+
+    number: int
+    parts: Sequence[int]
+    is_commutative: bool
+    new: Expr | None
+    head: Callable[[str], str]
+
+    def digest(self, name: str, digests: Mapping[int, bytes], others: Mapping[int, bytes]) -> bytes:
+        """Return the digest of the form, from those of the parts: of a part without one, from those of others."""
+        parts = [digests.get(part) or others[part] for part in self.parts]
+        ordered = sorted(parts) if self.is_commutative else parts
+        head = f"{self.head(name)} {len(parts)} "
+        return blake2b(b"".join((head.encode(), *ordered)), digest_size=_DIGEST).digest()
 
 
-def _occurrence(leaf: Expr, new: set[Expr], expression: Expr, standing: Mapping[Expr, Expr]) -> bytes:
-    """Return what is equal for variables that occur alike: a digest of the form, in which all others are alike.
+def _occurrences(expression: Expr, new: set[Expr], standing: Mapping[Expr, Expr]) -> dict[Expr, bytes]:
+    """Return, for each variable, what is equal for those that occur alike: a digest of the form, all others alike.
 
     No value is made, since a difference of equal variables may be a divisor.
     """
-    digests = dict[int, bytes]()
-    for node in nodes_of(expression):
-        is_commutative = node.kind in _COMMUTATIVE
-        parts = [digests[part.id] for part in (parts_of(node, node.kind) if is_commutative else node.args)]
-        parts = sorted(parts) if is_commutative else parts
-        head = f"{_head(node, leaf, new, standing)} {len(parts)} "
-        digests[node.id] = blake2b(b"".join((head.encode(), *parts)), digest_size=_DIGEST).digest()
-    return digests[expression.id]
+    nodes = [_node(node, new, standing) for node in nodes_of(expression)]
+    alike = dict[int, bytes]()
+    for node in nodes:
+        alike[node.number] = node.digest("another", alike, alike)
+    return {leaf: _occurrence(leaf, nodes, alike) for leaf in new}
 
 
-def _head(node: Expr, leaf: Expr, new: set[Expr], standing: Mapping[Expr, Expr]) -> str:
-    """Return what a node is beside its parts."""
+def _occurrence(leaf: Expr, nodes: Sequence[_Node], alike: Mapping[int, bytes]) -> bytes:
+    """Return the digest of a form with one variable unlike the others; what doesn't contain it keeps its digest."""
+    unlike = dict[int, bytes]()
+    for node in nodes:
+        if node.new == leaf:
+            unlike[node.number] = node.digest("this", unlike, alike)
+        elif any(part in unlike for part in node.parts):
+            unlike[node.number] = node.digest("another", unlike, alike)
+    return unlike[nodes[-1].number]
+
+
+def _node(node: Expr, new: set[Expr], standing: Mapping[Expr, Expr]) -> _Node:
+    is_commutative = node.kind in _COMMUTATIVE
+    parts = [part.id for part in (parts_of(node, node.kind) if is_commutative else node.args)]
     if node.kind not in _LETTERS or node == _TIME:
         name = getattr(node, "name", "") if node.args else str(node)
-        return f"{node.kind} {name} {getattr(node, 'orders', ())}"
+        head = f"{node.kind} {name} {getattr(node, 'orders', ())}"
+        return _Node(node.id, parts, is_commutative, None, lambda _: head)
     base = _base(node)
-    name = "this" if base == leaf else "another" if base in new else standing.get(base, base).name
-    return f"{node.kind} {node.assumption} {getattr(node, 'order', 0)} {name}"
+    head = f"{node.kind} {node.assumption} {getattr(node, 'order', 0)}"
+    if base in new:
+        return _Node(node.id, parts, is_commutative, base, lambda name: f"{head} {name}")
+    known = f"{head} {standing.get(base, base).name}"
+    return _Node(node.id, parts, is_commutative, None, lambda _: known)
 
 
 _COMMUTATIVE = {"sum", "product"}
