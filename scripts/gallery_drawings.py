@@ -52,8 +52,11 @@ def _quarter_car(model: ClassicSystem) -> DrawingOptions:
         bodies["body"]: Box(0.6, 0.4, 0.2, (0, 0, body)),
         bodies["wheel"]: Cylinder(0.3, (0, -0.1, wheel), (0, 0.1, wheel)),
     }
-    strut = Point(bodies["body"].frame, 0, 0, body), Point(bodies["wheel"].frame, 0, 0, wheel)
-    return DrawingOptions(shapes=shapes, lines=[strut, (strut[1], Point(ground, 0, 0, 0))])
+    carriage, hub = bodies["body"].frame, bodies["wheel"].frame
+    strut = Point(carriage, 0.12, 0, body - 0.1), Point(hub, 0.12, 0, wheel)
+    tire = Point(hub, 0, 0, wheel), Point(ground, 0, 0, 0)
+    damper = Point(carriage, -0.12, 0, body - 0.1), Point(hub, -0.12, 0, wheel)
+    return DrawingOptions(shapes=shapes, springs=[strut, tire], lines=[damper])
 
 
 def _half_car(model: ClassicSystem) -> DrawingOptions:
@@ -73,7 +76,7 @@ def _half_car(model: ClassicSystem) -> DrawingOptions:
         bodies["pitch"]: Ellipsoid(0.05, 0.05, 0.05, frame=car),
     }
     springs = [(Point(car, x, y, floor), Point(ground, x, y, hub)) for x in (a, -b) for y in (-0.6, 0.6)]
-    return DrawingOptions(shapes=shapes, lines=springs)
+    return DrawingOptions(shapes=shapes, springs=springs)
 
 
 def _full_car(model: ClassicSystem) -> DrawingOptions:
@@ -106,6 +109,18 @@ def _chaplygin_sleigh(model: ClassicSystem) -> DrawingOptions:
         *(Cylinder(FLAT / 2, (a, y, 0), (a, y, high)) for y in (-0.2, 0.2)),
     ]
     return DrawingOptions(shapes={body: parts})
+
+
+def _quadrotor(model: ClassicSystem) -> DrawingOptions:
+    """Four rotors on the arms of a cross; the model knows their thrust and torques alone."""
+    arm, high, radius = 0.25, 0.04, 0.12
+    hub = Cylinder(0.06, (0, 0, -0.03), (0, 0, 0.03))
+    cross = [Cylinder(0.01, (-x, -y, 0), (x, y, 0)) for x, y in ((arm, 0), (0, arm))]
+    rotors = [
+        Cylinder(radius, (x, y, high), (x, y, high + 0.008))
+        for x, y in ((arm, 0), (0, arm), (-arm, 0), (0, -arm))
+    ]
+    return DrawingOptions(shapes={_bodies(model)["quadrotor"]: [hub, *cross, *rotors]})
 
 
 def _rattleback(model: ClassicSystem) -> DrawingOptions:
@@ -206,6 +221,7 @@ _DRAWINGS: dict[str, Callable[[ClassicSystem], DrawingOptions]] = {
     "furuta_pendulum": _furuta_pendulum,
     "gyroscope_in_gimbals": _gyroscope_in_gimbals,
     "half_car": _half_car,
+    "quadrotor_with_slung_load": _quadrotor,
     "quarter_car": _quarter_car,
     "rattleback": _rattleback,
     "single_track_car": _single_track_car,

@@ -647,8 +647,9 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         errors.LoadError,
         lambda: spring(body.center_of_mass, Point(body.frame, 0, 0, 1), 5, on=body),
         (
-            "spring: to = Point(translate(x, y, 0), 0, 0, 1) is fixed in the body bead, on which the element acts; "
-            "expected a point of another body, with reaction=that body, or of the ground"
+            "spring: to = Point(translate(x, y, 0), 0, 0, 1) has a constant place in the body bead, on which the "
+            "element acts: it is fixed there, or lies on the axis about which the body turns, so that nothing changes "
+            "the length; expected a point of another body, with reaction=that body, or of the ground, off that axis"
         ),
     ),
     (
@@ -726,8 +727,8 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         errors.LoadError,
         lambda: tire(wheel, a, 6e4, load=F),
         (
-            "tire: law = 60000.0 is a float; expected the law of a tyre, such as linear_tire(cornering=6e4) or "
-            "magic_formula(coefficients)"
+            "tire: law = 60000.0 is a float; expected the law of a tyre, such as linear_tire(cornering=6e4), "
+            "magic_formula(coefficients) or tire_file(path).law()"
         ),
     ),
     (
@@ -1952,8 +1953,8 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
             )
         ),
         (
-            "newton_euler: push isn't linear in the acceleration x''; give a function of time for the load, "
-            "and its law as an additional equation"
+            "newton_euler: push isn't linear in the acceleration x''; expected a load by positions, speeds and states: "
+            "a state can follow the law with a short lag tau, as in System(..., states={F: (law - F)/tau})"
         ),
     ),
     (
@@ -2376,7 +2377,8 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         ),
         (
             "kane: Force(Vector(ground, u1'**2, 0, 0), at=Point(transl... y, 0), 0, 0, 0), on=bead) isn't linear "
-            "in the acceleration u1'; give a function of time for the load, and its law as an additional equation"
+            "in the acceleration u1'; expected a load by positions, speeds and states: a state can follow the law with "
+            "a short lag tau, as in System(..., states={F: (law - F)/tau})"
         ),
     ),
     (

@@ -51,7 +51,9 @@ EXPECTED = {
     "six": "six numbers, or a symmetric 6x6 matrix",
     "limit": "a positive number or an expression, the largest effort, (low, high), or None for no limit",
     "range": "a positive number or an expression, the largest effort, or (low, high)",
-    "law": "the law of a tyre, such as linear_tire(cornering=6e4) or magic_formula(coefficients)",
+    "law": (
+        "the law of a tyre, such as linear_tire(cornering=6e4), magic_formula(coefficients) or tire_file(path).law()"
+    ),
     "coefficients": (
         "a dictionary of coefficients by the names of tyre property files, such as {'FNOMIN': 4000, 'PCY1': 1.3}"
     ),

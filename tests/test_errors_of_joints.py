@@ -21,6 +21,7 @@ from symbody import (
     Torque,
     assemble,
     consistent_state,
+    displaced,
     equilibrium,
     errors,
     fixed,
@@ -122,6 +123,29 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         (
             "revolute D closes a loop, and has no coordinate; expected that of a joint of the tree, or freedom(), "
             "which loads take in its place"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: revolute("J", ground, a, limits={"s": (0, 1)}),
+        "revolute J: limits of 's'; expected some of 'phi'",
+    ),
+    (
+        errors.JointError,
+        lambda: assemble([revolute("J", ground, a)]).joint("J").freedom(None),
+        (
+            "PlacedJoint.freedom: name = None; expected the name of a coordinate of the joint, such as 'phi', or "
+            "nothing if it has one coordinate"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: displaced(a, ground),
+        (
+            "displaced: thing = a is a Link; expected a point, such as Point(frame, x, y, z) or center_of_mass(body), "
+            "or a vector, such as Vector(frame, x, y, z), or a body, such as Body(frame, mass), or a force or a "
+            "torque, such as Force(frame, x, y, z, at=point, on=body); mechanism.body(link) is the body of a link, "
+            "with mechanism = assemble([...])"
         ),
     ),
     (

@@ -676,6 +676,14 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     ),
     (
         errors.ParameterError,
+        lambda: equilibrium(skating(), VALUES | {next(iter(VALUES)): [1, 2]}),
+        (
+            f"equilibrium, parameters: {next(iter(VALUES))} has values of shape (2,); expected one number; call "
+            "equilibrium for each value"
+        ),
+    ),
+    (
+        errors.ParameterError,
         lambda: simulate(skating(), VALUES, {dx: [1, 2]}, t=(0, 1)),
         (
             "simulate, initial: x' has values of shape (2,); expected one number; for many motions use "

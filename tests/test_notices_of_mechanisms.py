@@ -47,6 +47,14 @@ def doubled() -> object:
     return sb.reaction(sb.newton_euler(sb.assemble(hinges).system()), "Q")
 
 
+def cart_on_a_plane() -> object:
+    """Take the reaction of a wheel whose axle a planar joint keeps level."""
+    axle = sb.planar("P", ground, a, at=(0, 0, 1))
+    hub = sb.revolute("H", a, b, axis="Y")
+    wheel = sb.rolling("K", ground, b, radius=1, loop=True)
+    return sb.reaction(sb.newton_euler(sb.assemble([axle, hub, wheel]).system()), "K")
+
+
 def belt() -> object:
     """Take the reaction of a shaft that a belt couples to another one."""
     shafts = [sb.revolute("P", ground, a), sb.revolute("Q", ground, b, at=(1, 0, 0))]
@@ -99,6 +107,16 @@ NOTICES: list[tuple[Callable[[], object], list[str]]] = [
                 "reaction: revolute Q holds what other joints hold already, so that the forces of its loop are "
                 "statically indeterminate; it is taken to exert none; leave it out, or put a bushing in its "
                 "place to share them"
+            )
+        ],
+    ),
+    (
+        cart_on_a_plane,
+        [
+            (
+                "reaction: the contact of rolling K holds by itself, as other joints keep the height of the wheel, so "
+                "that the wheel is taken to carry no load, and these joints carry it; to know the loads of wheels, "
+                "leave the height and the attitude of what they carry free, as with a free joint"
             )
         ],
     ),

@@ -276,3 +276,36 @@ def test_what_is_no_freedom_is_told() -> None:
         motor(ball.joint("Q").freedom("e1"), 1, on=ball.body(arm))
     with pytest.raises(JointError, match=r"^prismatic S: no freedom 'phi'"):
         made.joint("S").freedom("phi")
+
+
+def test_the_rate_of_a_freedom_of_a_spatial_loop_is_the_slope_of_its_angle() -> None:
+    """By differences of the angle, which is followed over its jumps."""
+    crank, rod, rocker = (
+        Link(name, 1.0, 0.01, 0.02, 0.02, center=(length / 2, 0, 0))
+        for name, length in (("crank", 0.2), ("rod", 0.55), ("rocker", 0.3))
+    )
+    tilted = translate(0.5, 0.1, 0) * rotate("X", pi / 2) * rotate("Y", 0.3)
+    A, S = revolute("A", ground, crank), spherical("S", crank, rod, at=(0.2, 0, 0))
+    B = revolute("B", ground, rocker, at=tilted)
+    at, to = translate(0.55, 0, 0) * rotate("Y", 1.2), translate(0.3, 0, 0) * rotate("Z", 0.2)
+    U = universal("U", rod, rocker, at=at, to=to, loop=True)
+    mechanism = assemble([A, S, B, U])
+    freedoms = [mechanism.joint(U).freedom(name) for name in ("phi", "theta")]
+    turn = motor(freedoms[0], 0.3, on=mechanism.body(rocker), reaction=mechanism.body(rod))
+    motion = simulate(
+        newton_euler(mechanism.system([turn], gravity=Vector(ground, 0, 0, -9.81))),
+        {},
+        {A.coordinate: 0.3},
+        t=np.linspace(0, 0.5, 2001),
+        guess={B.coordinate: 0.8},
+        rtol=1e-10,
+        atol=1e-12,
+    )
+    for freedom in freedoms:
+        rate, slope = (
+            motion[freedom.rate],
+            np.gradient(np.unwrap(motion[freedom.value]), motion.t, edge_order=2),
+        )
+        np.testing.assert_allclose(rate, slope, atol=2e-4 * np.abs(rate).max())
+        assert np.abs(rate).max() > 0.04
+    assert mechanism.joint(A).freedom().rate == time_derivative(A.coordinate)

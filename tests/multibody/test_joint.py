@@ -55,11 +55,13 @@ from symbody import (
     sqrt,
     subs,
     symbols,
+    t,
     time_derivative,
     translate,
     universal,
     velocity,
 )
+from symbody.errors import JointError
 from symbody.multibody.joint.joint import Joint
 
 a, b, c, alpha, h, r, R, m = symbols("a b c alpha h r R m")
@@ -420,6 +422,37 @@ def test_a_coordinate_of_a_joint_that_closes_a_loop_is_reported() -> None:
         "assemble: revolute three closes a loop, so that its x is no coordinate of the mechanism; leave the "
         "coordinates of one joint of each loop out, or choose by loop=True which joint closes it"
     )
+
+
+@pytest.mark.parametrize(
+    ("given", "driven"),
+    [(3 * t, ", which doesn't drive it"), (2 * x, ""), (x, "")],
+    ids=["drive", "double", "plain"],
+)
+def test_an_expression_given_to_a_joint_that_closes_a_loop_is_none_of_its_coordinates(
+    given: Expr, driven: str
+) -> None:
+    A, B = Link("A", 1, Iz=1), Link("B", 1, Iz=1)
+    joints = [
+        revolute("one", ground, A),
+        revolute("two", A, B, at=(1, 0, 0)),
+        revolute("three", ground, B, at=(2, 0, 0), coordinate=given, loop=True),
+    ]
+    with pytest.warns(ModelNotice) as caught:
+        made = assemble(joints)
+    assert [str(each.message) for each in caught] == [
+        (
+            f"assemble: revolute three closes a loop, so that its {given} is no coordinate of the mechanism{driven}; "
+            "leave the coordinates of one joint of each loop out, or choose by loop=True which joint closes it"
+        )
+    ]
+    assert [str(q) for q in made.system().coordinates] == ["phi_one", "phi_two"]
+    if given != 3 * t:
+        pushed = Torque(ground, 0, 0, x, on=made.body(A), name="push")
+        with pytest.raises(
+            JointError, match="push holds x, and revolute three closes a loop, where it has no coord"
+        ):
+            made.system([pushed])
 
 
 def test_a_plane_mechanism_in_an_inclined_plane_closes_by_two_conditions() -> None:

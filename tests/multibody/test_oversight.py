@@ -14,6 +14,7 @@ from symbody import (
     System,
     Torque,
     Vector,
+    equilibrium,
     forward_dynamics,
     functions_of_time,
     generate,
@@ -178,6 +179,13 @@ def test_what_is_listed_as_an_input_is_meant() -> None:
     assert str(caught.value) == (
         "simulate: the equations contain the functions of time phi, which are neither coordinates nor speeds; give "
         "them as inputs={phi: sin(t)}, or add those that are unknown to the coordinates of the System"
+    )
+    with pytest.raises(ModelError) as caught:
+        equilibrium(equations, {m: 1.0, l: 0.5, g: 9.81, phi: 0.25})
+    assert str(caught.value) == (
+        "equilibrium: the equations contain the functions of time phi, which are neither coordinates nor speeds; phi "
+        "is among the parameters; give them as inputs={phi: 0.25}, or add those that are unknown to the coordinates of "
+        "the System"
     )
 
 

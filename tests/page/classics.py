@@ -12,6 +12,7 @@ from .pendulums import PENDULUMS
 from .robots import ROBOTS
 from .rolling import ROLLING
 from .spatial import SPATIAL
+from .turning import TURNING
 from .vehicles import VEHICLES
 
 CLASSICS: tuple[Classic, ...] = (
@@ -20,6 +21,7 @@ CLASSICS: tuple[Classic, ...] = (
     *ELEMENTARY,
     *CARTS,
     *ENGINEERING,
+    *TURNING,
     *ROBOTS,
     *VEHICLES,
     *ROLLING,

@@ -57,3 +57,14 @@ def test_speeds_of_their_own_stand_in_the_equation() -> None:
     form = newton_euler(car).matrix_form()
     assert form.description().splitlines()[0] == "M(q)*u' + c(q, u) = 0"
     assert r"\mathbf{M} \dot{\mathbf{u}} + \mathbf{c} = 0" in form.latex()
+
+
+def test_a_label_is_no_parameter_of_a_named_force() -> None:
+    """`k1 = F*x/l` with `F := k1*(l - l0)` defined k1 by itself."""
+    y, k1, g2 = functions_of_time("y"), *symbols("k1 g2")
+    mass = Body(translate(x, y, 0), m)
+    hung = spring(mass.center_of_mass, origin(ground), k1, free_length=l, damping=g2, on=mass)
+    text = newton_euler(System([mass], [hung], [x, y], gravity=DOWN)).matrix_form().description()
+    assert "F := g2*d' + k1*(d - l)" in text
+    assert "k[1] = F*x/d" in text
+    assert "g[2] = g*m" in text

@@ -51,6 +51,14 @@ def two_wheeled_robot() -> System:
     return System([body], coordinates=[theta], speeds=[v, r], gravity=gravity)
 
 
+def car_with_trailer() -> System:
+    """A car in a plane with a trailer on a hitch, without tyres."""
+    (x, y, yaw, hitch), (M, J, a, d, mt, Jt) = functions_of_time("x y yaw hitch"), symbols("M J a d mt Jt")
+    car = translate(x, y, 0) * rotate("Z", yaw)
+    trailer = car * translate(-a, 0, 0) * rotate("Z", hitch) * translate(-d, 0, 0)
+    return System([Body(car, M, Iz=J), Body(trailer, mt, Iz=Jt)], coordinates=[x, y, yaw, hitch])
+
+
 VEHICLES = (
     Classic(
         "Single-track car",
@@ -98,6 +106,30 @@ VEHICLES = (
             (
                 "mB*l*cos(theta)*v' + (I2 + mB*l**2)*theta'' + (I3 - I1 - mB*l**2)*sin(theta)*cos(theta)*r**2"
                 " - mB*g*l*sin(theta) = 0"
+            ),
+        ),
+    ),
+    Classic(
+        "Car with a trailer, by its hitch",
+        "standard form",
+        car_with_trailer,
+        (
+            (
+                "(M + mt)*x'' + mt*(a*sin(yaw) + d*sin(yaw + hitch))*yaw'' + mt*d*sin(yaw + hitch)*hitch''"
+                " + mt*a*cos(yaw)*yaw'**2 + mt*d*cos(yaw + hitch)*(yaw' + hitch')**2 = 0"
+            ),
+            (
+                "(M + mt)*y'' - mt*(a*cos(yaw) + d*cos(yaw + hitch))*yaw'' - mt*d*cos(yaw + hitch)*hitch''"
+                " + mt*a*sin(yaw)*yaw'**2 + mt*d*sin(yaw + hitch)*(yaw' + hitch')**2 = 0"
+            ),
+            (
+                "mt*(a*sin(yaw) + d*sin(yaw + hitch))*x'' - mt*(a*cos(yaw) + d*cos(yaw + hitch))*y''"
+                " + (J + Jt + mt*(a**2 + d**2 + 2*a*d*cos(hitch)))*yaw'' + (Jt + mt*(d**2 + a*d*cos(hitch)))*hitch''"
+                " - mt*a*d*sin(hitch)*(2*yaw'*hitch' + hitch'**2) = 0"
+            ),
+            (
+                "mt*d*sin(yaw + hitch)*x'' - mt*d*cos(yaw + hitch)*y'' + (Jt + mt*(d**2 + a*d*cos(hitch)))*yaw''"
+                " + (Jt + mt*d**2)*hitch'' + mt*a*d*sin(hitch)*yaw'**2 = 0"
             ),
         ),
     ),

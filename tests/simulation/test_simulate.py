@@ -17,11 +17,13 @@ from symbody import (
     Body,
     Event,
     Force,
+    Link,
     ModelNotice,
     Piecewise,
     Point,
     System,
     Vector,
+    assemble,
     consistent_state,
     floating_frame,
     functions_of_time,
@@ -31,6 +33,8 @@ from symbody import (
     lambdify,
     moving_frame,
     newton_euler,
+    reaction,
+    revolute,
     rotate,
     simulate,
     simulate_many,
@@ -255,6 +259,41 @@ def test_a_terminal_event_ends_the_motion_there(method):
     assert motion[x][-1] == pytest.approx(0.5, abs=1e-9)
     assert motion.completed
     assert "the event x - c at t = 1.047" in motion.message
+
+
+def test_forces_and_accelerations_are_known_at_events():
+    """A pendulum at its lowest point: the tension is m (g + l w^2), with w^2 = 2 g (1 - cos(phi0))/l."""
+    bob = Link("bob", 2.0, center=(0, -0.5, 0))
+    pin = revolute("A", ground, bob)
+    equations = newton_euler(assemble([pin]).system(gravity=Vector(ground, 0, -9.81, 0)))
+    lowest = Event(pin.coordinate, name="lowest")
+    motion = simulate(
+        equations,
+        {},
+        {pin.coordinate: 1.0},
+        t=(0, 2),
+        events=[lowest],
+        outputs={"angle": pin.coordinate},
+        rtol=1e-11,
+    )
+    pull = reaction(equations, pin, frame=ground).force.components[1]
+    at = motion.at_events
+    assert at.t.tolist() == [each.t for each in motion.events]
+    assert len(at) >= 2
+    np.testing.assert_allclose(at[pull], 2 * 9.81 * (1 + 2 * (1 - np.cos(1.0))), rtol=1e-8)
+    with pytest.raises(ArgumentError) as caught:
+        _ = motion.events[0][pull]  # type: ignore[index]
+    assert str(caught.value).endswith("motion.at_events[expression] has one value for each of motion.events")
+    with pytest.raises(ArgumentError) as caught:
+        _ = motion["angle"]
+    assert (
+        str(caught.value) == "motion[...]: 'angle' is the name of an output; expected motion.outputs['angle']"
+    )
+    with pytest.raises(SimulationError) as caught:
+        _ = simulate(equations, {}, {}, t=(0, 0.1)).at_events
+    assert (
+        str(caught.value) == "motion.at_events: no event occurred; expected one at least, see motion.events"
+    )
 
 
 def test_an_event_at_the_begin_is_none():

@@ -11,9 +11,11 @@ from symbody import (
     Equations,
     Expr,
     Force,
+    Link,
     System,
     Torque,
     Vector,
+    assemble,
     continuation,
     embedded,
     equations_of,
@@ -25,8 +27,10 @@ from symbody import (
     kane,
     lagrange_equations,
     linearize,
+    motor,
     moving_frame,
     newton_euler,
+    revolute,
     rotate,
     simulate,
     state_space,
@@ -527,3 +531,19 @@ def test_all_formalisms_have_the_same_steady_motions(formalism: Callable[[System
     assert found[spin] == pytest.approx(by_speeds[spin], rel=1e-12)
     assert found.turning is not None
     assert by_speeds.turning is None
+
+
+def test_a_motor_at_its_limit_is_named_where_no_steady_motion_is_found():
+    """Level, the arm needs 2 N m; the motor has 1.5."""
+    arm, M = Link("arm", 2.0, Iz=0.1, center=(0.1, 0, 0)), symbols("M")
+    pin = revolute("A", ground, arm)
+    mechanism = assemble([pin])
+    lift = motor(pin.coordinate, M, on=mechanism.body(arm), limit=1.5, name="lift")
+    equations = newton_euler(mechanism.system([lift], gravity=Vector(ground, 0, -10, 0)))
+    level = {pin.coordinate: 0, time_derivative(pin.coordinate): 0}
+    with pytest.raises(
+        SimulationError, match=r"phi_A is off by 0\.5, where lift is at its limit of 1\.5; M alone"
+    ):
+        steady(equations, {}, given=level, unknown=[M], guess={M: 1})
+    half = level | {pin.coordinate: np.pi / 3}
+    assert steady(equations, {}, given=half, unknown=[M])[lift["effort"]] == pytest.approx(1.0)

@@ -34,7 +34,7 @@ from symbody import (
     torsion_spring,
     universal,
 )
-from symbody.errors import JointError
+from symbody.errors import JointError, SimulationError
 
 a = symbols("a")
 LINK = Link("link", 1, 1, 1, 1)
@@ -284,3 +284,79 @@ def test_positions_beyond_limits_are_told_wherever_they_are_found() -> None:
         assert [str(each.message).partition(": ")[2] for each in told] == [beyond.format(f"{size:.3g}")]
     equilibrium(equations, {a: 200.0})  # within the limits, and no notice: it would be an error here
     consistent_state(equations, {}, {s: 0.1})
+
+
+def test_limits_of_one_coordinate_are_given_by_its_name_or_without():
+    by_name = revolute("A", ground, LINK, limits={"phi": (-0.5, None)}).limits
+    assert [(each.name, each.low, each.high) for each in by_name] == [("phi", -0.5, None)]
+
+
+def sliding_cart():
+    """A cart of 2 kg on a rail from -1 to 1, pushed by the force a."""
+    cart = Link("cart", 2.0)
+    rail = prismatic("rail", ground, cart, limits=(-1, 1))
+    mechanism = assemble([rail])
+    push = Force(ground, a, 0, 0, at=mechanism.point(cart, 0, 0, 0), on=mechanism.body(cart))
+    return newton_euler(mechanism.system([push])), rail.coordinate
+
+
+@pytest.mark.parametrize(
+    ("s0", "v0", "force", "place", "course"),
+    [
+        (1, 0.5, 0, "at", "moves outwards at 0.5 per s"),
+        (1, 0.5, -9, "at", "moves outwards at 0.5 per s"),  # a short excursion
+        (1.5, 0.5, 0, "0.5 beyond", "moves outwards at 0.5 per s"),
+        (1, 0, 4, "at", "is at rest, but accelerated outwards at 2 per s^2"),
+        (1.25, 0, 4, "0.25 beyond", "is at rest, but accelerated outwards at 2 per s^2"),
+    ],
+)
+def test_a_start_at_a_limit_that_moves_outwards_is_refused(s0, v0, force, place, course):
+    equations, s = sliding_cart()
+    start = {s: s0, time_derivative(s): v0}
+    with pytest.raises(SimulationError) as caught:
+        simulate(equations, {a: force}, start, t=(0, 1), events=stops(equations))
+    message = (
+        f"simulate, events: prismatic rail begins {place} its limit at t = 0 s, and {course}, so that the stop "
+        "rail.upper never ends the motion; expected a start within the limits, or a velocity inwards; to model what "
+        "happens at a stop, use a load"
+    )
+    assert str(caught.value) == message
+    for forces, s0s in (([0.0, force], [0.0, s0]), ([force], [s0])):
+        with pytest.warns(ModelNotice, match=r"1 of . motions failed"):
+            runs = simulate_many(
+                equations, {a: forces}, {s: s0s, time_derivative(s): v0}, t=(0, 1), events=stops(equations)
+            )
+        assert [each.message for each in runs.failures] == [message]
+
+
+def test_a_start_at_a_limit_that_moves_inwards_or_rests_goes_on():
+    """The cart crosses the rail of 2 m: at 1 m/s in 2 s, by -1 m/s^2 from rest in 2 s; without a force it stays."""
+    equations, s = sliding_cart()
+    across, pushed, resting = (
+        simulate(
+            equations,
+            {a: force},
+            {s: 1, time_derivative(s): v0},
+            t=(0, 3),
+            events=stops(equations),
+            rtol=1e-10,
+        )
+        for v0, force in ((-1, 0), (0, -2), (0, 0))
+    )
+    assert [each.event.name for each in (*across.events, *pushed.events)] == ["rail.lower"] * 2
+    assert across.events[0].t == pytest.approx(2, rel=1e-9)
+    assert pushed.events[0].t == pytest.approx(2, rel=1e-9)
+    assert not resting.events
+    again = dict(across.events[0].state) | {time_derivative(s): 0.5}
+    assert simulate(equations, {a: 0}, again, t=(0, 1), events=stops(equations)).t[-1] == 1
+
+
+def test_a_ball_in_a_socket_does_not_begin_beyond_its_cone():
+    """The cone is an angle between axes; its acceleration is that of the equations of motion."""
+    bob = Link("bob", 1, 0.1, 0.1, 0.1, center=(0, 0, -1))
+    socket = spherical("J", ground, bob, axes="XYZ", limits={"cone": (None, 0.3)})
+    equations = newton_euler(assemble([socket]).system(gravity=Vector(ground, 0, 0, 9.81)))
+    with pytest.raises(
+        SimulationError, match=r"J.* begins 0\.1 beyond its limit .* is at rest, but accelerated outwards"
+    ):
+        simulate(equations, {}, {socket.coordinates[0]: 0.4}, t=(0, 1), events=stops(equations))

@@ -15,6 +15,7 @@ from symbody import (
     Torque,
     Vector,
     assemble,
+    bushing,
     contact,
     equilibrium,
     fixed,
@@ -345,6 +346,40 @@ def test_forces_at_different_points_are_seen_apart(tmp_path):
     ends = {(float(x), float(y)) for x, y, _, _, color in LINE.findall(drawn) if color == "#c0392b"}
     assert min(abs(a[0] - b[0]) + abs(a[1] - b[1]) for a in ends for b in ends if a != b) > 30
     assert len(ends) >= 3
+
+
+def test_coordinates_of_joints_are_no_points_of_the_ground(tmp_path):
+    """x_X, y_X and z_X are those of an axle in its car: no rod leads from it to this place of the ground."""
+    car, axle = Link("car", 10.0, 1.0, 1.0, 1.0), Link("axle", 2.0, 1.0, 0.1, 1.0)
+    made = assemble([free("F", ground, car), free("X", car, axle, at=(0, 0, -0.3))])
+    frames = made.frame(axle), made.frame(car) * translate(0, 0, -0.3)
+    mount = bushing(
+        *frames, [1e4] * 6, damping=[10] * 6, on=made.body(axle), reaction=made.body(car), name="mount"
+    )
+    start = dict(zip(made.coordinates, (5.0, 0.0, 1.0), strict=False))
+    equations = newton_euler(made.system([mount], gravity=Vector(ground, 0, 0, -10)))
+    motion = simulate(equations, {}, start, t=(0, 0.01))
+    text = free_body_diagram(motion, axle, tmp_path / "axle.svg", t=0.01).read_text(encoding="utf-8")
+    rods = re.findall(
+        r'<line x1="(\S+)" y1="(\S+)" x2="(\S+)" y2="(\S+)" stroke="#\w+" stroke-width="4"', text
+    )
+    assert all(np.hypot(float(a) - float(c), float(b) - float(d)) < 1 for a, b, c, d in rods)
+
+
+def test_small_moments_are_small_arcs(tmp_path):
+    """A moment of 0.1 N m beside forces of 1000 N at 1 m is a thousandth of an arc."""
+    block = Link("block", 100.0, Iz=10.0)
+    made = assemble([fixed("wall", ground, block, to=(1, 0, 0))])
+    body = made.body(block)
+    loads = [
+        Torque(ground, 0, 0, 0.1, on=body, name="small"),
+        Force(ground, 0, 1000, 0, at=made.point(block, 1, 0, 0), on=body, name="push"),
+    ]
+    drawn = free_body_diagram(made.system(loads), block, tmp_path / "block.svg")
+    assert {"small 0.1 N m", "wall 0.1 N m", "wall 1000 N", "push 1000 N"} <= {*texts(drawn)}
+    red = [tuple(map(float, line[:4])) for line in LINE.findall(drawn.read_text()) if line[4] == "#c0392b"]
+    lengths = sorted(np.hypot(x2 - x1, y2 - y1) for x1, y1, x2, y2 in red)
+    assert sum(lengths[:-1]) < 0.1 * lengths[-1]  # the arc and the arrow
 
 
 def gearbox():

@@ -2,6 +2,9 @@
 
 import pytest
 
+from symbody.worksheet.interpreter.interpret import Interpreter
+from symbody.worksheet.reading.files import source_cells
+from symbody.worksheet.run import outcomes
 from tests.worksheet.printed_by import printed
 
 CASES = {
@@ -33,6 +36,17 @@ CASES = {
         "for k to 3 do if k=1 then a elif k=2 then b else c fi od:",
         [],
     ),
+    "what can't be decided stays": (
+        "c := x > 0: true and not c; false or c; c and y > 0; not (3 > 2); false and c;",
+        ["x <= 0", "0 < x", "(0 < x) and (0 < y)", "false", "false"],
+    ),
+    "assumptions": (
+        (
+            "e := sqrt(m^2)*abs(k): assume(m > 0): e; is(m > 0), is(-m > 0); sqrt(k^2) assuming k > 0; "
+            "additionally(k, positive): e; sqrt(m^2*x); m := 'm': e; [sqrt(q^2), abs(p)] assuming q > 0, p::positive;"
+        ),
+        ["m*abs(k)", "true, false", "k", "k*m", "m*x^(1/2)", "k*abs(m)", "[q, p]"],
+    ),
     "in an operator": (
         "s := x -> if x>0 then 1 else -1 end if: s(2), s(-2);",
         ["1, -1"],
@@ -55,3 +69,13 @@ CASES = {
 @pytest.mark.parametrize(("sheet", "expected"), CASES.values(), ids=CASES.keys())
 def test_conditions(sheet: str, expected: list[str]) -> None:
     assert printed(sheet) == expected
+
+
+def test_assumptions_that_are_not_used_are_told() -> None:
+    cells = source_cells("assume(m < 5): assume(n, integer): assume(k, real): assume(x(t) > 0):")
+    assert [each.notices for each in outcomes(cells, Interpreter())] == [
+        ("assume: m < 5 is not used; names count as real, or as positive if that is assumed",),
+        ("assume: n::integer is not used; names count as real, or as positive if that is assumed",),
+        (),
+        ("assume: 0 < x(t) is not used; names count as real, or as positive if that is assumed",),
+    ]

@@ -103,6 +103,10 @@ def test_the_last_exception_is_kept() -> None:
             "s := series(exp(x), x, 3): 2*s; s + series(sin(x), x, 5);",
             ["2+2*x+x^2+O(x^3)", "1+2*x+1/2*x^2+O(x^3)"],
         ),
+        (
+            "convert(1/(x^2-1), parfrac, x); convert((2*a+x)/(x^2+a*x), parfrac, x);",
+            ["1/2/(x-1)-1/2/(x+1)", "2/x-1/(a+x)"],
+        ),
         ("series(1/x+x, x, 3); series(tan(x)/x, x, 4);", ["x+1/x", "1+1/3*x^2+O(x^4)"]),
     ],
 )

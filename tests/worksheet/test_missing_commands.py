@@ -24,7 +24,7 @@ def test_what_is_no_object_is_named() -> None:
     found = failures(
         "with(MBSymba_r6): comp_XYZ(eliminate([1,2])); comp_X([1]..2); comp_X(a=b); comp_X(true);"
     )
-    kinds = [message.partition(": ")[2].partition(";")[0] for message in found]
+    kinds = [message.partition(" is ")[2].partition(";")[0] for message in found]
     assert kinds == ["a call that nobody knows, eliminate([1, 2])", "a range", "a relation", "a truth value"]
 
 

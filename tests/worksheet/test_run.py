@@ -135,3 +135,14 @@ def test_notices_about_angles_are_for_writers_of_sheets(
         "write Pi/2 if that is meant",
         "angles are in radians: write 90.0*Pi/180 if degrees are meant",
     ]
+
+
+def test_restart_executes_the_startup_code_again(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    sheet = tmp_path / "sheet.mw"
+    field = '<Group><Input><Text-field style="Maple Input">{}</Text-field></Input></Group>'
+    groups = "".join(map(field.format, ("b := 2: restart:", "a, b;")))
+    sheet.write_text(
+        f'<Worksheet><Startup-Code startupcode="a := 7;"/>{groups}</Worksheet>', encoding="utf-8"
+    )
+    assert main(["run", str(sheet)]) == 0
+    assert capsys.readouterr().out.splitlines()[:2] == ["a := 7", "7, b"]

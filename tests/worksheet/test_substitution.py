@@ -5,6 +5,10 @@ import pytest
 from tests.worksheet.printed_by import printed
 
 CASES = {
+    "operators for functions": (
+        "e := diff(x(t),t)+x(t)+f(2): eval(e, [x=(t->sin(t)), f=(z->z^2)]), eval(x(3), x=(u->u^2));",
+        ["cos(t)+sin(t)+4, 9"],
+    ),
     "one after the other": (
         "subs(u=2,v=u,u+v);",
         ["u+2"],

@@ -26,7 +26,7 @@ MESSAGES = {
     "moving_frame_of_three": (2, 1, "use_moving_frame: expected six velocities"),
     "newton_without_bodies": (3, 6, "newton_equations: no body in the system"),
     "no_closed_form": (1, 6, "solve: no solution in closed form of 1 equation in x"),
-    "not_a_frame": (2, 6, "origin: expected a frame, a 4x4 matrix"),
+    "not_a_frame": (2, 6, "origin: T is a list; expected a frame"),
     "point_of_two_coordinates": (2, 6, "make_POINT: 2 components; expected three"),
     "recursive_name": (1, 1, "recursive assignment"),
     "small_variables_that_are_none": (2, 1, "linear_modeling: x(t)^2 is not a variable"),

@@ -244,7 +244,7 @@ def _tyres(rear: Body, front: Body) -> tuple[list[LaggingTyre], dict[str, Expr]]
 
 
 def _check_speed(speed: object) -> None:
-    if not isinstance(speed, int | float) or not 0 < speed <= _FASTEST:
+    if isinstance(speed, bool) or not isinstance(speed, int | float) or not 0 < speed <= _FASTEST:
         raise ModelError(
             f"flexible_motorcycle: speed is {brief(repr(speed))}; expected a number of m/s above 0 and up to "
             f"{_FASTEST:g}, for which the polynomials of the tyres hold"

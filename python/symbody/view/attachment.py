@@ -51,8 +51,9 @@ def natural_points(system: System) -> list[Point]:
     >>> A.name, A.coordinates
     ('A', (xA, yA, 0))
     """
+    of_joints = {q for joint in system.joints for q in joint.coordinates}  # they are relative to the parent
     groups: dict[str, dict[int, Expr]] = {}
-    for coordinate in system.coordinates:
+    for coordinate in (q for q in system.coordinates if q not in of_joints):
         found = re.fullmatch(r"([xyzXYZ])_?(.*)", coordinate.name)
         if found:
             groups.setdefault(found[2], {})["xyz".index(found[1].lower())] = coordinate

@@ -43,6 +43,25 @@ def segments(bodies: Sequence[Body]) -> dict[Segment, int]:
     return found
 
 
+def carried_by_segments(bodies: Sequence[Body]) -> dict[int, set[int]]:
+    """Return the indices of the bodies beyond each segment that moves with none, by its number among `segments`.
+
+    >>> from symbody import rotate, functions_of_time, translate
+    >>> p, q = functions_of_time("p q")
+    >>> carried_by_segments([Body(rotate("Z", p) * translate(1, 0, 0) * rotate("Z", q), 1)])
+    {0: {0}}
+    """
+    root, found = bodies[0].frame.ancestor, {}
+    for number, (segment, owner) in enumerate(segments(bodies).items()):
+        if owner < 0 and segment.frame.last_moving is not root:
+            found[number] = {
+                k
+                for k, body in enumerate(bodies)
+                if any(frame.parent is segment.frame for frame in body.frame.chain)
+            }
+    return found
+
+
 @dataclass(frozen=True)
 class Guide:
     """A straight line along which a frame slides, in its parent frame."""

@@ -19,7 +19,7 @@ EXAMPLES = {
 
 @dataclass(frozen=True)
 class DrawingOptions:
-    """The user's choices, as in `animate`.
+    """The user's choices, as in `animate`; `springs` are lines that are drawn as springs.
 
     Raises:
         ViewError: an argument has the wrong kind.
@@ -33,16 +33,15 @@ class DrawingOptions:
     forces: Sequence[Load] = ()
     reactions: bool = False
     follow: Body | None = None
+    springs: Sequence[tuple[Point, Point]] = ()
 
     def __post_init__(self) -> None:
         _check_all("frames", self.frames, Frame)
         _check_all("points", self.points, Point)
         _check_all("traces", self.traces, Point)
         _check_all("forces", self.forces, Load)
-        for line in _listed("lines", self.lines, "pairs of points, such as [(A, B)]"):
-            ends = line if isinstance(line, tuple | list) else ()
-            if len(ends) != 2 or not all(isinstance(end, Point) for end in ends):
-                raise _strange("lines", line, "pairs of points, such as [(A, B)]")
+        _check_pairs("lines", self.lines)
+        _check_pairs("springs", self.springs)
         if not isinstance(self.shapes, Mapping):
             raise _strange("shapes", self.shapes, "shapes by body, such as {body: Box(1, 1, 1)}")
         for given in self.shapes.values():
@@ -55,6 +54,13 @@ def _check_all(name: str, given: object, kind: type[Frame | Point | Load]) -> No
     for each in _listed(name, given, EXAMPLES[kind]):
         if not isinstance(each, kind):
             raise _strange(name, each, EXAMPLES[kind])
+
+
+def _check_pairs(name: str, given: object) -> None:
+    for line in _listed(name, given, "pairs of points, such as [(A, B)]"):
+        ends = line if isinstance(line, tuple | list) else ()
+        if len(ends) != 2 or not all(isinstance(end, Point) for end in ends):
+            raise _strange(name, line, "pairs of points, such as [(A, B)]")
 
 
 def _listed(name: str, given: object, expected: str) -> Iterable[object]:

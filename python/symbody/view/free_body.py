@@ -45,6 +45,9 @@ LONGEST = 0.6
 LEAST = 1e-5
 """Forces and moments below this part of the largest one are not drawn: they are rounding, or can't be seen."""
 
+SMALL = 0.01
+"""Moments below this part of the largest force times the radius are drawn smaller than the largest arc."""
+
 BALANCED = 1e-9
 """Forces and moments whose resultant is below this part of the largest are an action and its reaction."""
 
@@ -53,6 +56,9 @@ FLAT = 1e-6
 
 CLEAR = 0.05
 """Points of action that are seen closer than this part of their largest distance lie on each other."""
+
+HUGE = 1.5
+"""Solids longer than this multiple of the part's extent, as some that are found by inertia, would hide its forces."""
 
 TURNS = (0.0, 15.0, -15.0, 30.0, -30.0)
 """Turns of the camera about the vertical, in degrees, in the order of preference."""
@@ -145,7 +151,7 @@ def free_body_diagram(
     content = scene(drawn, DrawingOptions(), "")
     kept = [k for k, body in enumerate(system.bodies) if body in members]
     members = [system.bodies[k] for k in kept]
-    content["bodies"] = [content["bodies"][k] for k in kept]
+    content["bodies"] = [{**content["bodies"][k], "has_axes": False} for k in kept]
     content["links"] = [rod for rod in content["links"] if rod["body"] in kept]
     content["links"] += _arms(drawn, system, members, content["bodies"])
     content["axes"], content["lines"] = [], []
@@ -153,6 +159,7 @@ def free_body_diagram(
     acting = [*_loads(drawn, system, members), *_weights(system, members), *_reactions(system, members)]
     content["actions"] = _entries(drawn, acting, content)
     content["view"] |= _facing(content)
+    content["bodies"] = _without_what_hides(content)
     return write_whole(file, _writer(sketch_svg(sketch_of(content))), where=_WHERE)
 
 
@@ -291,11 +298,12 @@ def _entries(
         for kind in (False, True)
     }
     arm = max(largest[False] * radius, largest[True])
+    longest = {False: largest[False], True: max(largest[True], SMALL * arm)}
     return [
         {
             "name": f"{each.name} {_three_digits(size)} {'N m' if each.is_moment else 'N'}",
             "at": place.tolist(),
-            "vector": (vector * LONGEST * radius / largest[each.is_moment]).tolist(),
+            "vector": (vector * LONGEST * radius / longest[each.is_moment]).tolist(),
             "color": COLORS[each.kind],
             "is_moment": each.is_moment,
         }
@@ -363,6 +371,21 @@ def _apart(content: dict[str, Any]) -> dict[str, list[float]]:
         return {}
     best = max(TURNS, key=clearance)
     return {"direction": Rotation.from_rotvec(np.radians(best) * up).apply(direction).tolist()}
+
+
+def _without_what_hides(content: dict[str, Any]) -> list[dict[str, Any]]:
+    """Return the bodies without solids far larger than the part: rods to the joints show it, and forces are seen."""
+    places = _places(content)
+    extent = float(np.ptp(places, axis=0).max())
+    if extent < 0.1 * float(content["view"]["radius"]):
+        return list(content["bodies"])
+    return [
+        {
+            **body,
+            "parts": [part for part in body["parts"] if np.ptp(corners(part), axis=0).max() <= HUGE * extent],
+        }
+        for body in content["bodies"]
+    ]
 
 
 def _radius(content: dict[str, Any]) -> float:

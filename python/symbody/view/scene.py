@@ -142,7 +142,7 @@ def _given(
 def _requested_paths(motion: DrawableMotion, options: DrawingOptions) -> Array:
     """Return the paths of points, traces and both ends of lines, in this order."""
     elements = (element.ends for element in _along_lines(motion))
-    ends = (end for line in (*options.lines, *elements) for end in line)
+    ends = (end for line in (*options.lines, *options.springs, *elements) for end in line)
     return paths(motion, [*options.points, *options.traces, *ends])
 
 
@@ -166,7 +166,10 @@ def _lines_and_points(
     points = [*zip(names, requested[: n + k], strict=True), *bones.points]
     lines = [*zip(requested[n + k :: 2], requested[n + k + 1 :: 2], strict=True), *bones.lines]
     kinds = (
-        ["line"] * len(options.lines) + [_kind(element) for element in elements] + ["line"] * len(bones.lines)
+        ["line"] * len(options.lines)
+        + ["spring"] * len(options.springs)
+        + [_kind(element) for element in elements]
+        + ["line"] * len(bones.lines)
     )
     return {
         "points": [{"name": name, "path": rounded(path)} for name, path in points],

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from symbody.geometry import Point, origin
 from symbody.multibody import System
 from symbody.view.attachment import RIGID, Attachment, Thread, attachment, natural_points, threads
-from symbody.view.chain import guides, segments
+from symbody.view.chain import carried_by_segments, guides, segments
 from symbody.view.drawable_motion import DrawableMotion, mechanism_of
 from symbody.view.frame_table import FrameTable
 from symbody.view.pose import constants, paths, values
@@ -27,16 +27,26 @@ BEYOND = 0.1
 
 @dataclass(frozen=True)
 class Skeleton:
-    """The rods of a page, points by name and path, lines by the paths of their ends, and the threads that they show."""
+    """The rods of a page, points by name and path, lines by the paths of their ends, and the threads that they show.
+
+    `carried` has the bodies to which rods lead that move with none, by the number of the rod.
+    """
 
     rods: list[dict[str, Any]]
     points: list[tuple[str, Array]]
     lines: list[tuple[Array, Array]]
     threads: list[Thread]
+    carried: Mapping[int, set[int]]
 
-    def without(self, bodies: Container[int]) -> Skeleton:
-        """Return the skeleton without the rods of bodies whose shapes are given."""
-        return replace(self, rods=[rod for rod in self.rods if rod["body"] not in bodies])
+    def without(self, bodies: Collection[int]) -> Skeleton:
+        """Return the skeleton without the rods of bodies whose shapes are given, or that lead to these alone."""
+
+        def is_hidden(number: int, rod: dict[str, Any]) -> bool:
+            return {*bodies} >= (self.carried.get(number) or {rod["body"]})
+
+        return replace(
+            self, rods=[rod for k, rod in enumerate(self.rods) if not is_hidden(k, rod)], carried={}
+        )
 
     def longest_arm(self, pose: int) -> Array | None:
         """Return the vector from the origin of a frame to the farthest end of its rods, if it has any."""
@@ -66,8 +76,9 @@ def skeleton(motion: DrawableMotion, table: FrameTable, tracks: Array) -> Skelet
             if np.ptp(end, axis=0).max() < RIGID * size:
                 points.append(("", end))
     arms = [*fixed, *_points_of_action(motion, tracks, size)]
+    bodies = mechanism_of(motion).bodies
     rods = [*_segments(motion, table), *_guides(motion, table), *_arms(motion, table, arms, RIGID * size)]
-    return Skeleton(rods, points, lines, shown)
+    return Skeleton(rods, points, lines, shown, carried_by_segments(bodies))
 
 
 def _confirmed(

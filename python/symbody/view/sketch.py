@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import count, pairwise, product
+from itertools import pairwise, product
 from typing import Any
 
 import numpy as np
@@ -14,9 +14,10 @@ from scipy.spatial.transform import Rotation
 from symbody.view.camera import AXES
 from symbody.view.drawable_motion import DrawableMotion
 from symbody.view.drawing_options import DrawingOptions
+from symbody.view.label_placement import with_placed_labels
 from symbody.view.mark import Dot, Ellipse, Label, Line, Mark, Patch, Place, Sketch, outermost
 from symbody.view.scene import scene
-from symbody.view.solid import corners
+from symbody.view.solid import INSIDE, corners
 
 Array = NDArray[np.float64]
 
@@ -100,7 +101,7 @@ class _Projection:
         self.is_measuring = False
         height = extent[1] * self.scale + 2 * MARGIN
         self.origin = np.array([WIDTH, height]) / 2 - self.scale * (low + high) / 2
-        marks = tuple(_spread(self._marks()))
+        marks = tuple(with_placed_labels(self._marks()))
         return Sketch(_width(marks), _height(marks, float(height)), marks)
 
     def _marks(self) -> list[Mark]:
@@ -236,7 +237,8 @@ class _Projection:
     def _points(self) -> Iterator[Mark]:
         for body in self.content["bodies"]:
             (centre,) = self._flat(self._in_root(body["pose"], [[0.0, 0.0, 0.0]]))
-            yield Dot(centre, body["color"], 3.5)
+            if not body["parts"] or self._is_among(centre, body["parts"]):
+                yield Dot(centre, body["color"], 3.5)
         for point in self.content["points"]:
             (place,) = self._flat(np.array(point["path"]).reshape(-1, 3)[self.instant])
             yield Dot(place, "#1c2733", 2.5)
@@ -244,10 +246,26 @@ class _Projection:
                 yield Label(place, point["name"], "#1c2733")
 
     def _names(self) -> Iterator[Label]:
+        """Yield the names of bodies, at their centres of mass; at the first solid of one whose solids are elsewhere."""
         for body in self.content["bodies"]:
             if body["is_named"]:
-                (centre,) = self._flat(self._in_root(body["pose"], [[0.0, 0.0, 0.0]]))
-                yield Label(centre, body["name"], body["color"])
+                (place,) = self._flat(self._in_root(body["pose"], [[0.0, 0.0, 0.0]]))
+                if body["parts"] and not self._is_among(place, body["parts"]):
+                    place = self._middle(body["parts"][0])
+                yield Label(place, body["name"], body["color"])
+
+    def _is_among(self, place: Place, parts: Sequence[dict[str, Any]]) -> bool:
+        """Return whether a place is seen well within the rectangle around solids."""
+        seen = np.array([corner for part in parts for corner in self._box_around(part)])
+        low, high = seen.min(axis=0), seen.max(axis=0)
+        return bool(np.all(np.abs(np.array(place) - (low + high) / 2) <= INSIDE * (high - low) / 2 + 0.5))
+
+    def _middle(self, part: dict[str, Any]) -> Place:
+        across, down = np.mean(self._box_around(part), axis=0)
+        return (round(float(across), 2), round(float(down), 2))
+
+    def _box_around(self, part: dict[str, Any]) -> list[Place]:
+        return self._flat(self._in_root(part["pose"], corners(part)))
 
 
 def _coil(start: Place, end: Place) -> list[Place]:
@@ -292,47 +310,6 @@ def _beside_tip(path: Sequence[Place]) -> Place:
     """Return where the name of an arrow begins: names go to the right, so that one on the left is below its shaft."""
     (before, above), (x, y) = path[-2:]
     return (x, y + 22) if before > x and above <= y else (x, y)
-
-
-def _spread(marks: Sequence[Mark]) -> Iterator[Mark]:
-    """Yield the marks with labels moved until none lies on another one or on the head of an arrow.
-
-    They are moved down; beside arrows up or down, whichever is nearer, as a name belongs to one of them.
-    """
-    heads = [mark.corners for mark in marks if isinstance(mark, Patch) and mark.opacity == 1.0]
-    taken: list[Place] = []
-    for mark in marks:
-        if not isinstance(mark, Label):
-            yield mark
-            continue
-        x, first = mark.at[0] + 6, mark.at[1] - 6
-        width = 7 * len(mark.text) + 8
-        shifts = (side * 13 * step for step in count() for side in ((1, -1) if heads and step else (1,)))
-        places = ((x, first + shift) for shift in shifts if not heads or first + shift > 12)
-        x, y = next(place for place in places if _is_free(place, width, taken, heads))
-        taken.append((x, y))
-        yield Label((round(x, 2), round(y, 2)), mark.text, mark.color)
-
-
-def _is_free(place: Place, width: float, taken: Sequence[Place], heads: Sequence[Sequence[Place]]) -> bool:
-    """Return whether a text of one line may begin at a place.
-
-    Args:
-        place: where it begins.
-        width: the width of the text.
-        taken: where other texts begin.
-        heads: the corners of the heads of arrows.
-    """
-    x, y = place
-    if any(abs(x - a) < width and abs(y - b) < 13 for a, b in taken):
-        return False
-    return not any(
-        x < max(a for a, _ in head)
-        and min(a for a, _ in head) < x + width
-        and y - 10 < max(b for _, b in head)
-        and min(b for _, b in head) < y + 1
-        for head in heads
-    )
 
 
 def _width(marks: Sequence[Mark]) -> float:

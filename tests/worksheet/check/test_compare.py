@@ -33,6 +33,13 @@ EQUAL = [
     ("g := (x, y) -> x^2*y", "g := (a, b) -> b*a^2"),
     ("x-1/6*x^3+O(x^4)", "x-x^3/6+O(x^4)"),
     ("``(2)^2*``(3)", "``(3)*``(2)^2"),
+    ("p := proc(x) x^2 end proc", "p := proc (a) a*a end proc"),
+    ("p := proc(x) local y; y := x; 2*y end proc", "p := proc (x) local y; y := x; 2*y end proc"),
+    ("v := Vector[row]([1, 2])", "v := Vector[row]([1,2])"),
+    ("v := Vector[column]([1, 2])", "v := Vector[column]([[1],[2]])"),
+    ("M := Matrix(2, 2, {(1, 1) = 1, (1, 2) = 3, (2, 1) = 2, (2, 2) = 4})", "M := Matrix([[1,3],[2,4]])"),
+    ("v := Vector(2, {(1) = 1, (2) = c})", "v := Vector[column]([[1], [c]])"),
+    ("M := Matrix(2, 2, {(1, 1) = 1, (2, 2) = 1}, storage = diagonal)", "M := Matrix([[1, 0], [0, 1]])"),
     # Cut, but something is complete.
     ("TN := matrix([[ux, vx], [uy, vy*cos(...", "TN := matrix([[ux,vx],[uy,vy+1],[0,0]])"),
     (
@@ -51,15 +58,28 @@ def test_equal(theirs: str, ours: str) -> None:
 
 DIFFERENT = [
     ("a := x", "b := x", "the file has a, the run b"),
-    ("a := x+1", "a := x", "the file has x + 1, the run x"),
+    ("a := x+1", "a := x", "the file has x+1, the run x"),
     ("[a, b]", "[a, b, c]", "the file has 2 items, the run 3"),
     ("[a, [b, c]]", "[a, [b, d]]", "[2] [2] the file has c, the run d"),
     ("{a, b}", "{a}", "the run doesn't have b"),
     ("{a}", "{a, b}", "the file doesn't have b"),
     ("P = POINT(coords = [0])", "P = POINT(coords = [1])", "coords: [1] the file has 0, the run 1"),
     ("P = POINT(coords = [0])", "P = VECTOR(coords = [0])", "the file has POINT(..), the run VECTOR(..)"),
-    ("x := .33*a", "x := 1/3*a", "the file has 0.33*a, the run a/3"),
+    ("x := .33*a", "x := 1/3*a", "the file has .33*a, the run 1/3*a"),
     ("x < y", "x <= y", "< became <="),
+    (
+        "M := Matrix(1, 2, {(1, 1) = 1, (1, 2) = 5})",
+        "M := Matrix([[1, 4]])",
+        "[1] [2] the file has 5, the run 4",
+    ),
+    ("abs(x)", "x^2/2", "the file has abs(x), the run 1/2*x^2"),
+    ("g := x -> x^3", "g := x -> x^2", "[2] the file has argument1^3, the run argument1^2"),
+    (
+        "p := proc(x) x^3 end proc",
+        "p := proc(x) x^2 end proc",
+        "[2] the file has argument1^3, the run argument1^2",
+    ),
+    ("v := Vector[row]([1, 2])", "v := Vector[column]([1, 2])", "the file has a row, the run a column"),
     ("x := 3", "x := matrix([[1, 2]])", "the file has an expression, the run a list"),
     ("[a, b, ...", "[a, c, d]", "[2] the file has b, the run c"),
 ]
@@ -76,6 +96,11 @@ REASONS = [
     ("a b c", "3", "it can't be read as a value"),
     ("[a]", "a", "the file has a list, the run an expression"),
     ("a and b", "a", "and in it has no value"),
+    (
+        "p := proc(x) local y; y := x; y end proc",
+        "p := proc(x) x end proc",
+        "a procedure of several statements",
+    ),
 ]
 
 

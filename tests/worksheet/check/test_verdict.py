@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import pytest
+
 from symbody.worksheet.check import Verdict, verdicts
 from symbody.worksheet.interpreter.interpret import Interpreter
 from symbody.worksheet.reading.files import source_cells
+from symbody.worksheet.reading.two_dimensions import is_layout
 from symbody.worksheet.run import outcomes
 
 
@@ -17,7 +20,7 @@ def test_each_statement_has_a_verdict() -> None:
     text = "> a := x+x;\n\na := 2*x\n\n> b := a^2;\n\nb := 3*x^2\n\n> c := 1;\n\nc := ...\n"
     assert check(text) == [
         Verdict(1, "equal"),
-        Verdict(5, "differs", "the file has 3*x**2, the run 4*x**2"),
+        Verdict(5, "differs", "the file has 3*x^2, the run 4*x^2"),
         Verdict(9, "not comparable", "cut before anything complete"),
     ]
 
@@ -48,3 +51,45 @@ def test_counts_depend_on_the_form() -> None:
     assert verdict == Verdict(
         1, "not comparable", "a count, which depends on the form: the file has 4, the run 3"
     )
+
+
+def test_centred_outputs_below_each_other_are_compared() -> None:
+    """As Maple exports them: each in the middle of the page, without empty lines."""
+    text = "> v := [1,2,3]; v[2];\n" + "\n".join(each.center(78) for each in ("v := [1, 2, 3]", "3"))
+    text += "\n> for i to 3 do i^2 od;\n" + "\n".join(f"{'':36}{each}" for each in (1, 4, 8)) + "\n> a;\n"
+    assert [str(verdict) for verdict in check(text)] == [
+        "equal",
+        "differs: the file has 3, the run 2",
+        "differs: the file has 8, the run 9; 1 of 3 outputs",
+    ]
+
+
+@pytest.mark.parametrize(
+    "formula", ["           2\n     a := x  + 1", "     a + b\n     -----\n       c", "   2\n  x"]
+)
+def test_formulas_in_two_dimensions_are_no_outputs_of_several_statements(formula: str) -> None:
+    indented = "\n".join(f"          {line}" for line in formula.split("\n"))
+    assert is_layout(indented)
+
+
+def test_rates_and_lines_in_two_dimensions_have_a_verdict() -> None:
+    text = """> PDEtools[declare](prime=t, quiet): diff(x(t),t);
+
+`z'`
+
+> W := 3*x(t);
+                             W := 4 x(t)
+> v := <1,2>;
+
+v := Vector[column](%id = 18446744078)
+
+> 3;
+
+3
+"""
+    assert [str(verdict) for verdict in check(text)] == [
+        "differs: the file has diff(z(t),t), the run diff(x(t),t)",
+        "differs: the file has 4*x(t), the run 3*x(t)",
+        "not comparable: a matrix in it is not printed in full",
+        "equal",
+    ]

@@ -343,6 +343,48 @@ def test_linear_models_keep_the_model() -> None:
     assert values["K"] == (m * (speed**2 + across**2) + J * sb.diff(theta, sb.t) ** 2) / 2
 
 
+def test_loops_over_tables_of_objects_keep_the_model() -> None:
+    made = converted(
+        source_cells(
+            "with(MBSymba_r6): T := translate(x(t),0,z(t))*rotate('Y',mu(t)): b := make_BODY(T,m,0,I__y,0): "
+            "for nm in [fl,fr] do at[nm] := translate(p[nm],0,0): P[nm] := origin(T*at[nm]): "
+            "F[nm] := make_FORCE(make_VECTOR(ground,0,0,-k*comp_Z(P[nm],ground)),P[nm],b): od: "
+            "S := {b, seq(F[j], j in [fl,fr])}: N := newton_equations(S): w := fl: F[w][acting][mass]; "
+            "G := make_FORCE(ground,0,0,f,origin(b),b): NG := newton_equations({b,G}):"
+        ),
+        "car",
+    )
+    assert (made.values, made.left_out) == (0, 0)
+    assert "for nm in [fl, fr]:\n    at[str(nm)] = sb.translate(" in made.text
+    assert "S = [b, *[F[str(j)] for j in [fl, fr]]]\nN = sb.newton_equations(S)\n" in made.text
+    values, (x, z, mu), (m, k) = run(made.text), sb.functions_of_time("x z mu"), sb.symbols("m k")
+    places = symbol("p[fl]") + symbol("p[fr]")
+    by_hand = [m * sb.diff(x, sb.t, 2), 0, m * sb.diff(z, sb.t, 2) + k * (2 * z - places * sb.sin(mu))]
+    assert list(values["N"].components) == by_hand
+
+
+def test_a_moving_frame_takes_the_gravity_along_that_was_given_before(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)  # the sheet and the program save values
+    made = converted(
+        source_cells(
+            "with(MBSymba_r6): _gravity := make_VECTOR(ground,0,0,g): B := make_BODY(rotate('Z',psi(t)),m): "
+            "N := newton_equations(B): use_moving_frame(u(t),v(t),0,0,0,r(t)): "
+            "B2 := make_BODY(rotate('X',phi(t))*translate(0,0,-h),m,Ix,0,0): N2 := newton_equations(B2): "
+            "w := angular_velocity(rotate('Z',a(t))*rotate('X',b(t)),rotate('Z',a(t))): "
+            'L := [comp_X(N), 2] - [1, x]: M := 2*L - L/2: save(M, N, "k.m"):'
+        ),
+        "modes",
+    )
+    assert (made.values, made.left_out) == (0, 0)
+    assert "gravity = sb.Vector(master, *gravity.components)" in made.text
+    values, (phi, b), (m, g, h) = run(made.text), sb.functions_of_time("phi b"), sb.symbols("m g h")
+    rise = sb.diff(-h * sb.cos(phi), sb.t, 2)
+    assert values["N2"].components[2] == m * rise - m * g
+    assert list(values["w"].components) == [sb.diff(b, sb.t), 0, 0]
+
+
 def test_small_deviations_are_from_other_variables() -> None:
     text = program(
         "with(MBSymba_r6): T := rotate('Z',phi(t)): linear_modeling({psi(t) = phi(t)}): "

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from symbody.worksheet.reading import statements
+from symbody.worksheet.reading import names_in_code, statements
 from symbody.worksheet.reading.text_export import text_export_cells
 from symbody.worksheet.sheet.source import Cell, Line, Remark, SyntaxMistake
 from symbody.worksheet.sheet.syntax import Assignment, Evaluation, For
@@ -14,7 +14,8 @@ from tests.worksheet.printed_by import printed
 def read(text: str, **options: bool) -> tuple[list[str], list[str]]:
     """Return the kinds of the statements and mistakes, and the remarks."""
     lines = tuple(Line(line, k) for k, line in enumerate(text.split("\n"), start=1))
-    found = list(statements(Cell(lines, **options)))
+    cell = Cell(lines, **options)
+    found = list(statements(cell, names_in_code([cell])))
     others = [type(one).__name__ for one in found if not isinstance(one, Remark)]
     return others, [one.text for one in found if isinstance(one, Remark)]
 
@@ -83,6 +84,25 @@ CASES = [
     ("V := K/2*(x^2 + 2 y\n + z^2);", ["SyntaxMistake"], []),
     ("V := K/2*(x^2 + y\n z^2);", ["SyntaxMistake"], []),
     ("e := [a, b^2  the force\n c];", ["SyntaxMistake"], []),
+    ("e := [a + b  offset here\n c, d];", ["SyntaxMistake"], []),
+    ("m := [[1,2],  2nd row\n [3,4]];", ["Assignment"], ["2nd row"]),
+    ("m := [[1,2],  first\n [3,4]];", ["Assignment"], ["first"]),
+    ("q := [x, y,  [m]\n phi  (rad)\n ];", ["Assignment"], ["[m]", "(rad)"]),
+    ("F := k*(x - x0  deflection [m]\n ) + c*v;", ["Assignment"], ["deflection [m]"]),
+    ("s := a * not used\n + b;", ["SyntaxMistake"], []),
+    ("if x > 1 [m/s^2]\n then y := 2 fi;", ["If"], ["[m/s^2]"]),
+    ("T := f(A, B) = mass of the car\n;", ["Assignment"], ["= mass of the car"]),
+    # Behind the last terminator, with names of the code.
+    ("x := 3; x coordinate of G\ny := 4;", ["Assignment"] * 2, ["x coordinate of G"]),
+    ("x := 3: unit: N/m\ny := 4;", ["Assignment"] * 2, ["unit: N/m"]),
+    ("m := 3; m [kg]\n(a, b) := f(m);", ["Assignment"] * 2, ["m [kg]"]),
+    ("for i to 3 do w[i] := i^2;  [mm]\nod;", ["For"], ["[mm]"]),
+    ("f := proc(x) local y; y := x^2; y\nend proc;", ["Assignment"], []),
+    # Lines of their own between statements.
+    ("x := 3:\n  length, width and height\ny, z := f(x);", ["Assignment"] * 2, ["length, width and height"]),
+    ("x := 3:\n  [m/s^2]\ny := 4;", ["Assignment"] * 2, ["[m/s^2]"]),
+    ("x := 3:\n  from the 2nd link\ny := 4;", ["Assignment"] * 2, ["from the 2nd link"]),
+    ("x := 3:\n  x + 1\ny := 4;", ["Assignment", "SyntaxMistake"], []),
     # Lines of prose among code.
     ("The energy of the plate\nB := 3;", ["Assignment"], ["The energy of the plate"]),
     ("B := 3;\nThe energy: it is kept\nshow(B);", ["Assignment", "Evaluation"], ["The energy: it is kept"]),
@@ -147,6 +167,18 @@ def test_a_unit_behind_a_terminator_leaves_the_prompts_below(
     assert [one.text for one in found if isinstance(one, Remark)] == remarks
     if "SyntaxMistake" not in kinds:
         assert len(found) == len(kinds) + len(remarks) + 1
+
+
+def test_what_may_be_code_is_told() -> None:
+    lines = "m := 5; m [kg]", "S := {b1,  the arm", " b2, 3rd link", "b3}; mass"
+    cell = Cell(tuple(Line(line, k) for k, line in enumerate(lines, start=1)))
+    found = [one for one in statements(cell, names_in_code([cell])) if isinstance(one, Remark)]
+    assert {one.text: one.notice for one in found} == {
+        "m [kg]": "taken for a remark: m [kg]",
+        "the arm": "",
+        "b2, 3rd link": "taken for a remark: b2, 3rd link",
+        "mass": "",
+    }
 
 
 def test_where_marks_were_kept_the_end_of_a_cell_ends_a_statement() -> None:

@@ -12,6 +12,7 @@ from symbody.symbolic.calculus.reader import Reader
 from .causes import generalized_forces
 from .degree import Degrees, by_christoffel, degrees, is_defined_without, part_of, without
 from .device import by_device, devices
+from .given_rate import by_given_rates
 from .like_terms import joined
 from .reader_of import reader_of
 from .source import Sources, sources
@@ -60,6 +61,7 @@ def balances(
     bias: Sequence[Expr],
     jacobian: Matrix,
     actions: Sequence[Action] | None = None,
+    places: Sequence[int] | None = None,
 ) -> tuple[tuple[Balance, ...], Matrix]:
     """Return the equations by the kinds of their terms and the mass matrix, all in their forms for the reader.
 
@@ -72,31 +74,38 @@ def balances(
         bias: the residuals at zero accelerations and multipliers.
         jacobian: phi_q, m x n.
         actions: those of the loads in the equations; by default all of the system.
+        places: the rows that are wanted, of large systems; by default all.
     """
-    reader = reader_of(system, [*mass_matrix.entries, *bias])
+    chosen = range(len(bias)) if places is None else places
+    residuals, bias = [residuals[i] for i in chosen], [bias[i] for i in chosen]
+    rows = Matrix([[mass_matrix[i, j] for j in range(mass_matrix.columns)] for i in chosen])
+    reader = reader_of(system, [*rows.entries, *bias])
     if actions is None:
         actions = system.actions if isinstance(system, System) else ()
     kinds = sources(system, mass_matrix, actions)
-    parts = _parts(system, bias, kinds, mass_matrix, actions)
-    gravity = _gravity(parts, system, [*mass_matrix.entries, *bias])
-    mass_matrix = _read(mass_matrix, reader)
-    inertia = _by_degree([part.inertia for part in parts], mass_matrix, system)
+    parts = _parts(system, bias, kinds, mass_matrix, actions, chosen)
+    gravity = _gravity(parts, system, [*rows.entries, *bias])
+    rows = _read(rows, reader)
+    inertia = _by_degree(
+        [part.inertia for part in parts], rows if places is None else mass_matrix, system, chosen
+    )
+    turning = by_given_rates([part.inertia for part in parts], system)
     loads = _loads([part.loads for part in parts], kinds, system.speeds, reader)
     made = []
-    for i, (residual, part) in enumerate(zip(residuals, parts, strict=True)):
-        row = zip((mass_matrix[i, j] for j in range(len(bias))), system.accelerations, strict=True)
-        forces = ((jacobian[k, i], multiplier) for k, multiplier in enumerate(system.multipliers))
+    for i, (place, residual, part) in enumerate(zip(chosen, residuals, parts, strict=True)):
+        row = zip((rows[i, j] for j in range(rows.columns)), system.accelerations, strict=True)
+        forces = ((jacobian[k, place], multiplier) for k, multiplier in enumerate(system.multipliers))
         balance = _balance(
             [pair for pair in row if not pair[0].is_zero],
             part,
-            inertia[i],
+            (inertia[i], turning[i]),
             gravity[i],
             loads[i],
             [pair for pair in forces if not pair[0].is_zero],
             reader,
         )
         made.append(balance if balance.residual == residual else Balance(loads=_terms(residual, reader)))
-    return tuple(made), mass_matrix
+    return tuple(made), rows
 
 
 @dataclass(frozen=True)
@@ -123,6 +132,7 @@ def _parts(
     kinds: Sources,
     mass_matrix: Matrix,
     actions: Sequence[Action],
+    places: Sequence[int],
 ) -> list[_Parts]:
     """Return the terms by their symbols, or by generalised forces where only these leave forces of inertia.
 
@@ -135,17 +145,22 @@ def _parts(
         kinds: the symbols by which terms are told apart.
         mass_matrix: M, n x n.
         actions: those of the loads.
+        places: the rows whose bias it is.
     """
     parts = [_Parts.of(entry, kinds) for entry in bias]
-    follows = by_christoffel([part.inertia for part in parts], mass_matrix, system)
+    follows = by_christoffel([part.inertia for part in parts], mass_matrix, system, places)
     if system.has_quasi_velocities or not isinstance(system, System) or all(follows):
         return parts
     forces = generalized_forces(system, actions)
     others = [
         _Parts(entry + weight + moving + given, -weight, -moving, given)
-        for entry, weight, moving, given in zip(bias, forces.weight, forces.moving, forces.given, strict=True)
+        for entry, weight, moving, given in zip(
+            bias,
+            *([each[i] for i in places] for each in (forces.weight, forces.moving, forces.given)),
+            strict=True,
+        )
     ]
-    better = by_christoffel([part.inertia for part in others], mass_matrix, system)
+    better = by_christoffel([part.inertia for part in others], mass_matrix, system, places)
     symbols = (*kinds.gravity, *kinds.loads, *kinds.given)
     return [
         other if known is None and (found is not None or not is_defined_without(entry, symbols)) else part
@@ -191,8 +206,10 @@ def _read(matrix: Matrix, reader: Reader) -> Matrix:
     return Matrix([entries[start : start + n] for start in range(0, len(entries), n)])
 
 
-def _by_degree(inertia: Sequence[Expr], mass_matrix: Matrix, system: Variables) -> list[Degrees | None]:
-    found = by_christoffel(inertia, mass_matrix, system)
+def _by_degree(
+    inertia: Sequence[Expr], mass_matrix: Matrix, system: Variables, places: Sequence[int]
+) -> list[Degrees | None]:
+    found = by_christoffel(inertia, mass_matrix, system, places)
     if all(found):
         return found
     others = degrees(inertia, system.speeds)
@@ -202,7 +219,7 @@ def _by_degree(inertia: Sequence[Expr], mass_matrix: Matrix, system: Variables) 
 def _balance(
     row: Sequence[tuple[Expr, Expr]],
     part: _Parts,
-    inertia: Degrees | None,
+    inertia: Sequence[Degrees | None],
     gravity: tuple[Expr, ...],
     loads: tuple[Expr, ...],
     forces: Sequence[tuple[Expr, Expr]],
@@ -213,17 +230,14 @@ def _balance(
     Args:
         row: the entries of its row of M, each with its acceleration.
         part: its bias by the sources of the terms.
-        inertia: the forces of inertia by their degree in the speeds, if they are quadratic.
+        inertia: the forces of inertia by their degree in the speeds, and in these and given rates, if they are so.
         gravity: the terms of weight.
         loads: the terms of springs, dampers and others.
         forces: the entries of its column of phi_q, each with its multiplier.
         reader: which finds the forms.
     """
-    if inertia is None:
-        velocities = _terms(part.inertia, reader)
-    else:
-        products = (*inertia.quadratic, *inertia.linear)
-        velocities = (*joined(products, reader), *_given_accelerations(inertia.constant, reader))
+    ways = [_by_products(each, reader) for each in inertia if each is not None]
+    velocities = min(ways or [_terms(part.inertia, reader)], key=lambda terms: sum(map(reader.length, terms)))
     gravity, applied = _without_pairs(part, gravity, reader)
     return Balance(
         accelerations=tuple(entry * acceleration for entry, acceleration in row),
@@ -233,6 +247,12 @@ def _balance(
         applied=applied,
         constraints=tuple(joined(forces, reader, by_sign_only=True)),
     )
+
+
+def _by_products(inertia: Degrees, reader: Reader) -> tuple[Expr, ...]:
+    """Return forces of inertia, one term for each product of speeds."""
+    products = (*inertia.quadratic, *inertia.linear)
+    return (*joined(products, reader), *_given_accelerations(inertia.constant, reader))
 
 
 def _without_pairs(

@@ -17,6 +17,7 @@ from .determinant import over_determinant, printed_rows
 from .page import indented, shorter
 from .reader_of import reader_of
 from .short_names import Definition, shortened
+from .summary import ends
 
 _ADVICE = "Too long to be read at once. One of them: readable(canonical.rates[time_derivative(canonical.momenta[0])])."
 
@@ -105,20 +106,27 @@ class CanonicalPage:
 
     def summary(self) -> str:
         """Return the number and the sizes of equations, and how to see one of them."""
-        sizes = [f"{name}: {counted(size, 'operation')}" for name, size in self._sizes]
+        sizes = [
+            "..." if each is None else f"{each[0]}: {counted(each[1], 'operation')}"
+            for each in ends(self._sizes)
+        ]
         return "\n    ".join([f"CANONICAL EQUATIONS of {self._total}", *sizes, _ADVICE])
 
     def summary_in_latex(self) -> str:
         """Return the number and the sizes of equations in LaTeX."""
         names = map(latex, (symbol(self._name_of_h), *self.rates))
+        rows = [(name, size) for name, (_, size) in zip(names, self._sizes, strict=True)]
         sizes = [
-            rf"{name} &\colon \text{{{counted(size, 'operation')}}}"
-            for name, (_, size) in zip(names, self._sizes, strict=True)
+            r"&\;\vdots" if each is None else rf"{each[0]} &\colon \text{{{counted(each[1], 'operation')}}}"
+            for each in ends(rows)
         ]
         return aligned([rf"&\text{{Canonical equations of {self._total}}}", *sizes])
 
     def summary_table(self) -> str:
         """Return the number and the sizes of equations for a notebook, in HTML."""
         return html_table(
-            f"Canonical equations of {self._total}", ["equation of", "operations"], self._sizes, _ADVICE
+            f"Canonical equations of {self._total}",
+            ["equation of", "operations"],
+            [each or ("...", "...") for each in ends(self._sizes)],
+            _ADVICE,
         )

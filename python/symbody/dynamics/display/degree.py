@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from symbody.errors import SymbodyError
 from symbody.multibody import Variables
-from symbody.symbolic import Expr, Matrix, diff, jacobian, number, subs
+from symbody.symbolic import Expr, Matrix, diff, jacobian, number, subs, substitute
 
 Product = tuple[Expr, Expr]
 """A coefficient, and the product of speeds that it multiplies."""
@@ -31,6 +31,14 @@ class Degrees:
     def total(self) -> Expr:
         """The polynomial."""
         return sum((c * u for c, u in (*self.linear, *self.quadratic)), start=self.constant)
+
+    def substituted(self, mapping: Mapping[Expr, Expr]) -> Degrees:
+        """Return the polynomial with other leaves in its coefficients."""
+        linear, quadratic = (
+            tuple((substitute([value], mapping)[0], product) for value, product in products)
+            for products in (self.linear, self.quadratic)
+        )
+        return Degrees(substitute([self.constant], mapping)[0], linear, quadratic)
 
 
 def without(expression: Expr, symbols: Sequence[Expr]) -> Expr:
@@ -59,23 +67,35 @@ def part_of(expression: Expr, symbols: Sequence[Expr]) -> Expr:
     return linear if linear == rest else rest
 
 
-def by_christoffel(inertia: Sequence[Expr], mass_matrix: Matrix, system: Variables) -> list[Degrees | None]:
+def by_christoffel(
+    inertia: Sequence[Expr], mass_matrix: Matrix, system: Variables, places: Sequence[int] | None = None
+) -> list[Degrees | None]:
     """Return the forces of inertia that follow from the mass matrix alone, by Christoffel's symbols.
 
     Derivatives of short entries are short. None where the forces have other terms too, as on a moving support.
+
+    Args:
+        inertia: the forces of inertia.
+        mass_matrix: M, n x n.
+        system: the system to which the forces belong.
+        places: the rows whose forces they are; by default all.
     """
-    n = len(inertia)
     if system.has_quasi_velocities:
-        return [None] * n
-    rates = [[[diff(mass_matrix[i, j], q) for q in system.coordinates] for j in range(n)] for i in range(n)]
+        return [None] * len(inertia)
+    n, nothing = mass_matrix.rows, number(0)
+    held = [[mass_matrix[i, j].free_symbols for j in range(n)] for i in range(n)]
+
+    def slope(i: int, j: int, k: int) -> Expr:
+        q = system.coordinates[k]
+        return diff(mass_matrix[i, j], q) if q in held[i][j] else nothing
 
     def coefficient(i: int, j: int, k: int) -> Expr:
         if j == k:
-            return rates[i][j][j] - rates[j][j][i] / 2
-        return rates[i][j][k] + rates[i][k][j] - rates[j][k][i]
+            return slope(i, j, j) - slope(j, j, i) / 2
+        return slope(i, j, k) + slope(i, k, j) - slope(j, k, i)
 
     found = list[Degrees | None]()
-    for i, force in enumerate(inertia):
+    for i, force in zip(range(n) if places is None else places, inertia, strict=True):
         quadratic = tuple(
             (value, system.speeds[j] * system.speeds[k])
             for j in range(n)

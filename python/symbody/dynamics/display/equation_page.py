@@ -18,6 +18,7 @@ from symbody.symbolic.expression.latex_layout import (
 
 from .balance import Balance
 from .page import lines_of
+from .reader_of import names_of_masses
 from .row import printed, written
 from .short_names import Definition, in_order_of_use, occurs, shortened
 
@@ -68,7 +69,7 @@ class EquationPage:
         sides = [written(texts[:count]), right]
         names = texts[len(texts) - len(named) :]
         given = in_order_of_use([*shared, *zip(names[::2], names[1::2], strict=True)])
-        return shortened(sides, (), _used(given, sides), notation)
+        return shortened(sides, (), _used(given, sides), notation, masses=names_of_masses(self.system))
 
 
 def _used(definitions: list[Definition], sides: list[str]) -> list[Definition]:

@@ -50,12 +50,14 @@ def _joined(common: Expr, members: list[Product]) -> Product:
 def _short(total: Expr, reader: Reader) -> Expr:
     """Return the form of a sum of products of speeds: flat, or a product if that is much shorter.
 
-    A difference is a product where they have a speed in common: ``(v1' - v2')*v1'``, but ``2*q1'*q2' + q2'**2``.
+    A difference is a product where they have a speed in common: ``(v1' - v2')*v1'``, but ``2*q1'*q2' + q2'**2``; a sum
+    with a given rate likewise: ``(Omega + q1')*q2'``.
     """
     if total.kind in {"power", "time_function"}:
         return total
     form = reader(total)
-    is_difference = form.kind == "product" and "-" in str(form)
+    is_given = any(leaf.kind == "symbol" for leaf in total.free_symbols)
+    is_difference = form.kind == "product" and ("-" in str(form) or is_given)
     shorter = reader.length(form) / reader.length(total)
     return form if shorter < (1 if is_difference else _SQUARE) else total
 

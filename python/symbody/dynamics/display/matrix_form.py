@@ -128,7 +128,8 @@ class MatrixForm:
     def _labelled(self) -> list[tuple[str, Expr]]:
         """Return the entries and their labels: ``M12``, or ``M[1,2]`` if a name of the model looks like one."""
         entries = [entry for _, matrix in self._matrices() for entry in matrix.entries]
-        taken = {leaf.name for leaf in free_symbols(entries)}
+        defined = [side for pair in self.named for side in pair]
+        taken = {leaf.name for leaf in free_symbols([*entries, *defined])}
         plain, indexed = self._with_labels("{}{}"), self._with_labels("{}[{}]")
         is_plain = self.mass_matrix.rows < _TWO_DIGITS and not taken & {label for label, _ in plain}
         return plain if is_plain else indexed

@@ -13,7 +13,7 @@ from symbody.symbolic.expression.latex_layout import ARTICLE, aligned, broken
 from symbody.symbolic.expression.text_layout import LINE, lines
 
 from .balance import Balance
-from .reader_of import reader_of
+from .reader_of import names_of_masses, reader_of
 from .row import printed, written
 from .short_names import Definition, in_order_of_use, shortened
 
@@ -33,6 +33,7 @@ class Page:
         mass_matrix: M, each entry in its form for the reader, n x n.
         state_rates: the rates of the states, z', and what they are.
         named: names in the equations, and what they stand for; each uses only those before it.
+        by_names: the kinematics and the rates of the states by these names, if they are written so.
     """
 
     system: Variables
@@ -41,14 +42,17 @@ class Page:
     mass_matrix: Matrix
     state_rates: tuple[tuple[Expr, Expr], ...] = ()
     named: tuple[tuple[Expr, Expr], ...] = ()
+    by_names: tuple[tuple[Expr, Expr], ...] = ()
 
     @cached_property
     def _reader(self) -> Reader:
         return reader_of(self.system)
 
     @cached_property
-    def _rates(self) -> tuple[tuple[Expr, Expr], ...]:
+    def rates(self) -> tuple[tuple[Expr, Expr], ...]:
         """The kinematics that need a line, then the rates of the states."""
+        if self.by_names:
+            return self.by_names
         states = dict(self.state_rates)
         kinematics = ((rate, value) for rate, value in self.system.known_rates.items() if rate not in states)
         return tuple((rate, self._reader.form(value)) for rate, value in (*kinematics, *self.state_rates))
@@ -84,7 +88,7 @@ class Page:
     @cached_property
     def _pieces(self) -> tuple[Expr, ...]:
         terms = [term for balance in self.balances for term in (*balance.left, *balance.right)]
-        rates, named = ((side for pair in pairs for side in pair) for pairs in (self._rates, self.named))
+        rates, named = ((side for pair in pairs for side in pair) for pairs in (self.rates, self.named))
         return (*terms, *(shorter(each, self._reader) for each in self.constraints), *rates, *named)
 
     def _named_rows(self, notation: str) -> tuple[list[Definition], list[tuple[str, str]]]:
@@ -92,7 +96,8 @@ class Page:
         entries, given, rows = self._rows(notation)
         texts = [side for row in rows for side in row]
         is_wanted = None if notation == "text" else self._has_short_names
-        definitions, sides = shortened(texts, entries, given, notation, is_wanted=is_wanted)
+        masses = names_of_masses(self.system)
+        definitions, sides = shortened(texts, entries, given, notation, is_wanted=is_wanted, masses=masses)
         return definitions, list(zip(sides[::2], sides[1::2], strict=True))
 
     @cached_property
@@ -121,7 +126,7 @@ class Page:
             for balance in self.balances
         ]
         rows += [(next(remaining), "0") for _ in self.constraints]
-        rates = [(next(remaining), next(remaining)) for _ in self._rates]
+        rates = [(next(remaining), next(remaining)) for _ in self.rates]
         named = [(next(remaining), next(remaining)) for _ in self.named]
         is_long = bool(definitions)
         definitions = in_order_of_use([*definitions, *named])
@@ -130,7 +135,7 @@ class Page:
 
     def _printed_rates(self, notation: str) -> list[tuple[str, str]]:
         """Return the kinematics as books print it, with speeds before sines and cosines: ``x' = v*cos(psi)``."""
-        _, texts = listing([side for pair in self._rates for side in pair], notation)
+        _, texts = listing([side for pair in self.rates for side in pair], notation)
         return list(zip(texts[::2], texts[1::2], strict=True))
 
 

@@ -13,14 +13,15 @@ from symbody.symbolic.expression.container import expressions_in
 from .difference import differences
 
 
-def reader_of(system: Variables, expressions: Sequence[Expr] = ()) -> Reader:
+def reader_of(system: Variables, expressions: Sequence[Expr] = (), further: Sequence[Expr] = ()) -> Reader:
     """Return what finds the forms of the equations of a system.
 
     Args:
         system: the system.
         expressions: those of the equations; without bodies, further parameters stand in them.
+        further: names that a page gives, as those of velocity ratios.
     """
-    unknowns = (*system.coordinates, *system.quasi_velocities, *system.states)
+    unknowns = (*system.coordinates, *system.quasi_velocities, *system.states, *further)
     if not isinstance(system, System):
         return Reader(standard_names(unknowns, [*system.others, *expressions]))
     return Reader(
@@ -32,6 +33,11 @@ def reader_of(system: Variables, expressions: Sequence[Expr] = ()) -> Reader:
 
 _BY_BODIES = 400
 """Operations of equations up to which forms with a term for each body are looked for."""
+
+
+def names_of_masses(system: Variables) -> frozenset[str]:
+    """Return the names of masses and moments of inertia; none of equations that were given without bodies."""
+    return frozenset(leaf.name for leaf in _inertias(system)) if isinstance(system, System) else frozenset()
 
 
 def _inertias(system: System) -> frozenset[Expr]:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
+
+from .bracket_names import WALL, renumbered, with_brackets
 
 Definition = tuple[str, str]
 """A name, and the text for which it stands."""
@@ -74,6 +76,7 @@ def shortened(
     notation: str = "text",
     *,
     is_wanted: bool | None = None,
+    masses: Collection[str] = (),
 ) -> tuple[list[Definition], list[str]]:
     """Return definitions of names, and rows with these names, if that is shorter altogether.
 
@@ -83,6 +86,7 @@ def shortened(
         given: names that the rows and entries use already; they stay, and are defined before those of entries.
         notation: "text" or "latex".
         is_wanted: whether there shall be names, where another notation of the same rows has decided it.
+        masses: the names of masses and moments of inertia; with them, repeated sums of walls in text have names.
 
     >>> shortened(["a*cos(q2)"])
     ([], ['a*cos(q2)'])
@@ -98,6 +102,8 @@ def shortened(
     waves, changed = _with_waves([*(value for _, value in named), *changed], style)
     named = [(name, value) for (name, _), value in zip(named, changed, strict=False)]
     definitions, changed = [*waves, *named], changed[len(named) :]
+    if masses and not style.is_typeset and _length(changed, definitions, style) >= WALL:
+        definitions, changed = _with_sums(definitions, changed, masses)
     is_shorter = is_wanted or _length(changed, definitions, style) <= (1 - _WORTH) * before
     return (definitions, changed) if is_shorter else ([*given], [*rows])
 
@@ -108,20 +114,31 @@ def in_order_of_use(definitions: Sequence[Definition]) -> list[Definition]:
     >>> in_order_of_use([("z1", "F1*l"), ("F1", "k*l")])
     [('F1', 'k*l'), ('z1', 'F1*l')]
     """
+    names = [name for name, _ in definitions]
+    uses = {
+        own: {name for name in names if name != own and name in value and occurs(name, [value])}
+        for own, value in definitions
+    }
     made, remaining = list[Definition](), [*definitions]
     while remaining:
-        names = [name for name, _ in remaining]
-        ready = (
-            place
-            for place, (own, value) in enumerate(remaining)
-            if not any(occurs(name, [value]) for name in names if name != own)
-        )
+        left = {name for name, _ in remaining}
+        ready = (place for place, (own, _) in enumerate(remaining) if not uses[own] & left)
         made.append(remaining.pop(next(ready, 0)))
     return made
 
 
 def _length(rows: Sequence[str], definitions: Sequence[Definition], style: _Notation) -> int:
     return sum(map(len, rows)) + sum(len(style.definition.format(*each)) for each in definitions)
+
+
+def _with_sums(
+    definitions: Sequence[Definition], rows: Sequence[str], masses: Collection[str]
+) -> tuple[list[Definition], list[str]]:
+    """Return definitions and rows with names of the sums that they repeat."""
+    sums, texts = with_brackets([*(value for _, value in definitions), *rows], masses)
+    changed = [(name, value) for (name, _), value in zip(definitions, texts, strict=False)]
+    names = {name for name, _ in sums}
+    return renumbered(in_order_of_use([*changed, *sums]), texts[len(changed) :], names)
 
 
 def _with_entries(

@@ -15,7 +15,10 @@ from .determinant import over_determinant, printed_rows
 from .page import indented
 from .reader_of import reader_of
 from .short_names import Definition, shortened
-from .summary import READABLE
+from .summary import READABLE, ends
+
+_MOST = 30
+"""The values up to which they are written out."""
 
 
 @dataclass(frozen=True)
@@ -33,7 +36,7 @@ class SolutionPage:
     @property
     def is_readable(self) -> bool:
         """Whether the values are short enough to be written out."""
-        return cost(list(self.values.values())).total <= READABLE
+        return len(self.values) <= _MOST and cost(list(self.values.values())).total <= READABLE
 
     def description(self) -> str:
         """Return a line for each value, after the quantities that have names; of long values, their sizes."""
@@ -44,16 +47,22 @@ class SolutionPage:
             if self._solved:
                 texts.append(f"{', '.join(map(str, self._solved))}: {self._note}")
         else:
-            texts = [f"{unknown}: {size}" for unknown, size in self._sizes]
+            texts = ["..." if each is None else f"{each[0]}: {each[1]}" for each in ends(self._sizes)]
             texts.append("Too long to be read at once. One of them: readable(solution.accelerations[0]).")
-        title = f"ACCELERATIONS of {', '.join(map(str, self.system.driving))}"
+        names = ["..." if each is None else str(each) for each in ends(self.system.driving)]
+        title = f"ACCELERATIONS of {', '.join(names if len(self.values) > _MOST else map(str, self.system.driving))}"
         return "\n".join([title, *(line for text in texts for line in indented(text))])
 
     def latex(self) -> str:
         """Return a row for each value in LaTeX, after the quantities that have names; of long values, their sizes."""
         if not self.is_readable:
-            sizes = [rf"{latex(unknown)} &\colon \text{{{size}}}" for unknown, size in self._sizes]
-            return aligned(sizes)
+            sizes = ends(self._sizes)
+            return aligned(
+                [
+                    r"&\;\vdots" if each is None else rf"{latex(each[0])} &\colon \text{{{each[1]}}}"
+                    for each in sizes
+                ]
+            )
         definitions, rows = self._rows("latex")
         named = [*definitions, *((latex(unknown), side) for unknown, side in rows)]
         made = [line for name, value in named for line in broken(f"{name} &= ", value, ARTICLE)]

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TypeVar
 
 from symbody.multibody import Variables
 from symbody.symbolic import Expr, cost, latex
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.expression.latex_layout import aligned
 from symbody.symbolic.given.arguments import counted
+
+Item = TypeVar("Item")
 
 READABLE = 1000
 """Operations up to which equations are written out."""
@@ -60,9 +63,16 @@ def total(system: Variables, residuals: Sequence[Expr]) -> str:
     return f"{sizes}: {counted(cost(residuals).total, 'operation')} in all"
 
 
+def ends(items: Sequence[Item]) -> list[Item | None]:
+    """Return items; of many the first and the last, with None between them.
+
+    >>> ends(range(20))
+    [0, 1, 2, 3, None, 16, 17, 18, 19]
+    """
+    return [*items] if len(items) <= 2 * _SHOWN else [*items[:_SHOWN], None, *items[-_SHOWN:]]
+
+
 def sizes_by_speed(system: Variables, residuals: Sequence[Expr]) -> list[tuple[Expr, int] | None]:
     """Return the operations of the first and the last equations by their speeds; None stands for those between."""
-    n = len(residuals)
-    shown = [k for k in range(n) if k < _SHOWN or k >= n - _SHOWN]
-    sizes = [(system.driving[k], cost(residuals[k]).total) for k in shown]
-    return [*sizes] if len(shown) == n else [*sizes[:_SHOWN], None, *sizes[_SHOWN:]]
+    places = ends(range(len(residuals)))
+    return [None if k is None else (system.driving[k], cost(residuals[k]).total) for k in places]

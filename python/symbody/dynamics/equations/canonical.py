@@ -26,6 +26,9 @@ from symbody.symbolic.expression.latex_layout import displayed, one_formula
 from .constraint_force import with_multipliers
 from .equations import Assembly, Derived, Equations
 
+_MOST = 60
+"""The rates up to which they are written out."""
+
 
 @dataclass(frozen=True, eq=False)
 class CanonicalEquations:
@@ -112,7 +115,7 @@ class CanonicalEquations:
 
     @property
     def _is_readable(self) -> bool:
-        return is_readable((self.hamiltonian, *self.rates.values()))
+        return len(self.rates) <= _MOST and is_readable((self.hamiltonian, *self.rates.values()))
 
     def description(self) -> str:
         """Return the Hamiltonian and the equations line by line: what `show` prints.

@@ -13,6 +13,7 @@ from symbody.dynamics.display.equation_page import EquationPage
 from symbody.dynamics.display.line_page import with_lines_if_shorter
 from symbody.dynamics.display.matrix_form import MatrixForm, matrix_form, with_names
 from symbody.dynamics.display.page import Page
+from symbody.dynamics.display.ratio_page import better_page, page_of_ratios
 from symbody.dynamics.display.summary import is_readable, summary, summary_in_latex, summary_table
 from symbody.errors import ModelError
 from symbody.geometry import Scalar
@@ -146,6 +147,7 @@ class Equations:
         derive: derives the residuals when they are first needed; the mass matrix and the bias don't need them.
         assemble: derives the mass matrix and the bias when they are first needed; the residuals don't need them.
         energy: the energy of equations that were given without bodies, if it is known.
+        whole: the equations with constraints of which these are embedded ones; their terms are shown.
 
     >>> from symbody import Body, System, functions_of_time, newton_euler, symbols, translate
     >>> (x, y), (m, l) = functions_of_time("x y"), symbols("m l")
@@ -161,6 +163,7 @@ class Equations:
     derive: Callable[[Any], tuple[Expr, ...]]
     assemble: Callable[[Any], Assembly]
     energy: Expr | None = None
+    whole: Equations | None = None
 
     @cached_property
     def residuals(self) -> tuple[Expr, ...]:
@@ -317,14 +320,34 @@ class Equations:
         return Page(self.system, rows, self.constraints, matrix, tuple(self.state_rates.items()))
 
     @cached_property
-    def _printed_page(self) -> Page:
-        """The page, with names of forces along lines if it is shorter so."""
+    def page_with_lines(self) -> Page:
+        """The equations in their form for the reader, with names of forces along lines if it is shorter so."""
         return with_lines_if_shorter(self._page, self.residuals, self.bias, self.constraint_jacobian)
+
+    @cached_property
+    def _page_of_ratios(self) -> Page | None:
+        """The page of embedded equations by velocity ratios."""
+        if self.whole is None or cost(self.whole.residuals).total > _BY_RATIOS:
+            return None
+        return page_of_ratios(self.system, self.residuals, self.state_rates, self.whole.page_with_lines)
+
+    @cached_property
+    def _printed_page(self) -> Page:
+        """The one that reads better."""
+        if self._page_of_ratios is None:
+            return self.page_with_lines
+        if not is_readable(self.residuals):
+            return self._page_of_ratios
+        return better_page(self.page_with_lines, self._page_of_ratios)
+
+    @cached_property
+    def _has_page(self) -> bool:
+        return is_readable(self.residuals) or self._page_of_ratios is not None
 
     @cached_property
     def is_readable(self) -> bool:
         """Whether the equations are written out: they have at most 1000 operations, and fill at most two pages."""
-        return is_readable(self.residuals) and self._printed_page.description().count("\n") <= PAGES
+        return self._has_page and self._printed_page.description().count("\n") <= PAGES
 
     def description(self, *, whole: bool = False) -> str:
         """Return the equations line by line as a textbook prints them: what `show` prints.
@@ -336,7 +359,7 @@ class Equations:
         Args:
             whole: whether equations of at most 1000 operations are written out, however many pages they fill.
         """
-        if not is_readable(self.residuals):
+        if not self._has_page:
             return summary(self.system, self.residuals)
         if whole or self.is_readable:
             return self._printed_page.description()
@@ -363,11 +386,16 @@ class Equations:
             known = ", ".join(map(str, self.system.driving))
             raise ModelError(f"equation_of: there is no equation of {brief(speed)}; expected one of {known}")
         k = places[speed]
-        if is_readable(self.residuals):
+        if self._has_page:
             return pages_of(self._printed_page)[k]
-        return EquationPage(
-            self.system, self.system.driving[k], Balance(velocities=(readable(self.residuals[k]),))
+        rows, _ = balances(
+            self.system, self.residuals, self.mass_matrix, self.bias, self.constraint_jacobian, places=[k]
         )
+        page = EquationPage(self.system, self.system.driving[k], rows[0])
+        if len(page.description()) <= _WALL:
+            return page
+        whole = Balance(velocities=(readable(self.residuals[k]),))
+        return min(page, replace(page, balance=whole), key=lambda each: len(each.description()))
 
     def latex(self, *, whole: bool = False) -> str:
         r"""Return the equations and constraints in LaTeX, as a textbook prints them.
@@ -380,7 +408,7 @@ class Equations:
         Args:
             whole: whether equations of at most 1000 operations are written out, however many pages they fill.
         """
-        if self.is_readable or (whole and is_readable(self.residuals)):
+        if self.is_readable or (whole and self._has_page):
             return in_pages(self._printed_page.latex())
         return summary_in_latex(self.system, self.residuals)
 
@@ -404,7 +432,7 @@ class Equations:
                 "of one"
             )
         form = matrix_form(self.system, self._page.mass_matrix, self._page.balances, christoffel=christoffel)
-        return with_names(form, self._printed_page)
+        return with_names(form, self.page_with_lines)
 
     @cached_property
     def _latex_of_notebook(self) -> str | None:
@@ -424,6 +452,12 @@ class Equations:
         """Return the sizes of equations that are too long to be read."""
         return None if self._latex_of_notebook else summary_table(self.system, self.residuals)
 
+
+_WALL = 3000
+"""The characters from which on an equation of a large system may be shorter if its terms are not told apart."""
+
+_BY_RATIOS = 400
+"""Operations of equations with constraints up to which embedded ones are written by velocity ratios."""
 
 _READABLE = 60
 """Lines up to which a notebook shows equations."""
@@ -461,7 +495,8 @@ def _rebuilt(equations: Equations, parts: Sequence[Any]) -> Equations:
 def _substituted(equations: Equations, mapping: Mapping[Any, Any]) -> Equations:
     system, parts = substituted(equations.system, mapping), substituted(_parts(equations), mapping)
     energy = None if equations.energy is None else substituted(equations.energy, mapping)
-    return _rebuilt(replace(equations, system=system, energy=energy), parts)
+    whole = None if equations.whole is None else substituted(equations.whole, mapping)
+    return _rebuilt(replace(equations, system=system, energy=energy, whole=whole), parts)
 
 
 contains(

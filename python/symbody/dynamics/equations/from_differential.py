@@ -31,7 +31,8 @@ def equations_from_differential(
     """Return the equations of implicit differential equations, linear in the highest derivative of each unknown.
 
     Unknowns of second order are coordinates, those of first order are speeds, and those without a derivative are
-    multipliers, whose forces act along the gradients of the equations without unknown derivatives.
+    multipliers, whose forces act along the gradients of the equations without unknown derivatives, the constraints.
+    Equations, multipliers and constraints may have any order, and the forces any sign and factor.
 
     Args:
         residuals: the expressions that are zero.
@@ -65,7 +66,10 @@ def equations_from_differential(
         )
     with derivation():
         M, f = _linear(dynamic, highest)
-        f = _without_multipliers(f, multipliers, constraints, [*speeds, *coordinates])
+        if multipliers:
+            M, f = _in_order_of(M, f)
+            constraints = _of_multipliers(f, multipliers, constraints, [*speeds, *coordinates])
+            f = list(substitute(f, dict.fromkeys(multipliers, number(0))))
     return equations_of(
         M, f, coordinates, constraints=constraints, speeds=speeds, multipliers=multipliers, name=name
     )
@@ -102,20 +106,67 @@ def _linear(residuals: Sequence[Expr], highest: Sequence[Expr]) -> tuple[Matrix,
     return M, list(f)
 
 
-def _without_multipliers(
-    f: list[Expr], multipliers: Sequence[Expr], constraints: Sequence[Expr], variables: Sequence[Expr]
+def _in_order_of(M: Matrix, f: list[Expr]) -> tuple[Matrix, list[Expr]]:
+    """Return the equations in the order in which M is symmetric, if there is one: each belongs to a variable."""
+    order = _symmetric_order(M, ())
+    if order is None:
+        return M, f
+    n = len(f)
+    return Matrix.from_entries(n, n, [M[i, j] for i in order for j in range(n)]), [f[i] for i in order]
+
+
+def _symmetric_order(M: Matrix, begun: tuple[int, ...]) -> tuple[int, ...] | None:
+    """Return an order of the rows that makes M symmetric, without a zero on the diagonal.
+
+    Args:
+        M: the matrix.
+        begun: the first rows, which are chosen.
+    """
+    n, k = M.shape[0], len(begun)
+    if k == n:
+        return begun
+    for row in range(n):
+        fits = row not in begun and not M[row, k].is_zero
+        if fits and all(M[row, j] == M[begun[j], k] for j in range(k)):
+            found = _symmetric_order(M, (*begun, row))
+            if found is not None:
+                return found
+    return None
+
+
+def _of_multipliers(
+    f: Sequence[Expr], multipliers: Sequence[Expr], constraints: Sequence[Expr], variables: Sequence[Expr]
 ) -> list[Expr]:
-    """Return forces without those of the multipliers, which follow from the gradients of the constraints."""
-    if not multipliers:
-        return f
-    slopes = jacobian(f, list(multipliers))
+    """Return the constraints in the order of the multipliers, each times the factor of its multiplier's force.
+
+    A constraint phi times c(q) has the gradient ``c phi_q`` where phi is zero.
+    """
+    slopes = jacobian(list(f), list(multipliers))
     gradients = jacobian(list(constraints), list(variables))
-    for i in range(len(f)):
-        for k in range(len(multipliers)):
-            if slopes[i, k] != gradients[k, i]:
-                raise ModelError(
-                    f"{_WHERE}: the force of {multipliers[k]} in equation {i + 1} is {brief(slopes[i, k])}, and the "
-                    f"gradient of constraint {k + 1} is {brief(gradients[k, i])}; expected multipliers in the order "
-                    "and with the sign of the constraints, or constraints that were differentiated twice"
-                )
-    return list(substitute(f, dict.fromkeys(multipliers, number(0))))
+    left = list(range(len(constraints)))
+    found = []
+    for k, multiplier in enumerate(multipliers):
+        force = [slopes[i, k] for i in range(len(f))]
+        factors = {j: _factor(force, [gradients[j, i] for i in range(len(f))]) for j in left}
+        chosen = next((j for j in left if factors[j] is not None), None)
+        if chosen is None:
+            raise ModelError(
+                f"{_WHERE}: the forces of {multiplier} are {', '.join(map(brief, force))}, along the gradient of no "
+                "constraint; expected forces of constraints, or constraints that were differentiated twice"
+            )
+        left.remove(chosen)
+        factor = factors[chosen]
+        assert factor is not None
+        found.append(factor * constraints[chosen])
+    return found
+
+
+def _factor(force: Sequence[Expr], gradient: Sequence[Expr]) -> Expr | None:
+    """Return c of ``force = c gradient``, an expression of positions; None if there is none."""
+    place = next((i for i, each in enumerate(gradient) if not each.is_zero), None)
+    if place is None or force[place].is_zero:
+        return None
+    c = force[place] / gradient[place]
+    if any(leaf.kind == "time_function" and leaf.order for leaf in c.free_symbols):
+        return None
+    return c if all(x == c * y for x, y in zip(force, gradient, strict=True)) else None

@@ -301,11 +301,17 @@ def _of_tree(system: System, placed: PlacedJoint) -> Reaction:
 
 
 def _tell_idle(placed: PlacedJoint) -> None:
-    """Give a notice of a joint that closes a loop, and holds only what other joints hold already."""
+    """Give a notice of a joint that closes a loop, and holds what other joints hold already: all, or a wheel's load."""
     if placed.closures and not placed.opens and not placed.active:
         notify(
             f"reaction: {placed} holds what other joints hold already, so that the forces of its loop are statically "
             "indeterminate; it is taken to exert none; leave it out, or put a bushing in its place to share them"
+        )
+    elif not placed.opens and "contact" in {each.name for each in placed.closures} - {*placed.constraining}:
+        notify(
+            f"reaction: the contact of {placed} holds by itself, as other joints keep the height of the wheel, so that "
+            "the wheel is taken to carry no load, and these joints carry it; to know the loads of wheels, leave the "
+            "height and the attitude of what they carry free, as with a free joint"
         )
 
 

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from symbody.symbolic import Expr, Matrix, cost, latex, readable, time_derivative
 from symbody.symbolic.expression.html_table import html_table
-from symbody.symbolic.expression.latex_layout import bmatrix
+from symbody.symbolic.expression.latex_layout import aligned, bmatrix
 from symbody.symbolic.expression.text_layout import LINE, row_lines
 from symbody.symbolic.given.arguments import counted
 
@@ -21,6 +21,10 @@ _MOST_STATES = 12
 """States up to which matrices are written out."""
 _LONGEST = 40
 """Operations up to which an entry is written out as text."""
+_WIDE = 30
+"""Columns beyond which a matrix is described by its size."""
+_ENDS = 4
+"""The first and the last names, so many each, that are listed of wide matrices."""
 
 
 class LinearPage(NamedTuple):
@@ -47,12 +51,23 @@ class LinearPage(NamedTuple):
         return cost([entry for matrix in self.first for entry in matrix]).total
 
     @property
+    def _is_wide(self) -> bool:
+        """Whether there are too many states for rows of matrices."""
+        columns = len(self.second.coordinates) if isinstance(self.second, SecondOrder) else len(self.states)
+        return columns > _WIDE
+
+    @property
     def is_short(self) -> bool:
         """Whether the matrices can be read."""
         return self.operations <= _AT_ONCE and len(self.states) <= _MOST_STATES
 
     def latex(self) -> str:
-        """Return ``M q'' + C q' + K q = F r``, or ``E x' = A0 x + B0 r`` if there is no form of second order."""
+        """Return ``M q'' + C q' + K q = F r``, or ``E x' = A0 x + B0 r`` if there is no form of second order.
+
+        Of many states, the sizes of the matrices are returned.
+        """
+        if self._is_wide:
+            return aligned([rf"&\text{{{line.strip()}}}" for line in self.description().splitlines()])
         if isinstance(self.second, SecondOrder):
             return self._of_second_order(self.second)
         E, A0, B0 = self.first
@@ -69,7 +84,10 @@ class LinearPage(NamedTuple):
             equation = f"E x' = A0 x{' + B0 r' if self.inputs else ''}"
             names, matrices = {"x": tuple(self.states)}, dict(zip(("E", "A0", "B0"), self.first, strict=True))
         names |= {"r": tuple(self.inputs)} if self.inputs else {}
-        lines = [equation, *(f"    {name} = ({', '.join(map(str, each))})" for name, each in names.items())]
+        lines = [equation, *(f"    {name} = ({_listed(each)})" for name, each in names.items())]
+        if self._is_wide:
+            sizes = (f"    {name}: {_size(matrix)}" for name, matrix in matrices.items() if matrix.columns)
+            return "\n".join([*lines, *sizes, f"    {_ADVICE}"])
         return "\n".join([*lines, *(line for item in matrices.items() for line in _rows(*item))])
 
     def _of_second_order(self, form: SecondOrder) -> str:
@@ -103,6 +121,24 @@ def _rows(name: str, matrix: Matrix) -> list[str]:
         for line in row_lines(texts[start : start + columns], LINE - len(first))
     ]
     return [f"{' ' * len(first) if place else first}{row}" for place, row in enumerate(rows)]
+
+
+def _size(matrix: Matrix) -> str:
+    count = sum(not entry.is_zero for entry in matrix.entries)
+    return f"{matrix.rows} x {matrix.columns}, {counted(count, 'entry')} other than zero".replace(
+        "entrys", "entries"
+    )
+
+
+def _listed(names: Sequence[Expr]) -> str:
+    """Return names; of many the first and the last."""
+    texts = [str(name) for name in names]
+    return ", ".join(texts if len(texts) <= _WIDE else [*texts[:_ENDS], "...", *texts[-_ENDS:]])
+
+
+_ADVICE = (
+    "Too wide to be read. One entry: readable(linear.A0[0, 0]), or linear.second.M[0, 0] of second order."
+)
 
 
 def _text(entry: Expr) -> str:

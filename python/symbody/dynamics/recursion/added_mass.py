@@ -44,8 +44,9 @@ def check_loads(system: System, where: str) -> None:
         acceleration = _rate(_union(slopes.entries), system, 2)
         if acceleration is not None:
             raise ModelError(
-                f"{where}: {brief(load)} isn't linear in the acceleration {acceleration}; give a function of time "
-                "for the load, and its law as an additional equation"
+                f"{where}: {brief(load)} isn't linear in the acceleration {acceleration}; expected a load by "
+                "positions, speeds and states: a state can follow the law with a short lag tau, as in "
+                "System(..., states={F: (law - F)/tau})"
             )
     if system.gravity is not None:
         acceleration = _rate(_union(system.gravity.components), system, 2)

@@ -82,7 +82,7 @@ def embedded(eqs: Equations, independent: Speeds | None = None) -> Equations:
         )
         energy = None if eqs.energy is None else system.by_speeds([eqs.energy])[0]
     balanced = Derived(without_idle_symbols(residuals))
-    return Equations(system, balanced, Derived(assembly.without_idle_symbols()), energy)
+    return Equations(system, balanced, Derived(assembly.without_idle_symbols()), energy, eqs)
 
 
 def _check_states(eqs: Equations) -> None:

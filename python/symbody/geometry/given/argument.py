@@ -209,6 +209,8 @@ def _parts(hint: Any) -> tuple[Any, ...]:
     origin, parts = get_origin(hint), get_args(hint)
     if origin is Annotated:
         return _parts(parts[0])
+    if isinstance(hint, TypeVar):
+        return _parts(hint.__bound__)
     return tuple(one for part in parts for one in _parts(part)) if origin in (Union, UnionType) else (hint,)
 
 

@@ -41,8 +41,9 @@ def check_apart(where: str, to: Point, on: Body, reaction: Body | None) -> None:
     """Raise an error for an element between two points of one body, which would push that body by itself."""
     if reaction is None and is_fixed(to, on):
         raise LoadError(
-            f"{where}: to = {brief(to)} is fixed in the body {brief(on)}, on which the element acts; expected a point "
-            "of another body, with reaction=that body, or of the ground"
+            f"{where}: to = {brief(to)} has a constant place in the body {brief(on)}, on which the element acts: it is "
+            "fixed there, or lies on the axis about which the body turns, so that nothing changes the length; expected "
+            "a point of another body, with reaction=that body, or of the ground, off that axis"
         )
 
 

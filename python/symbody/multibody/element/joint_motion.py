@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import Annotated, NamedTuple, TypeAlias
 
 from symbody.errors import LoadError
-from symbody.geometry import Frame, Point, Triple, Vector, angular_velocity, dot, frozen_velocity, origin
+from symbody.geometry import Frame, Point, Triple, Vector, origin
 from symbody.geometry.component.triple import NULL, is_null
 from symbody.geometry.frame.coordinates import path, vector_components
 from symbody.geometry.frame.frame_velocity import Seen, material_velocity, origin_velocity, spin
@@ -107,14 +107,7 @@ def _check_ends(freedom: Freedom, on: Body, reaction: Body | None, where: str) -
 def _along(freedom: Freedom, on: Body, reaction: Body | None) -> JointMotion:
     """Return the motion along a freedom, by the axis and the place of the joint."""
     assert freedom.travel is not None
-    parent, child = freedom.sides
-    axis, at = freedom.travel.axis, freedom.point
-    if freedom.is_coordinate:
-        (rate,) = rate_by({**child.coordinate_rates, **parent.coordinate_rates})((freedom.value,))
-    elif freedom.travel.is_rotation:
-        rate = dot(axis, angular_velocity(child).projected(parent) - angular_velocity(parent))
-    else:
-        rate = dot(axis, frozen_velocity(at, child) - frozen_velocity(at, parent))
+    axis, at, rate = freedom.travel.axis, freedom.point, freedom.rate
     unit = axis if on.name == freedom.ends[1] else -axis
     none = axis * 0
     force, moment = (none, unit) if freedom.travel.is_rotation else (unit, none)

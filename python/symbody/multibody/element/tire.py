@@ -45,7 +45,8 @@ _STANDS = (
 )
 
 Law: TypeAlias = Annotated[
-    TireLaw, "the law of a tyre, such as linear_tire(cornering=6e4) or magic_formula(coefficients)"
+    TireLaw,
+    "the law of a tyre, such as linear_tire(cornering=6e4), magic_formula(coefficients) or tire_file(path).law()",
 ]
 Lengths: TypeAlias = Annotated[
     tuple[Scalar, Scalar] | list[Scalar], "two lengths, such as (0.1, 0.3): longitudinal and lateral"

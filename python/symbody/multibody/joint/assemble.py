@@ -202,22 +202,25 @@ def _outboard(branches: Sequence[Branch]) -> dict[Joint, tuple[str, ...]]:
 
 def _coordinates(joints: Sequence[PlacedJoint]) -> tuple[Expr, ...]:
     """Return the functions of time in the coordinates of the joints, in their order; those of one by name."""
-    found: dict[Expr, None] = {}
-    for joint in joints:
-        for each in joint.coordinates:
-            functions = (
-                leaf for leaf in each.free_symbols if leaf.kind == "time_function" and not leaf.order
-            )
-            found |= dict.fromkeys(sorted(functions, key=lambda leaf: leaf.name))
-    return tuple(found)
+    return tuple(
+        dict.fromkeys(leaf for joint in joints for each in joint.coordinates for leaf in _functions_in(each))
+    )
+
+
+def _functions_in(coordinate: Expr) -> list[Expr]:
+    """Return the functions of time in a coordinate, by name."""
+    functions = (leaf for leaf in coordinate.free_symbols if leaf.kind == "time_function" and not leaf.order)
+    return sorted(functions, key=lambda leaf: leaf.name)
 
 
 def _report_idle_coordinates(joint: Joint) -> None:
     if joint.are_given:
         listed = ", ".join(map(str, joint.coordinates))
+        drives = [q for q in joint.coordinates if q.depends_on_time and not _functions_in(q)]
+        driven = ", which doesn't drive it" if drives else ""
         notify(
-            f"assemble: {joint} closes a loop, so that its {listed} is no coordinate of the mechanism; leave the "
-            "coordinates of one joint of each loop out, or choose by loop=True which joint closes it"
+            f"assemble: {joint} closes a loop, so that its {listed} is no coordinate of the mechanism{driven}; leave "
+            "the coordinates of one joint of each loop out, or choose by loop=True which joint closes it"
         )
 
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import final
 
-from symbody.geometry import Frame, Point
+from symbody.geometry import Frame, Point, angular_velocity, dot, frozen_velocity
+from symbody.geometry.motion.floating import rate_by
 from symbody.symbolic import Expr, atan2, cos, sin
 
 from .pair import Travel
@@ -50,6 +51,17 @@ class Freedom:
     def point(self) -> Point:
         """The point of the child at the joint."""
         return Point(self.sides[1], 0, 0, 0)
+
+    @property
+    def rate(self) -> Expr:
+        """The rate of the value, by the velocity of the child along the axis: it has no jumps where an angle has."""
+        parent, child = self.sides
+        if self.is_coordinate or self.travel is None:
+            (rate,) = rate_by({**child.coordinate_rates, **parent.coordinate_rates})((self.value,))
+            return rate
+        if self.travel.is_rotation:
+            return dot(self.travel.axis, angular_velocity(child).projected(parent) - angular_velocity(parent))
+        return dot(self.travel.axis, frozen_velocity(self.point, child) - frozen_velocity(self.point, parent))
 
     @property
     def jumps(self) -> bool:

@@ -33,8 +33,9 @@ def check_idle_coordinates(
         q.name: joint
         for joint in joints
         if not joint.opens
-        for q in joint.joint.coordinates
-        if q not in known
+        for given in joint.joint.coordinates
+        for q in sorted(free_symbols([given]), key=str)
+        if q.kind == "time_function" and q not in known
     }
     if not idle:
         return

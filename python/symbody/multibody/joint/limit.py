@@ -20,11 +20,13 @@ __all__ = ["CONE", "Limit", "Limits", "LimitsByName", "given_limits"]
 CONE = "cone"
 """The name of the limit of a ball in a socket: the angle between the z axes of both sides."""
 
+Bounds: TypeAlias = Sequence[Scalar | None] | None
 Limits: TypeAlias = Annotated[
-    Sequence[Scalar | None] | None, "two values of the coordinate, such as (-1, 1), or None for no limit"
+    Bounds | Mapping[str, Bounds],
+    "two values of the coordinate, such as (-1, 1), or None for no limit",
 ]
 LimitsByName: TypeAlias = Annotated[
-    Mapping[str, Sequence[Scalar | None] | None] | None,
+    Mapping[str, Bounds] | None,
     "a dictionary of pairs of values by the names of coordinates, such as {'phi': (-1, 1)}",
 ]
 
@@ -105,7 +107,7 @@ contains(Limit, Container(_expressions, _rebuilt, advice="its value has one"))
 
 def given_limits(
     where: str,
-    given: Sequence[Scalar | None] | Mapping[str, Sequence[Scalar | None] | None] | None,
+    given: Bounds | Mapping[str, Bounds],
     names: Sequence[str],
 ) -> tuple[Limit, ...]:
     """Return the limits that a user gave: a pair for a joint of one coordinate, otherwise pairs by names.
@@ -135,10 +137,10 @@ def given_limits(
     )
 
 
-def _limit(where: str, name: str, given: Sequence[Scalar | None] | None, of: str) -> Limit:
+def _limit(where: str, name: str, given: Bounds, of: str) -> Limit:
     if given is None:
         return Limit(name, None, None)
-    if not accepts(Limits, given):
+    if not accepts(Bounds, given):
         example = "(None, 0.5)" if name == CONE else "(-1, 1)"
         raise JointError(
             f"{where}: limits{of} = {described(given)}; expected two values, such as {example}, or None for no limit"

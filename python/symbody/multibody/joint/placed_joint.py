@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any, final
+from typing import Annotated, Any, TypeAlias, final
 
 from symbody.errors import JointError
 from symbody.geometry import Frame, Point
@@ -22,6 +22,10 @@ from .limit import CONE, Limit
 from .link import Link
 
 __all__ = ["PlacedJoint"]
+
+FreedomName: TypeAlias = Annotated[
+    str, "the name of a coordinate of the joint, such as 'phi', or nothing if it has one coordinate"
+]
 
 
 @final
@@ -135,7 +139,7 @@ class PlacedJoint:
         return self.name if len(self.joint.coordinates) == 1 else f"{self.name}.{limit.name}"
 
     @checked(JointError)
-    def freedom(self, name: str = "") -> Freedom:
+    def freedom(self, name: FreedomName = "") -> Freedom:
         """Return a freedom, along which a motor, friction or a spring acts.
 
         Args:

@@ -14,6 +14,7 @@ from symbody.simulation.given.values import finite_number
 from symbody.simulation.integrate.initial_state import initial_slopes, initial_state, initial_states
 from symbody.simulation.integrate.integrated import run_motions
 from symbody.simulation.integrate.notices import deficiency_findings
+from symbody.simulation.integrate.stopped_start import stopped_starts
 from symbody.simulation.integrate.task import KeepGoing, Task
 from symbody.simulation.integrate.with_sensitivities import beside_sensitivities
 from symbody.simulation.integrate.without_redundant import without_redundant
@@ -57,7 +58,10 @@ def run_cases(task: Task, cases: Cases, threads: int = 1, keep_going: KeepGoing 
     def goes_on(done: float) -> bool:
         return keep_going(finished + done)
 
-    for each, chosen in _grouped(tasks).items():
+    for each, begun in _grouped(tasks).items():
+        chosen = _unstopped(each, begun, cases, states, results)
+        if not chosen:
+            continue
         parameters = cases.subset(np.array(chosen)).parameters
         starts = states[chosen]
         if each.variation is not None:
@@ -70,6 +74,24 @@ def run_cases(task: Task, cases: Cases, threads: int = 1, keep_going: KeepGoing 
         record_motions(results, np.array(chosen), run_motions(each, parameters, starts, threads, goes_on))
         finished += len(chosen)
     return results
+
+
+def _unstopped(task: Task, begun: list[int], cases: Cases, states: Array, results: Results) -> list[int]:
+    """Return the cases whose starts no stop forbids; record why the others fail.
+
+    Args:
+        task: what these cases share.
+        begun: their numbers.
+        cases: all cases.
+        states: the initial states of all cases.
+        results: where to record it.
+    """
+    if not task.events:
+        return begun
+    forbidden = stopped_starts(task, cases.subset(np.array(begun)).parameters, states[begun])
+    for place, message in forbidden.items():
+        results.status[begun[place]], results.messages[begun[place]] = Status.FAILED, message
+    return [case for place, case in enumerate(begun) if place not in forbidden]
 
 
 def _grouped(tasks: Mapping[int, Task]) -> dict[Task, list[int]]:

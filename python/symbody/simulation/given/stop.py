@@ -26,7 +26,8 @@ def stops(equations: Equations) -> list[Event]:
     Limits are knowledge about a mechanism, and no forces: a motion without these events passes them, and a notice
     reports it. An event is called after its joint, ``A.lower`` or ``A.upper``; if the joint has several coordinates,
     after one of them as well, ``A.phi.lower``. Angles of joints that close loops count all turns in a plane mechanism;
-    in space they are known up to whole turns, and are counted from the middle of the limits.
+    in space they are known up to whole turns, and are counted from the middle of the limits. A motion that begins at a
+    limit or beyond it and moves outwards, or is accelerated there from rest, is refused: no event would end it.
 
     Args:
         equations: those of a system that `assemble` made.

@@ -19,6 +19,7 @@ from symbody.symbolic.given.similar_name import did_you_mean
 from .closing_joint import closing_joint
 from .column import column_of
 from .given_input import check_no_circle
+from .missing_input import missing_inputs
 
 __all__ = [
     "check_equations",
@@ -161,6 +162,8 @@ def given_inputs(
     *,
     where: str = "simulate",
     besides: Collection[Expr] = (),
+    parameters: Mapping[Expr, object] | None = None,
+    example: str = "sin(t)",
 ) -> dict[Expr, Expr]:
     """Return the expressions that replace the input functions of time.
 
@@ -169,6 +172,8 @@ def given_inputs(
         inputs: expressions of time, state and parameters.
         where: the function that the user called, for messages.
         besides: functions of time that need no expression, because they are solved for.
+        parameters: what the user gave as parameters, where inputs may stand by mistake.
+        example: a value that messages propose for an input.
 
     Raises:
         ModelError: an input has no expression, or a key is not an input of the equations.
@@ -193,11 +198,7 @@ def given_inputs(
     known = {function.name for function in (*given, *besides)}
     missing = [name for name in names if name not in known]
     if missing:
-        raise ModelError(
-            f"{where}: the equations contain the functions of time {_listed(missing)}, which are neither coordinates "
-            f"nor speeds; give them as inputs={{{missing[0]}: sin(t)}}, or add those that are unknown to the "
-            "coordinates of the System"
-        )
+        raise ModelError(missing_inputs(eqs, missing, parameters or {}, where, example))
     formulas = {function: _input(eqs, function, value, where) for function, value in given.items()}
     check_no_circle(eqs.system, formulas, where)
     return formulas
@@ -246,9 +247,14 @@ def finite_number(name: Expr, value: ArrayLike, place: str) -> float:
     """
     column = column_of(name, value, place)
     if column.ndim:
+        function = place.split(",", maxsplit=1)[0]
+        way = (
+            "for many motions use simulate_many"
+            if function == "simulate"
+            else f"call {function} for each value"
+        )
         raise ParameterError(
-            f"{place}: {name} has values of shape {column.shape}; expected one number; for many motions use "
-            "simulate_many"
+            f"{place}: {name} has values of shape {column.shape}; expected one number; {way}"
         )
     if not np.isfinite(column):
         raise ParameterError(f"{place}: {name} is {float(column)}; expected a finite number")

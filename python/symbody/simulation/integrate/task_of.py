@@ -71,7 +71,7 @@ def task_of(
     check_options(rtol, atol, max_step, where)
     kept = constraint_handling(constraints, where)
     named_outputs, watched = given_outputs(outputs, where), given_events(events, where)
-    formulas = given_inputs(eqs, inputs, where=where)
+    formulas = given_inputs(eqs, inputs, where=where, parameters=parameters)
     check_abilities(
         name,
         has_events=bool(watched),

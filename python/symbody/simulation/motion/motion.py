@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn, overload
@@ -121,11 +121,47 @@ class Motion:
             SimulationError: the expression contains a variable that the model does not know.
             ParameterError: a parameter that is not in the equations has no value.
         """
+        if isinstance(expression, str) and expression in self.output_expressions:
+            raise ArgumentError(
+                f"motion[...]: {expression!r} is the name of an output; expected motion.outputs[{expression!r}]"
+            )
         expression = _READING.one_expression(expression, self.model.state)
         if expression in self.model.state:
             return self.states[:, self.model.state.index(expression)]
         values: Array = self.evaluate([expression])[0]
         return values
+
+    @cached_property
+    def at_events(self) -> Motion:
+        """The motion at the instants of its events alone: ``motion.at_events[expression]`` has a value for each.
+
+        So accelerations, multipliers and reactions are known there, just before what the event stands for.
+
+        Raises:
+            SimulationError: no event occurred.
+
+        >>> import symbody as sb
+        >>> z = sb.functions_of_time("z")
+        >>> weight = sb.Vector(sb.ground, 0, 0, -10)
+        >>> ball = sb.System([sb.Body(sb.translate(0, 0, z), 2)], coordinates=[z], gravity=weight)
+        >>> landing = sb.Event(z, direction=-1, terminal=True)
+        >>> motion = sb.simulate(sb.newton_euler(ball), {}, {z: 5}, t=(0, 2), events=[landing])
+        >>> motion.at_events[z.diff(sb.t)].round(6).tolist(), motion.at_events[z.diff(sb.t, 2)].tolist()
+        ([-10.0], [-10.0])
+        """
+        if not self.events:
+            raise SimulationError(
+                "motion.at_events: no event occurred; expected one at least, see motion.events"
+            )
+        states = np.array([[at.state[name] for name in self.model.state] for at in self.events])
+        slopes = [at.sensitivities for at in self.events if at.sensitivities is not None]
+        return replace(
+            self,
+            t=np.array([at.t for at in self.events]),
+            states=states,
+            work=np.full(len(states), 0.0 if self.model.power is None else np.nan),
+            slopes=np.array(slopes) if slopes else None,
+        )
 
     @with_known_names
     def evaluate(self, expressions: Sequence[ExprLike]) -> Array:

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import NoReturn
 
 import numpy as np
 from numpy.typing import NDArray
 
+from symbody.errors import ArgumentError
 from symbody.simulation.given.event import Event
 from symbody.symbolic import Expr
+from symbody.symbolic.given.arguments import brief
 
 __all__ = ["Occurrence"]
 
@@ -37,3 +40,10 @@ class Occurrence:
     t: float
     state: Mapping[Expr, float]
     sensitivities: NDArray[np.float64] | None = field(default=None, repr=False, compare=False)
+
+    def __getitem__(self, expression: object) -> NoReturn:
+        """Refuse brackets: the motion has the values of expressions at its events."""
+        raise ArgumentError(
+            f"occurrence[...]: an event has a state, occurrence.state[{brief(str(expression))}]; of other expressions, "
+            "motion.at_events[expression] has one value for each of motion.events"
+        )

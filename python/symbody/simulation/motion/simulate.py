@@ -18,6 +18,7 @@ from symbody.simulation.integrate.initial_state import initial_slopes, initial_s
 from symbody.simulation.integrate.integrated import Integrated, run_motions
 from symbody.simulation.integrate.notices import findings_of, notices_of_motion
 from symbody.simulation.integrate.outcome import FailureKind, with_deficiencies
+from symbody.simulation.integrate.stopped_start import stopped_start
 from symbody.simulation.integrate.task import Task
 from symbody.simulation.integrate.task_of import task_of, warn_of_odd_parameters
 from symbody.simulation.integrate.with_sensitivities import beside_sensitivities
@@ -88,7 +89,8 @@ def simulate(
         ParameterError: a value is missing, has an unknown key, or is not finite.
         ConstraintError: no state with the given values satisfies the constraints.
         ModelError: an input has no expression, or an expression is given for something that is not an input.
-        SimulationError: the motion cannot continue; the error's `motion` holds what was computed.
+        SimulationError: a joint begins at its limit, or beyond it, and moves outwards, though `stops` are among the
+            events; or the motion cannot continue: the error's `motion` holds what was computed.
 
     >>> from symbody import Body, Point, System, Vector, functions_of_time, ground, lagrange_equations, rotate, symbols
     >>> theta, (m, l, g) = functions_of_time("theta"), symbols("m l g")
@@ -122,6 +124,8 @@ def simulate(
         state = initial_state(task, given, initial)
         slopes = initial_slopes(task, given, initial, state) if task.by else None
         task = without_redundant(task, given, state)
+        if forbidden := stopped_start(task, given, state):
+            raise SimulationError(forbidden)
         if slopes is not None and task.variation is not None:
             state = beside_sensitivities(state, slopes, task.variation, given)
         _ = task.integrate  # compiled now: Ctrl-C interrupts, as there is no motion yet to keep

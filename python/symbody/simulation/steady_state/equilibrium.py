@@ -295,7 +295,7 @@ def equilibrium(
     ({theta: 0.0}, True, array([0.-2.j, 0.+2.j]))
     """
     with reporting(_WHERE):
-        given = given_inputs(eqs, inputs, where=_WHERE)
+        given = given_inputs(eqs, inputs, where=_WHERE, parameters=parameters, example="0")
         place = _place(eqs, parameters, guess, fixed, t or 0.0, given)
         numbers = {name: float(np.asarray(value)) for name, value in (parameters or {}).items()}
         found = replace(_result(place), inputs=given, parameters=numbers)

@@ -17,6 +17,7 @@ from symbody.symbolic import t as time
 from symbody.symbolic.given.arguments import with_known_names
 from symbody.symbolic.numeric.deficiency import reporting
 
+from .reached_limit import reached_limits
 from .steady_motion import SteadyMotion
 from .steady_problem import Search, SteadyProblem, steady_problem
 from .steady_variables import Limits
@@ -159,8 +160,16 @@ def _unsteady(problem: SteadyProblem, x: Array, forces: Array) -> str:
     worst = int(np.argmax(np.where(np.isfinite(error), error, np.inf)))
     return (
         f"{problem.where}: none was found; nearest, at {_place(problem, x)}: "
-        f"{balance.conditions.names[worst].rstrip(',')} is off by {F[worst]:.3g}; {_way_out(problem, x, forces)}"
+        f"{balance.conditions.names[worst].rstrip(',')} is off by {F[worst]:.3g}{_limits(problem, x)}; "
+        f"{_way_out(problem, x, forces)}"
     )
+
+
+def _limits(problem: SteadyProblem, x: Array) -> str:
+    """Return which motors are at their limits."""
+    values = problem.parameters | dict(zip(problem.names, map(float, x), strict=True))
+    unknown = {symbol: values[name] for name, symbol in problem.inputs.items() if name in values}
+    return reached_limits(problem.balance.equations.system, problem.inputs, values | unknown)
 
 
 def _place(problem: SteadyProblem, x: Array) -> str:

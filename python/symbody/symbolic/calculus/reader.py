@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
-from symbody.symbolic._core import Expr
+from symbody.symbolic._core import Expr, number
 from symbody.symbolic.expression.functions import sign
 from symbody.symbolic.expression.traverse import post_order
 
@@ -23,7 +23,7 @@ _LARGE = 100
 """Operations from which on an expression stays as it is: nobody reads it."""
 _TOTAL = 1800
 """Operations of all expressions together, after which only small ones are rewritten."""
-_SMALL = 12
+_SMALL = 20
 _EXPANDED = 40
 """Operations up to which `textbook_form` looks for the form from the expanded expression, too."""
 _OF_BODIES, _SHORT = 60, 35
@@ -124,12 +124,31 @@ class Reader:
 
 
 def _with_factor_outside(form: Expr) -> Expr:
-    """Return a sum of products with the factor outside that all of them have: ``m*(x**2/y**2 + 1)``."""
+    """Return a sum with the factor outside that all terms have: ``m*(x**2/y**2 + 1)``; a sum in a product likewise.
+
+    Lengths stay in a sum that multiplies a mass, ``m*(l2**2 + l1*l2*cos(q2))``; coordinates don't.
+    """
+    if form.kind == "product":
+        made = number(1)
+        for factor in form.args:
+            made *= _taken_out(factor, of_coordinates=True)
+        return made if made == form and _length(made) <= _length(form) else form
+    return _taken_out(form)
+
+
+_COORDINATE = 3
+"""The characters by which a sum may be longer with a coordinate outside."""
+
+
+def _taken_out(form: Expr, *, of_coordinates: bool = False) -> Expr:
     if form.kind != "sum" or any(_has_brackets(term) for term in parts_of(form, "sum")):
         return form
     other = with_fractions_outside(factor_terms(form))
     shared = [part for part in parts_of(other, "product") if part.kind not in {"number", "sum"}]
-    return other if shared and _length(other) <= _length(form) + 1 else form
+    if of_coordinates:
+        shared = [part for part in shared if any(leaf.kind == "time_function" for leaf in part.free_symbols)]
+    most = _length(form) + (_COORDINATE if of_coordinates else 1)
+    return other if shared and _length(other) <= most else form
 
 
 def _has_brackets(term: Expr) -> bool:

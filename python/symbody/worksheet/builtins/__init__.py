@@ -9,6 +9,8 @@ from symbody.symbolic import Expr
 from symbody.worksheet.builtins import (
     algebra,
     arrays,
+    assuming,
+    bounded_arrays,
     calculus,
     code,
     complex_numbers,
@@ -80,6 +82,8 @@ _FAMILIES = (
         containers,
         sets,
         arrays,
+        assuming,
+        bounded_arrays,
         matrices,
         row_echelon,
         minors,

@@ -7,18 +7,15 @@ from dataclasses import replace
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, number
 from symbody.worksheet.evaluation.session import Command, Session
-from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.numeric import as_integer
 from symbody.worksheet.values.value import (
     Array,
     Builtin,
     Listed,
     MapleSet,
-    Range,
     Reference,
     Relation,
     Sequence,
-    Table,
     Value,
 )
 
@@ -182,6 +179,7 @@ def _from_content(session: Session, sizes: list[int], content: Value, kind: str)
         )
     if isinstance(found, Listed):
         if len(sizes) == 2:
+            _check_count(kind, len(found.items), sizes)
             entries = list(found.items) + [number(0)] * (sizes[0] * sizes[1] - len(found.items))
             return Array(sizes[0], sizes[1], entries[: sizes[0] * sizes[1]], kind)
         return (
@@ -193,10 +191,21 @@ def _from_content(session: Session, sizes: list[int], content: Value, kind: str)
     return filled(session, rows, sizes[1] if len(sizes) > 1 else rows, content, kind)
 
 
+def _check_count(kind: str, count: int, sizes: list[int]) -> None:
+    size = sizes[0] if len(sizes) == 1 else sizes[0] * sizes[1]
+    if count > size:
+        told = " x ".join(map(str, sizes))
+        raise WorksheetError(f"{kind}: {count} entries for a size of {told}; expected at most {size}")
+
+
 def _sized(array: Array, sizes: list[int], kind: str) -> Array:
     if not sizes:
         return array
     rows, columns = sizes[0], sizes[1] if len(sizes) > 1 else sizes[0]
+    if array.rows > rows or array.columns > columns:
+        raise WorksheetError(
+            f"{kind}: {array.rows} x {array.columns} entries for a size of {rows} x {columns}; expected at most as many"
+        )
     entries = [
         array.entries[i * array.columns + j] if i < array.rows and j < array.columns else number(0)
         for i in range(rows)
@@ -205,7 +214,14 @@ def _sized(array: Array, sizes: list[int], kind: str) -> Array:
     return Array(rows, columns, entries, kind)
 
 
-def filled(session: Session, rows: int, columns: int, content: Value | None, kind: str) -> Array:
+def filled(
+    session: Session,
+    rows: int,
+    columns: int,
+    content: Value | None,
+    kind: str,
+    first: tuple[int, int] = (1, 1),
+) -> Array:
     """Return a matrix without a list of entries.
 
     Args:
@@ -214,17 +230,19 @@ def filled(session: Session, rows: int, columns: int, content: Value | None, kin
         columns: the number of columns.
         content: the entry everywhere, or a function of the indices; zero by default.
         kind: what it is made by: "Matrix", "Vector" and the like.
+        first: the indices of the first row and the first column.
     """
     session.limits.check_items(rows * columns)
     if rows < 0 or columns < 0:
         raise WorksheetError(f"a matrix of {rows} x {columns}; expected sizes that aren't negative")
     if content is None:
-        return Array(rows, columns, [number(0)] * (rows * columns), kind)
+        return Array(rows, columns, [number(0)] * (rows * columns), kind, first=first)
     if isinstance(content, Expr) and content.kind != "symbol":
-        return Array(rows, columns, [content] * (rows * columns), kind)
-    places = [(number(i), number(j)) for i in range(1, rows + 1) for j in range(1, columns + 1)]
+        return Array(rows, columns, [content] * (rows * columns), kind, first=first)
+    up, left = first
+    places = [(number(up + i), number(left + j)) for i in range(rows) for j in range(columns)]
     entries = [session.call(content, place if "ector" not in kind else place[:1]) for place in places]
-    return Array(rows, columns, entries, kind)
+    return Array(rows, columns, entries, kind, first=first)
 
 
 def _vector_command(kind: str) -> Command:
@@ -253,6 +271,7 @@ def _vector_command(kind: str) -> Command:
             made = filled(session, size or 0, 1, content, shape)
             items = list(made.entries)
         elif size is not None:
+            _check_count(kind, len(items), [size])
             items = items[:size] + [number(0)] * (size - len(items))
         return (
             Array(1, len(items), items, shape) if shape == "RowVector" else Array(len(items), 1, items, shape)
@@ -269,48 +288,9 @@ def _content_of_option(session: Session, option: Relation, content: Value | None
     return content
 
 
-def array_command(session: Session, *arguments: Value) -> Value:
-    """array(1..n, 1..m [, values]), array([..]): a matrix or vector of the old kind."""
-    ranges = [each for each in arguments if isinstance(each, Range)]
-    rest = [each for each in arguments if not isinstance(each, Range)]
-    if rest and isinstance(rest[0], Listed):
-        rows = any(isinstance(each, Listed) for each in rest[0].items)
-        return (
-            _of_rows(session, rest[0], "matrix")
-            if rows
-            else Array(len(rest[0].items), 1, list(rest[0].items), "vector")
-        )
-    stops = [as_integer(each.stop) for each in ranges]
-    if not stops or any(stop is None for stop in stops) or len(stops) > 2:
-        return Table()
-    if any(as_integer(each.start) != 1 for each in ranges):
-        return Table()
-    count, width = stops[0] or 0, (stops[1] or 0) if len(stops) > 1 else 1
-    session.limits.check_items(count * width)
-    names: list[Value] = [
-        symbol(f"?[{row}]" if len(stops) == 1 else f"?[{row},{column}]")
-        for row in range(1, count + 1)
-        for column in range(1, width + 1)
-    ]
-    return Array(count, width, names, "matrix" if len(stops) > 1 else "vector")
-
-
-def new_array(session: Session, *arguments: Value) -> Value:
-    """Array(1..n, 1..m [, values]): a matrix or vector of the new kind, filled with zeros."""
-    made = array_command(session, *arguments)
-    if not isinstance(made, Array):
-        return made
-    entries = [
-        number(0) if isinstance(each, Expr) and str(each).startswith("?[") else each for each in made.entries
-    ]
-    return replace(made, entries=entries, kind="Matrix" if made.kind == "matrix" else "Vector")
-
-
 COMMANDS: dict[str, Command] = {
     "Matrix": _matrix_command("Matrix"),
     "matrix": _matrix_command("matrix"),
     "Vector": _vector_command("Vector"),
     "vector": _vector_command("vector"),
-    "array": array_command,
-    "Array": new_array,
 }

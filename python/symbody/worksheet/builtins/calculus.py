@@ -38,6 +38,10 @@ __all__ = ["COMMANDS", "derivative_at", "diff"]
 
 def diff(session: Session, value: Value, *variables: Value) -> Value:
     """diff(e, x, ..): the derivative; with respect to t the total one."""
+    if not variables:
+        raise WorksheetError(
+            f"diff: no variable by which {session.text(value)[:60]} is differentiated; expected diff(e, x)"
+        )
     flat: list[Value] = []
     for variable in variables:
         flat.extend(variable.items if isinstance(variable, Listed | Sequence) else (variable,))

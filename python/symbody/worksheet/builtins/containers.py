@@ -10,6 +10,7 @@ from symbody.symbolic import Expr, cos, exp, number, pi, sin
 from symbody.symbolic.expression.traverse import post_order
 from symbody.worksheet.builtins.arrays import array_of
 from symbody.worksheet.builtins.elementary import in_decimals
+from symbody.worksheet.builtins.factors import partial_fractions
 from symbody.worksheet.builtins.structural import operands
 from symbody.worksheet.builtins.texts import unparsed
 from symbody.worksheet.evaluation.arithmetic import scalar
@@ -61,9 +62,9 @@ def indices(session: Session, value: Value, *options: Value) -> Value:
     """indices(T): the indices of a table, each in a list."""
     found = session.table(value)
     if isinstance(found, Array):
-        return sequence(
-            [Listed((number(i + 1), number(j + 1))) for i in range(found.rows) for j in range(found.columns)]
-        )
+        (up, left), width = found.first, 1 if found.kind.lower() == "vector" else 2
+        places = [(number(up + i), number(left + j)) for i in range(found.rows) for j in range(found.columns)]
+        return sequence([Listed(place[:width]) for place in places])
     plain = any(getattr(each, "name", "") == "nolist" for each in options)
     return sequence([key[0] if plain and len(key) == 1 else Listed(key) for key in found.entries])
 
@@ -252,6 +253,7 @@ _CONVERSIONS: dict[str, Command] = {
     "global": _same,
     "local": _same,
     "polynom": _to_polynomial,
+    "parfrac": partial_fractions,
 }
 
 

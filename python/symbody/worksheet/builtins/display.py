@@ -201,9 +201,7 @@ COMMANDS: dict[str, Command] = {
     "version": version,
     "system": forbidden,
     "ssystem": forbidden,
-    **dict.fromkeys(
-        ("gc", "protect", "unprotect", "kernelopts", "assume", "additionally", "userinfo"), nothing
-    ),
+    **dict.fromkeys(("gc", "protect", "unprotect", "kernelopts", "userinfo"), nothing),
 }
 
 PACKAGES: dict[str, dict[str, Command]] = {

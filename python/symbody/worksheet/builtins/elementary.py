@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Callable
 from dataclasses import replace
@@ -32,6 +33,7 @@ from symbody.symbolic import (
     tanh,
 )
 from symbody.worksheet.evaluation.arithmetic import called_with, raised, scalar
+from symbody.worksheet.evaluation.at_numbers import calls_functions, value_at
 from symbody.worksheet.evaluation.session import Command, Session, sequence
 from symbody.worksheet.mathematics.closed_roots import root_number
 from symbody.worksheet.mathematics.quadrature import integral_number
@@ -305,12 +307,19 @@ def in_decimals(session: Session, value: Value, digits: int) -> Value:
     if isinstance(value, Range):
         return Range(in_decimals(session, value.start, digits), in_decimals(session, value.stop, digits))
     if isinstance(value, Unevaluated):
-        return root_number(integral_number(value, min(digits, _DOUBLE)), min(digits, _DOUBLE))
+        return root_number(_integral(session, value, min(digits, _DOUBLE)), min(digits, _DOUBLE))
     found = session.resolve(value)
     if isinstance(found, Array):
         entries = [in_decimals(session, session.current(each), digits) for each in found.entries]
         return replace(found, entries=entries)
     return value
+
+
+def _integral(session: Session, value: Unevaluated, digits: int) -> Value:
+    """Return an integral as a number, also one of functions that the sheet has defined."""
+    integrand = value.arguments[0] if value.arguments else None
+    called = isinstance(integrand, Expr) and calls_functions(session, integrand)
+    return integral_number(value, digits, functools.partial(value_at, session) if called else None)
 
 
 def _held_in_decimals(session: Session, value: Expr, digits: int) -> Value:

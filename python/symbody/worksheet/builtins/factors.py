@@ -17,7 +17,7 @@ from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.numeric import as_integer
 from symbody.worksheet.values.value import Unevaluated, Value
 
-__all__ = ["COMMANDS"]
+__all__ = ["COMMANDS", "partial_fractions"]
 
 _LONGEST = 600
 """Characters of the longest expression that is factored completely; of longer ones, common factors are taken out."""
@@ -33,6 +33,33 @@ def factor(session: Session, value: Value, *options: Value) -> Value:
         return _factored(each) or factor_terms(each)
 
     return entrywise(session, value, rewrite, keeps_value=True)
+
+
+def partial_fractions(session: Session, value: Value, *variables: Value) -> Value:
+    """convert(e, parfrac, x): a sum of fractions with simpler denominators in x."""
+    unknown = scalar(session, variables[0]) if variables else None
+
+    def rewrite(each: Expr) -> Expr:
+        session.limits.check()
+        return _apart(session, each, unknown)
+
+    return entrywise(session, value, rewrite, keeps_value=True)
+
+
+def _apart(session: Session, value: Expr, unknown: Expr | None) -> Expr:
+    if find_spec("sympy") is None:
+        session.notice("convert: parfrac needs SymPy: pip install symbody[sympy]")
+        return value
+    import sympy  # noqa: PLC0415 - optional
+
+    held = _parts(value)
+    if not held or (unknown is None and len(held) > 1):
+        return value
+    variable = held.get(unknown) if unknown is not None else next(iter(held.values()))
+    if variable is None:
+        return value
+    found = from_sympy(sympy.apart(to_sympy(value.subs(held)), to_sympy(variable)))
+    return found.subs({new: old for old, new in held.items()}) if isinstance(found, Expr) else value
 
 
 def _factored(value: Expr) -> Expr | None:

@@ -12,6 +12,7 @@ from symbody.errors import SymbodyError, WorksheetError
 from symbody.symbolic import Expr
 from symbody.worksheet.drawing.options import number_of, plot_options, range_of, styled
 from symbody.worksheet.drawing.pieces import Piece, pieces_of
+from symbody.worksheet.evaluation.at_numbers import value_at
 from symbody.worksheet.evaluation.session import Command, Session
 from symbody.worksheet.values.complex_number import as_complex, has_i
 from symbody.worksheet.values.numeric import decimal
@@ -145,7 +146,7 @@ def _at(session: Session, what: Value, variable: Expr | None, x: float) -> float
             number = as_complex(what if variable is None else what.subs({variable: decimal(x)}))
             return math.nan if number is None or number.imag else number.real
         if isinstance(what, Expr):
-            return float(what.evaluate({} if variable is None else {variable: x}))
+            return value_at(session, what, {} if variable is None else {variable: x})
         found = session.current(session.call(what, (decimal(x),)))
         return float(found.evaluate({})) if isinstance(found, Expr) else math.nan
     except (SymbodyError, ArithmeticError):

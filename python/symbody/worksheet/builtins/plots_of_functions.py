@@ -12,6 +12,7 @@ from symbody.symbolic import Expr
 from symbody.worksheet.builtins.plots import curves_of, is_span, plot, point_shape, span_of
 from symbody.worksheet.drawing.options import number_of, plot_options, styled
 from symbody.worksheet.drawing.pieces import Piece
+from symbody.worksheet.evaluation.at_numbers import value_at
 from symbody.worksheet.evaluation.session import Command, Session
 from symbody.worksheet.values.numeric import decimal
 from symbody.worksheet.values.value import Listed, Plot, Relation, String, Value
@@ -125,7 +126,7 @@ def _value(session: Session, what: Value, variables: list[Expr | None], numbers:
     try:
         if isinstance(what, Expr):
             named = zip(variables, numbers, strict=True)
-            return float(what.evaluate({x: value for x, value in named if x is not None}))
+            return value_at(session, what, {x: value for x, value in named if x is not None})
         return number_of(session, session.call(what, tuple(map(decimal, numbers))))
     except (SymbodyError, ArithmeticError):
         return math.nan

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from symbody.worksheet.printing.print import PLAIN, name_text, text_of
+from symbody.worksheet.printing.print import PLAIN, bounded_text, name_text, text_of
 from symbody.worksheet.values.value import (
     Array,
     Listed,
@@ -69,6 +69,8 @@ def _array(session: Session, array: Array) -> str:
     rows = [f"[{', '.join(texts[i * array.columns : (i + 1) * array.columns])}]" for i in range(array.rows)]
     names = ", ".join(text_of(each, PLAIN) for each in array.attributes)
     attributes = f", attributes = [{names}]" if names else ""
+    if array.first != (1, 1):
+        return bounded_text(array, texts)
     if array.kind == "Vector":
         return f"Vector({array.rows}, [{', '.join(texts)}]{attributes})"
     if array.kind == "RowVector":

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Mapping
 
 from symbody.errors import SymbodyError, WorksheetError
-from symbody.symbolic import Expr, expand, factor_terms
+from symbody.symbolic import Expr, expand, factor_terms, t
 from symbody.symbolic.expression.traverse import post_order
 from symbody.symbolic.roots.solutions import solutions as all_solutions
 from symbody.worksheet.evaluation.arithmetic import scalar
+from symbody.worksheet.evaluation.at_numbers import calls_functions, value_at
 from symbody.worksheet.evaluation.current import set_of
 from symbody.worksheet.evaluation.session import Command, Session, sequence
 from symbody.worksheet.mathematics.closed_roots import (
@@ -226,7 +228,8 @@ def fsolve(session: Session, equations: Value, unknowns: Value | None = None, *o
     polynomial = None if several or starts else _polynomial(residuals, wanted)
     if polynomial is not None:
         return _real_roots(session, polynomial, ranges.get(wanted[0]), options)
-    others = {each for residual in residuals for each in _names_in(residual)} - set(wanted)
+    called = any(calls_functions(session, each) for each in residuals)
+    others = {each for residual in residuals for each in _names_in(session, residual)} - set(wanted)
     if others:
         names = ", ".join(sorted(session.text(each) for each in others))
         raise WorksheetError(
@@ -234,7 +237,11 @@ def fsolve(session: Session, equations: Value, unknowns: Value | None = None, *o
             "by subs, or solve for it too"
         )
     values = newton(
-        residuals, wanted, [starts.get(each) for each in wanted], [ranges.get(each) for each in wanted]
+        residuals,
+        wanted,
+        [starts.get(each) for each in wanted],
+        [ranges.get(each) for each in wanted],
+        functools.partial(value_at, session) if called else None,
     )
     if values is None:
         session.notice("fsolve: no solution was found")
@@ -247,10 +254,12 @@ def fsolve(session: Session, equations: Value, unknowns: Value | None = None, *o
     return found[wanted[0]]
 
 
-def _names_in(residual: Expr) -> set[Expr]:
+def _names_in(session: Session, residual: Expr) -> set[Expr]:
     """Return what needs a number: symbols, functions of time, and functions that nobody has defined, ``phi(0)``."""
     applied = {node.value for node in walk(tree_of(residual)) if node.value.kind == "application"}
-    return applied | {*residual.free_symbols}
+    functions = {each for each in residual.free_symbols if each.kind == "time_function"}
+    defined = {each for each in applied | functions if each.name in session.names}
+    return (applied | {*residual.free_symbols} | ({t} if defined & functions else set())) - defined
 
 
 def _polynomial(residuals: list[Expr], wanted: list[Expr]) -> list[Expr] | None:

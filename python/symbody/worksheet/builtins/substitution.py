@@ -7,6 +7,7 @@ not found. A derivative is replaced before the function inside it.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from symbody.symbolic import Expr, UndefinedFunction, t, time_derivative
@@ -16,7 +17,7 @@ from symbody.worksheet.evaluation.entrywise import parts_of, with_parts
 from symbody.worksheet.mechanics import frame_face
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.structure import Tree, tree_of, walk
-from symbody.worksheet.values.value import Array, Reference, Table, Value
+from symbody.worksheet.values.value import Array, ProcedureValue, Reference, Table, Value
 
 if TYPE_CHECKING:
     from symbody.worksheet.evaluation.session import Session
@@ -55,7 +56,7 @@ def _is_key(value: Value) -> bool:
 
 def _in_array(session: Session, array: Array, mapping: Mapping[Value, Value]) -> Value:
     entries = [substituted(session, session.current(entry), mapping) for entry in array.entries]
-    after = Array(array.rows, array.columns, entries, array.kind)
+    after = replace(array, entries=entries, attributes=(), frame=None)
     scalars = {old: new for old, new in mapping.items() if isinstance(old, Expr) and isinstance(new, Expr)}
     plain = len(scalars) == len(mapping) and all(old.kind in _LEAVES for old in scalars)
     return (
@@ -64,7 +65,7 @@ def _in_array(session: Session, array: Array, mapping: Mapping[Value, Value]) ->
 
 
 def _in_scalar(session: Session, value: Expr, mapping: Mapping[Value, Value]) -> Value:
-    complete = _with_derivatives(value, mapping)
+    complete = _with_derivatives(value, {**mapping, **_operated(session, value, mapping)})
     if not complete:
         return value
     scalars = {old: new for old, new in complete.items() if old.kind in _LEAVES and isinstance(new, Expr)}
@@ -92,6 +93,23 @@ def _with_derivatives(value: Expr, mapping: Mapping[Value, Value]) -> dict[Expr,
             if new_value is not None:
                 scalars[variable] = new_value
     return scalars | _renamed(value, names)
+
+
+def _operated(session: Session, value: Expr, mapping: Mapping[Value, Value]) -> dict[Value, Value]:
+    """Return what functions become whose names are replaced by operators: ``x = (t -> t^3)``."""
+    operators = {
+        old.name: new
+        for old, new in mapping.items()
+        if isinstance(new, ProcedureValue) and isinstance(old, Expr | Reference) and hasattr(old, "name")
+    }
+    made: dict[Value, Value] = {}
+    for node in post_order([value], lambda node: node.args, lambda node: node.id) if operators else ():
+        operator = operators.get(node.name) if node.kind in {"time_function", "application"} else None
+        if operator is not None and node.kind == "time_function":
+            made[UndefinedFunction(node.name)(t)] = session.call(operator, (t,))
+        elif operator is not None and not any(node.orders):
+            made[node] = session.call(operator, node.args)
+    return made
 
 
 def _of_applications(value: Expr, scalars: Mapping[Expr, Value]) -> dict[Expr, Value]:

@@ -9,7 +9,8 @@ from fractions import Fraction
 from symbody.errors import SymbodyError
 from symbody.symbolic import Expr, free_symbols, number, subs
 from symbody.symbolic.expression.traverse import post_order
-from symbody.worksheet.check.printed import NotComparable, functions_in, printed, value_of
+from symbody.worksheet.check.printed import PLACE, NotComparable, functions_in, printed, value_of
+from symbody.worksheet.printing.print import text_of
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.values.value import (
     Listed,
@@ -40,6 +41,8 @@ def difference(theirs: str, ours: str) -> str:
     names = functions_in(file.expression) | functions_in(run.expression)
     if file.name != run.name:
         return f"the file has {file.name or 'a value'}, the run {run.name or 'a value'}"
+    if file.expression == run.expression and not file.cut:
+        return ""
     if _counts(file.expression):
         raise NotComparable(f"a count of operations, which depends on the form; ours is {ours.strip()}")
     left, right = value_of(file.expression, names), value_of(run.expression, names)
@@ -103,6 +106,10 @@ class _Comparison:
     def _items(self, file: tuple[Value, ...], run: tuple[Value, ...], *, cut: bool) -> str:
         if not cut and _is_column(file) != _is_column(run):
             file, run = _flat(file), _flat(run)
+        if not cut and _is_row_of(file, run):
+            return "the file has a row, the run a column"
+        if not cut and _is_row_of(run, file):
+            return "the file has a column, the run a row"
         if len(file) > len(run) or (len(file) < len(run) and not cut):
             return f"the file has {len(file)} items, the run {len(run)}"
         for index, (left, right) in enumerate(zip(file, run, strict=False), start=1):
@@ -167,6 +174,11 @@ def _is_column(items: tuple[Value, ...]) -> bool:
     return all(isinstance(item, Listed) and len(item.items) == 1 for item in items)
 
 
+def _is_row_of(row: tuple[Value, ...], column: tuple[Value, ...]) -> bool:
+    """Whether a matrix has one row, of as many entries as a vector has."""
+    return len(row) == 1 and isinstance(row[0], Listed) and len(row[0].items) == len(column) > 1
+
+
 def _flat(items: tuple[Value, ...]) -> tuple[Value, ...]:
     """Return the entries of a column, whether it is printed as a list or as rows of one entry."""
     return tuple(
@@ -202,5 +214,6 @@ def _kind(value: Value) -> str:
 
 
 def _short(value: Value) -> str:
-    text = str(value) if isinstance(value, Expr) else _kind(value)
+    text = text_of(value) if isinstance(value, Expr) else _kind(value)
+    text = PLACE.sub(r"argument\1", text)
     return text if len(text) <= 60 else text[:57] + "..."

@@ -6,10 +6,12 @@ Both texts are read in the same way, without the session: names are symbols, ``f
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, fields, is_dataclass
+from itertools import pairwise
 from typing import Any
 
 from lark import Token
@@ -32,7 +34,7 @@ from symbody.worksheet.values.value import (
     Value,
 )
 
-__all__ = ["NotComparable", "Printed", "functions_in", "is_cut", "printed", "value_of"]
+__all__ = ["PLACE", "NotComparable", "Printed", "functions_in", "is_cut", "printed", "value_of"]
 
 
 class NotComparable(Exception):
@@ -49,6 +51,10 @@ class Printed:
     has_decimals: bool
 
 
+PLACE = re.compile(r"\b_place(\d+)\b")
+"""The name of a parameter in the body of an operator or a procedure."""
+
+_MOST_ENTRIES = 100_000
 _DOTS = re.compile(r"\s*(\.\.\.|…)\s*$")
 _MATRICES = frozenset({"matrix", "Matrix", "Vector", "vector", "array", "Array"})
 _OBJECTS = frozenset({"POINT", "VECTOR", "BODY", "FORCE", "TORQUE", "TIRE", "CONSTRAINT", "table"})
@@ -71,8 +77,11 @@ def printed(text: str) -> Printed:
     if cut:
         tokens = _complete_part(tokens)
     found = next_statement([*tokens, terminator_after(tokens[-1])])
+    if isinstance(found, Failure):  # in two dimensions, a space is a product
+        found = next_statement([*_with_products(tokens), terminator_after(tokens[-1])])
     if isinstance(found, Failure):
-        raise NotComparable("it can't be read as a value")
+        big = "a matrix in it is not printed in full"
+        raise NotComparable(big if "%id" in text else "it can't be read as a value")
     decimals = any(token.type == "DECIMAL" for token in tokens)
     match found.statement:
         case syntax.Assignment(targets=targets, value=value):
@@ -80,6 +89,17 @@ def printed(text: str) -> Printed:
         case syntax.Evaluation(expression=expression):
             return Printed("", expression, cut, decimals)
     raise NotComparable("it can't be read as a value")
+
+
+def _with_products(tokens: list[Token]) -> list[Token]:
+    """Return tokens with a product between operands side by side: ``4 x(t)``, but not between words."""
+    made = tokens[:1]
+    for one, two in pairwise(tokens):
+        is_factor = one.type in {"INTEGER", "DECIMAL", *_CLOSING} and two.type in {"NAME", "BACKQUOTED"}
+        if is_factor and one.end_column != two.column:
+            made.append(Token.new_borrow_pos("TIMES", "*", two))
+        made.append(two)
+    return made
 
 
 def is_cut(text: str) -> bool:
@@ -257,9 +277,18 @@ class _Values:
         """Return an operator as its body at places, so that names of parameters don't count."""
         if isinstance(node.body, syntax.If):
             raise NotComparable("an operator with conditions has no value")
-        names = {symbol(each.name): symbol(f"_place{i}") for i, each in enumerate(node.parameters)}
-        body = self._scalar(node.body)
-        return Unevaluated(symbol("->"), (symbol(f"_{len(names)}"), sb.subs(body, names)))
+        return self._operator("->", node.parameters, self._scalar(node.body))
+
+    def procedure(self, node: syntax.Procedure) -> Value:
+        """Return a procedure of one expression like an operator."""
+        match node.body:
+            case (syntax.Evaluation(expression=body) | syntax.Return(value=body),) if body is not None:
+                return self._operator("proc", node.parameters, self._scalar(body))
+        raise NotComparable("a procedure of several statements, which is written otherwise")
+
+    def _operator(self, kind: str, parameters: tuple[syntax.Parameter, ...], body: Expr) -> Value:
+        names = {symbol(each.name): symbol(f"_place{i}") for i, each in enumerate(parameters, start=1)}
+        return Unevaluated(symbol(kind), (symbol(f"_{len(names)}"), sb.subs(body, names)))
 
     def call(self, node: syntax.Call) -> Value:
         match node:
@@ -270,9 +299,12 @@ class _Values:
             ):
                 return self._function_of_time(_name(name), _order(operator))
             case syntax.Call(
-                function=syntax.Selection(whole=syntax.Name(name="Vector")), arguments=arguments
+                function=syntax.Selection(whole=syntax.Name(name="Vector"), indices=(kind,)),
+                arguments=arguments,
             ):
-                return self._entries(arguments)
+                entries = self._entries(arguments)
+                is_row = isinstance(kind, syntax.Name) and kind.name == "row"
+                return Listed((entries,)) if is_row else entries
             case syntax.Call(function=function, arguments=arguments):
                 return self._named_call(_name(function), arguments)
 
@@ -289,9 +321,33 @@ class _Values:
 
     def _entries(self, arguments: tuple[syntax.Expression, ...]) -> Value:
         entries = [one for one in arguments if isinstance(one, syntax.ListDisplay)]
-        if not entries:
+        if entries:
+            return self.value(entries[0])
+        sizes = [one.value for one in arguments if isinstance(one, syntax.Integer)]
+        places = [one for one in arguments if isinstance(one, syntax.SetDisplay)]
+        if not places or len(sizes) not in {1, 2}:
             raise NotComparable("a matrix in it is not printed in full")
-        return self.value(entries[0])
+        return self._by_places(sizes, places[0])
+
+    def _by_places(self, sizes: list[int], entries: syntax.SetDisplay) -> Value:
+        """Return a matrix or a vector of entries with their places: ``Matrix(2, 2, {(1, 1) = a})``; others are 0."""
+        known: dict[tuple[int, ...], Value] = {}
+        for entry in entries.items:
+            match entry:
+                case syntax.Infix(operator="=", left=place, right=value):
+                    items = place.items if isinstance(place, syntax.SequenceDisplay) else (place,)
+                    known[tuple(each.value for each in items if isinstance(each, syntax.Integer))] = (
+                        self.value(value)
+                    )
+                case _:
+                    raise NotComparable("an entry of a matrix in it has no place")
+        if math.prod(sizes) > _MOST_ENTRIES:
+            raise NotComparable(f"a matrix in it has more than {_MOST_ENTRIES} entries")
+        rows = range(1, sizes[0] + 1)
+        if len(sizes) == 1:
+            return Listed(tuple(known.get((row,), number(0)) for row in rows))
+        columns = range(1, sizes[1] + 1)
+        return Listed(tuple(Listed(tuple(known.get((i, k), number(0)) for k in columns)) for i in rows))
 
     def _derivative(self, of: syntax.Expression, variables: list[syntax.Expression]) -> Expr:
         value = self._scalar(of)
@@ -326,6 +382,7 @@ _READERS: Mapping[type, Callable[[_Values, Any], Value]] = {
     syntax.Infix: _Values.infix,
     syntax.Call: _Values.call,
     syntax.Arrow: _Values.arrow,
+    syntax.Procedure: _Values.procedure,
 }
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from symbody.geometry import ground
 from symbody.symbolic import Expr, symbol
 from symbody.worksheet.evaluation.session import Command, Session
@@ -53,7 +55,7 @@ def _plain(session: Session, value: Value) -> Value:
     """Return what isn't an object in full: a frame as its matrix."""
     if isinstance(value, Array):
         entries = [session.current(entry) for entry in value.entries]
-        return Array(value.rows, value.columns, entries, value.kind)
+        return replace(value, entries=entries, attributes=(), frame=None)
     return session.current(value)
 
 

@@ -19,6 +19,7 @@ from symbody.worksheet.commands import (
     state_space,
     tyres,
 )
+from symbody.worksheet.commands.arguments import check_arguments
 from symbody.worksheet.commands.signatures import SIGNATURES
 from symbody.worksheet.evaluation.derivative_rules import with_rules
 from symbody.worksheet.evaluation.session import Command, Session
@@ -56,11 +57,15 @@ _TABLE: dict[str, Command] = {
 }
 
 
-def _noting(command: Command) -> Command:
-    """Return a command by the sheet's own rules of derivatives, whose notices about the model go to the session."""
+def _noting(name: str, command: Command) -> Command:
+    """Return a command that refuses wrong arguments, and follows the sheet's own rules of derivatives.
+
+    Its notices about the model go to the session.
+    """
 
     @functools.wraps(command)
     def noted(session: Session, *arguments: Value) -> Value:
+        check_arguments(session, name, arguments)
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always", ModelNotice)
             result = command(session, *arguments)
@@ -70,7 +75,7 @@ def _noting(command: Command) -> Command:
     return noted
 
 
-COMMANDS: dict[str, Command] = {name: _noting(command) for name, command in _TABLE.items()}
+COMMANDS: dict[str, Command] = {name: _noting(name, command) for name, command in _TABLE.items()}
 """The commands of MBSymba by name."""
 
 

@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable, Mapping
 from typing import TypeAlias
 
-from symbody.geometry import Frame, Vector
+from symbody.geometry import Frame, Point, Vector
 from symbody.multibody import Body
 from symbody.symbolic import Expr, Matrix
 from symbody.worksheet.convert.frames import axis, components, frame
@@ -128,6 +128,14 @@ def _center(text: Writer, arguments: Arguments) -> str:
     return f"{grouped(whole)}.center_of_mass"
 
 
+def _origin(text: Writer, arguments: Arguments) -> str:
+    """Return the origin of a frame, or of that of a body, a point or a vector."""
+    whole = text.text(arguments[0])
+    if isinstance(text.value(whole), Body | Point | Vector):
+        return f"sb.origin({grouped(whole)}.frame)"
+    return f"sb.origin({frame(text, arguments[0])})"
+
+
 def _velocity(function: str) -> Call:
     """Return the writer of a velocity: of a point, which may be the origin of a frame."""
 
@@ -141,6 +149,13 @@ def _velocity(function: str) -> Call:
         return f"{function}({', '.join([first, *rest])})"
 
     return write
+
+
+def _spin(text: Writer, arguments: Arguments) -> str:
+    """Return the angular velocity of a frame, also relative to another one, in the axes of the first."""
+    of, *others = (frame(text, each) for each in arguments)
+    relative = "".join(f" - sb.project(sb.angular_velocity({other}), {of})" for other in others)
+    return f"sb.angular_velocity({of}){relative}"
 
 
 def _lagrange(text: Writer, arguments: Arguments) -> str:
@@ -238,7 +253,7 @@ MECHANICS: Mapping[str, Call] = {
     "make_BODY": _body,
     "make_FORCE": _force,
     "make_TORQUE": _torque,
-    "origin": _framed("sb.origin", 0),
+    "origin": _origin,
     "CoM": _center,
     "frame_frozen_velocity": _framed("sb.frozen_velocity", 1),
     "project": _framed("sb.project", 1),
@@ -250,7 +265,7 @@ MECHANICS: Mapping[str, Call] = {
     **dict.fromkeys(("comp_XYZ", "Comps"), components),
     **{f"uvec_{axis}": _unit(index) for index, axis in enumerate("XYZ")},
     **{name: _velocity(f"sb.{name}") for name in ("velocity", "acceleration")},
-    "angular_velocity": _framed("sb.angular_velocity", 0, 1),
+    "angular_velocity": _spin,
     "linear_momentum": _framed("sb.linear_momentum", 1),
     "angular_momentum": _framed("sb.angular_momentum", 2),
     "kinetic_energy": _framed("sb.kinetic_energy"),

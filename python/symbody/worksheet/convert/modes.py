@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from symbody.geometry import Frame, Vector, ground
 from symbody.worksheet.convert.sequences import items
 from symbody.worksheet.convert.small_variables import small_lines
 from symbody.worksheet.convert.writer import Writer
@@ -37,9 +38,24 @@ def _moving(text: Writer, arguments: tuple[syntax.Expression, ...], target: str)
     text.names.root().master = text.names.master = name
     line = f'{name} = sb.moving_frame({written}, name="moving_frame")'
     text.names.made[name] = line
+    lines = [line, *_moved_gravity(text, name)]
     if not pose or not target:
-        return [line]
-    return [line, *_tracking(text.names.own("pose"), text.names.own("own"), pose, target, written)]
+        return lines
+    return [*lines, *_tracking(text.names.own("pose"), text.names.own("own"), pose, target, written)]
+
+
+def _moved_gravity(text: Writer, master: str) -> list[str]:
+    """Return the line that hangs the gravity assigned before on the moving frame."""
+    found = text.names.values.get("gravity")
+    if not isinstance(found, Vector):
+        return []
+    known = text.names.values.get(master)
+    if (
+        isinstance(known, Frame) and found.frame.ancestor.key == known.ancestor.key
+    ):  # of an earlier moving frame
+        return []
+    frame = master if found.frame.key == ground.key else f"{master}*gravity.frame"
+    return [f"gravity = sb.Vector({frame}, *gravity.components)"]
 
 
 def _tracking(name: str, own: str, pose: str, target: str, velocities: str) -> list[str]:

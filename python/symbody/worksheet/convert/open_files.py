@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-import re
+import io
+import tokenize
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from dataclasses import fields, is_dataclass
 from typing import Any
 
@@ -69,8 +71,12 @@ def _uses(line: str, names: Iterable[str]) -> bool:
 
 
 def _words(code: str) -> set[str]:
-    """Return the words of a line."""
-    return set(re.findall(r"\w+", code))
+    """Return the names in a line of Python, which may be the head of a block or a part of a statement."""
+    found = set()
+    with suppress(tokenize.TokenError, IndentationError):
+        for token in tokenize.generate_tokens(io.StringIO(code).readline):
+            found |= {token.string} if token.type == tokenize.NAME else set()
+    return found
 
 
 def _calls(statement: syntax.Statement) -> bool:

@@ -48,6 +48,8 @@ def prefix(to: Writer, node: syntax.Prefix) -> str:
         return f"not {grouped(operand)}"
     if node.operator not in {"-", "+"}:
         raise NoText(node.operator)
+    if node.operator == "-" and isinstance(to.value(operand), list):
+        return f"[-each for each in {operand}]"
     return f"-{grouped(operand, POWER)}" if node.operator == "-" else operand
 
 
@@ -58,6 +60,9 @@ def infix(to: Writer, node: syntax.Infix) -> str:
     left, right = to.text(node.left), to.text(node.right)
     operator = node.operator
     left, right = _beside(to, left, right), _beside(to, right, left)
+    by_entries = _by_entries(to, operator, left, right)
+    if by_entries:
+        return by_entries
     if operator in {"*", ".", "&*"}:
         return _product(to, left, right)
     if operator in {"+", "-"}:
@@ -68,6 +73,19 @@ def infix(to: Writer, node: syntax.Infix) -> str:
     if writer is None:
         raise NoText(operator)
     return writer(left, right)
+
+
+def _by_entries(to: Writer, operator: str, left: str, right: str) -> str:
+    """Return a sum of lists, or a multiple of one, entry by entry; nothing for other operands."""
+    a, b = to.value(left), to.value(right)
+    if operator in {"+", "-"} and isinstance(a, list) and isinstance(b, list):
+        return f"[a {operator} b for a, b in zip({left}, {right}, strict=True)]"
+    if operator == "*" and isinstance(a, int | Expr) and isinstance(b, list):
+        return f"[{product(left, 'each')} for each in {right}]"
+    if operator in {"*", "/"} and isinstance(a, list) and isinstance(b, int | Expr):
+        write = product if operator == "*" else quotient
+        return f"[{write('each', right)} for each in {left}]"
+    return ""
 
 
 def _beside(to: Writer, text: str, other: str) -> str:

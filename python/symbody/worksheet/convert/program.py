@@ -98,7 +98,9 @@ def _write(program: Draft) -> None:
         elif isinstance(item, SyntaxMistake):
             program.failed += 1
             program.lines.append(f"# line {item.place.line} can't be read")
-        elif not isinstance(item, Remark):
+        elif isinstance(item, Remark):
+            program.lines += [f"# line {item.place.line}: {item.notice}"] if item.notice else []
+        else:
             following.pop(0)
             if not _add(program, item, keeps=bool(following) and mentions(following[0], syntax.Ditto)):
                 break

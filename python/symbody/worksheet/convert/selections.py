@@ -17,6 +17,9 @@ _FIELDS = {
     "inertia": "inertia",
     "comps": "components",
     "coords": "coordinates",
+    "acting": "on",
+    "reacting": "reaction",
+    "applied": "at",
 }
 
 
@@ -75,7 +78,7 @@ def indexed(text: Writer, node: syntax.Selection, *, is_function: bool = False) 
 
 
 def key(text: Writer, indices: tuple[syntax.Expression, ...]) -> str:
-    """Return the key of an entry of a table: words are texts."""
+    """Return the key of an entry of a table: words are texts, also those that a variable holds."""
     texts = [_one_key(text, each) for each in indices]
     return ", ".join(texts)
 
@@ -84,6 +87,8 @@ def _one_key(text: Writer, node: syntax.Expression) -> str:
     if isinstance(node, syntax.Name | syntax.Delayed):
         word = word_of(node)
         known = text.names.values.get(identifier(word))
+        if isinstance(known, Expr) and known.kind == "symbol" and str(known) != word:
+            return f"str({identifier(word)})"  # the name that a variable of a loop holds
         if not isinstance(known, int | str | Matrix):
             return f'"{word}"'
     return text.text(node)

@@ -6,6 +6,7 @@ import contextlib
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
+from types import FunctionType
 from typing import Any
 
 from symbody.worksheet.convert.assignments import assignment_lines
@@ -56,7 +57,11 @@ def _saved(text: PythonText, arguments: tuple[syntax.Expression, ...]) -> str:
     *names, file = arguments
     if not isinstance(file, syntax.Text) or not all(isinstance(each, syntax.Name) for each in names):
         raise NoText("save")
-    known = {each.name: text.text(each) for each in names if isinstance(each, syntax.Name)}
+    written = {each.name: text.text(each) for each in names if isinstance(each, syntax.Name)}
+    # Procedures are functions of this program: they can't be pickled.
+    known = {
+        name: value for name, value in written.items() if not isinstance(text.value(value), FunctionType)
+    }
     values = ", ".join(f'"{name}": {value}' for name, value in known.items())
     return f'Path("{Path(file.text).stem}.pickle").write_bytes(pickle.dumps({{{values}}}))'
 

@@ -66,6 +66,8 @@ def _set(session: Session, value: MapleSet, names: Names) -> str:
 
 
 def _matrix(session: Session, value: Array, names: Names) -> str:
+    if value.first != (1, 1):
+        raise NoText("Array")  # matrices in Python have one first index
     if value.frame is not None and known_frame(value.frame, names):
         return known_frame(value.frame, names)
     rows = [value.entries[i * value.columns : (i + 1) * value.columns] for i in range(value.rows)]

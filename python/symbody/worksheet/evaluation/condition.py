@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr
+from symbody.worksheet.evaluation.assumptions import is_positive
 from symbody.worksheet.evaluation.types import has_type
 from symbody.worksheet.values.numeric import as_float
 from symbody.worksheet.values.value import (
@@ -23,7 +24,7 @@ from symbody.worksheet.values.value import (
 if TYPE_CHECKING:
     from symbody.worksheet.evaluation.session import Session
 
-__all__ = ["compared", "equal", "is_type", "truth"]
+__all__ = ["can_not_be_decided", "compared", "equal", "is_type", "truth"]
 
 
 def truth(session: Session, value: Value) -> bool | None:
@@ -47,12 +48,27 @@ def compared(session: Session, relation: Relation) -> Boolean:
         return Boolean(any(equal(session, left, item) for item in items))
     if relation.operator == "::":
         return Boolean(is_type(session, left, right))
-    a, b = (as_float(side) if isinstance(side, Expr) else None for side in (left, right))
-    if a is None or b is None:
+    found = _is_less(session, left, right, or_equal=relation.operator == "<=")
+    if found is None:
         raise WorksheetError(
             f"cannot determine if this expression is true or false: {session.text(relation)[:80]}"
         )
-    return Boolean(a < b if relation.operator == "<" else a <= b)
+    return Boolean(found)
+
+
+def can_not_be_decided(session: Session, relation: Relation) -> bool:
+    """Whether an inequality holds for some values of its names, and not for others, as far as is known."""
+    left, right = session.current(relation.left), session.current(relation.right)
+    return _is_less(session, left, right, or_equal=relation.operator == "<=") is None
+
+
+def _is_less(session: Session, left: Value, right: Value, *, or_equal: bool) -> bool | None:
+    if not isinstance(left, Expr) or not isinstance(right, Expr):
+        return None
+    a, b = as_float(left), as_float(right)
+    if a is None or b is None:
+        return is_positive(right - left, session.options.positive)
+    return a <= b if or_equal else a < b
 
 
 def equal(session: Session, left: Value, right: Value) -> bool:

@@ -396,7 +396,8 @@ def _indexed(session: State, value: Expr, base: str, indices: tuple[Value, ...])
             finally:
                 session.resolving.pop()
     if isinstance(holder, Array | Listed):
-        return current(session, session.select(holder, indices))
+        found = session.select(Reference(base) if isinstance(holder, Array) else holder, indices)
+        return value if found == value else current(session, found)
     return value
 
 

@@ -107,34 +107,47 @@ def _of_items(session: Session, whole: Listed | MapleSet | Sequence, indices: In
     return selected(session, item, rest) if rest else item
 
 
-def _place(session: Session, index: Value, count: int) -> int:
-    number = as_integer(index)
+def _place(session: Session, index: Value, count: int, first: int = 1) -> int:
+    """Return the place of an index; negative ones count from the end where the first index is 1."""
+    number, last = as_integer(index), first + count - 1
     if number is None:
         raise WorksheetError(
-            f"the index {session.text(index)} is not an integer; expected one from 1 to {count}"
+            f"the index {session.text(index)} is not an integer; expected one from {first} to {last}"
         )
-    if not 0 < abs(number) <= count:
-        raise WorksheetError(f"the index {number} is out of range; expected one from 1 to {count}")
-    return number - 1 if number > 0 else count + number
+    if first == 1 and -count <= number < 0:
+        return count + number
+    if not first <= number <= last:
+        raise WorksheetError(f"the index {number} is out of range; expected one from {first} to {last}")
+    return number - first
 
 
-def _slice(session: Session, index: Range, count: int) -> range:
-    start = _bound(session, index.start, 1, count)
-    stop = _bound(session, index.stop, count, count)
-    if start < 1 or stop > count or stop < start - 1:
+def _slice(session: Session, index: Range, count: int, first: int = 1) -> range:
+    last = first + count - 1
+    start = _bound(session, index.start, first, count, first)
+    stop = _bound(session, index.stop, last, count, first)
+    if start < first or stop > last or stop < start - 1:
         raise WorksheetError(
-            f"the range {session.text(index)} is out of range; expected one within 1 .. {count}"
+            f"the range {session.text(index)} is out of range; expected one within {first} .. {last}"
         )
-    return range(start - 1, stop)
+    return range(start - first, stop - first + 1)
 
 
-def _bound(session: Session, value: Value, missing: int, count: int) -> int:
+def _bound(session: Session, value: Value, missing: int, count: int, first: int) -> int:
+    """Return the bound of a range of indices.
+
+    Args:
+        session: the session.
+        value: the bound as the sheet has it.
+        missing: what stands for one that is left out.
+        count: the number of entries.
+        first: the index of the first one; where it is 1, negative bounds count from the end.
+    """
     if isinstance(value, Sequence):
         return missing
     number = as_integer(value)
     if number is None:
         raise WorksheetError(f"the bound {session.text(value)} of a range of indices is not an integer")
-    return number if number >= 0 else count + 1 + number
+    return number if number >= 0 or first != 1 else count + 1 + number
 
 
 # --- tables and matrices ----------------------------------------------------------------------------------------------
@@ -154,13 +167,17 @@ def _of_array(session: Session, whole: Value, array: Array, indices: Indices) ->
     if _symbolic(indices) and isinstance(whole, Reference | Expr):
         return indexed_name(session, whole, indices)
     if len(indices) == 1:
-        return _of_vector(session, array, indices[0])
+        return _of_vector(session, whole, array, indices[0])
+    if len(indices) != 2:
+        raise WorksheetError(
+            f"{len(indices)} indices for a matrix of {array.rows} x {array.columns}; expected two"
+        )
     rows, columns = (
-        _places(session, index, count)
-        for index, count in zip(indices, (array.rows, array.columns), strict=False)
+        _places(session, index, count, first)
+        for index, count, first in zip(indices, (array.rows, array.columns), array.first, strict=True)
     )
     if isinstance(rows, int) and isinstance(columns, int):
-        return session.current(array.entries[rows * array.columns + columns])
+        return _entry(session, whole, array, rows * array.columns + columns, indices)
     chosen_rows = [rows] if isinstance(rows, int) else list(rows)
     chosen_columns = [columns] if isinstance(columns, int) else list(columns)
     entries = [array.entries[i * array.columns + j] for i in chosen_rows for j in chosen_columns]
@@ -174,19 +191,35 @@ def _of_array(session: Session, whole: Value, array: Array, indices: Indices) ->
     return Array(len(chosen_rows), len(chosen_columns), entries, kind)
 
 
+def _entry(session: Session, whole: Value, array: Array, place: int, indices: Indices) -> Value:
+    """Return an entry; of an old array, one without a value is the indexed name.
+
+    Args:
+        session: the session.
+        whole: the array as the sheet has it.
+        array: the array.
+        place: where the entry is among all.
+        indices: its indices.
+    """
+    entry = array.entries[place]
+    if isinstance(entry, Expr) and entry.kind == "symbol" and entry.name.startswith("?["):
+        return indexed_name(session, whole, indices) if isinstance(whole, Reference) else entry
+    return session.current(entry)
+
+
 def _symbolic(indices: Indices) -> bool:
     return any(isinstance(each, Expr) and not each.is_number for each in indices)
 
 
-def _of_vector(session: Session, array: Array, index: Value) -> Value:
+def _of_vector(session: Session, whole: Value, array: Array, index: Value) -> Value:
     if array.columns == 1 or array.rows == 1:
-        places = _places(session, index, len(array.entries))
+        places = _places(session, index, len(array.entries), _first_of(array))
         if isinstance(places, int):
-            return session.current(array.entries[places])
+            return _entry(session, whole, array, places, (index,))
         entries = [array.entries[i] for i in places]
         shape = (len(entries), 1) if array.columns == 1 else (1, len(entries))
         return Array(*shape, entries, array.kind)
-    row = _places(session, index, array.rows)
+    row = _places(session, index, array.rows, array.first[0])
     chosen = [row] if isinstance(row, int) else list(row)
     entries = [array.entries[i * array.columns + j] for i in chosen for j in range(array.columns)]
     if isinstance(row, int):
@@ -194,12 +227,18 @@ def _of_vector(session: Session, array: Array, index: Value) -> Value:
     return Array(len(chosen), array.columns, entries, array.kind)
 
 
-def _places(session: Session, index: Value, count: int) -> int | list[int]:
+def _first_of(array: Array) -> int:
+    """Return the index of the first entry of a row or a column."""
+    return array.first[0] if array.columns == 1 else array.first[1]
+
+
+def _places(session: Session, index: Value, count: int, first: int = 1) -> int | list[int]:
+    """Return the places of an index, a range or a list of them, the first entry having the index ``first``."""
     if isinstance(index, Range):
-        return list(_slice(session, index, count))
+        return list(_slice(session, index, count, first))
     if isinstance(index, Listed):
-        return [_place(session, each, count) for each in index.items]
-    return _place(session, index, count)
+        return [_place(session, each, count, first) for each in index.items]
+    return _place(session, index, count, first)
 
 
 # --- assignment -------------------------------------------------------------------------------------------------------
@@ -213,14 +252,17 @@ def assigned_entry(session: Session, holder: Table | Array, indices: Indices, va
     holder.frame = None
     holder.attributes = ()
     if len(indices) == 1 and (holder.columns == 1 or holder.rows == 1):
-        _put(session, holder, _places(session, indices[0], len(holder.entries)), value)
+        _put(session, holder, _places(session, indices[0], len(holder.entries), _first_of(holder)), value)
         return
     counts = (holder.rows, holder.columns)
     if len(indices) != 2:
         raise WorksheetError(
             f"{len(indices)} indices for a matrix of {holder.rows} x {holder.columns}; expected two"
         )
-    rows, columns = (_places(session, index, count) for index, count in zip(indices, counts, strict=True))
+    rows, columns = (
+        _places(session, index, count, first)
+        for index, count, first in zip(indices, counts, holder.first, strict=True)
+    )
     if isinstance(rows, int) and isinstance(columns, int):
         holder.entries[rows * holder.columns + columns] = value
         return

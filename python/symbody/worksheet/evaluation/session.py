@@ -63,6 +63,7 @@ class Options:
     series: bool = False
     printlevel: int = 1
     precise: dict[Expr, int] = field(default_factory=dict)
+    positive: frozenset[Expr] = frozenset()
 
 
 _KEPT = (
@@ -174,6 +175,7 @@ class Session:
         self.names.pop(name, None)
         self.remembered.pop(name, None)
         self.touch(name)
+        self.options.positive = frozenset(each for each in self.options.positive if each.name != name)
 
     def remember(self, name: str, arguments: tuple[Value, ...], value: Value) -> None:
         """Give an entry of a function a value: ``x(t) := V*t``."""

@@ -52,7 +52,23 @@ def _call(session: Session, node: syntax.Call) -> Value:
     form = _form(session, head)
     if form is not None:
         return _guarded(session, form, _head_name(head), node.arguments)
-    return session.call(head, session.evaluated(node.arguments))
+    arguments = session.evaluated(node.arguments)
+    if name is not None and _waits(session, head, arguments):
+        return _waiting(session, name, arguments)
+    return session.call(head, arguments)
+
+
+def _waits(session: Session, function: Value, arguments: tuple[Value, ...]) -> bool:
+    """Whether a call stays as it is written until names in its arguments have a value."""
+    if not isinstance(function, Builtin) or not function.of_numbers:
+        return False
+    held = [session.current(each) for each in arguments]
+    return any(isinstance(each, Expr) and not each.is_constant for each in held)
+
+
+def _waiting(session: Session, name: str, arguments: tuple[Value, ...]) -> Value:
+    session.applied.add(name)  # X(t), too, is called when t is a number
+    return application(session, name, arguments)
 
 
 def _form(session: Session, head: Value) -> Callable[..., Value] | None:
@@ -102,6 +118,8 @@ def call(session: Session, function: Value, arguments: tuple[Value, ...]) -> Val
             return _named_call(session, function.name, arguments)
         if isinstance(found, ProcedureValue):
             return _procedure_call(session, found, arguments, function.name)
+        if _waits(session, found, arguments):
+            return _waiting(session, function.name, arguments)
         function = found
     if isinstance(function, ProcedureValue):
         return _procedure_call(session, function, arguments, "unnamed")

@@ -7,8 +7,10 @@ from functools import partial
 from typing import Any
 
 from symbody.errors import SymbodyError, WorksheetError
+from symbody.symbolic import Expr
 from symbody.worksheet.builtins.arrays import from_columns, from_rows
 from symbody.worksheet.evaluation import arithmetic
+from symbody.worksheet.evaluation.assumptions import under
 from symbody.worksheet.evaluation.current import set_of
 from symbody.worksheet.evaluation.select import selected
 from symbody.worksheet.evaluation.session import Session, sequence
@@ -54,7 +56,9 @@ def evaluate(session: Session, node: syntax.Expression) -> Value:
         limits.nested = 0
         raise WorksheetError("too many levels of recursion")
     try:
-        return _METHODS[type(node)](session, node)
+        value = _METHODS[type(node)](session, node)
+        positive = session.options.positive
+        return under(value, positive) if positive and isinstance(value, Expr) else value
     except WorksheetError as error:
         if error.place is None:
             error.place = node.place

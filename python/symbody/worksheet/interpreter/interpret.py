@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterable
+from collections.abc import Sequence as Listing
 from dataclasses import replace
 from typing import Any
 
@@ -22,7 +23,7 @@ from symbody.worksheet.interpreter.procedure import Leave, Returned
 from symbody.worksheet.interpreter.quote import unevaluated
 from symbody.worksheet.mechanics import frame_face
 from symbody.worksheet.reading.files import source_cells
-from symbody.worksheet.reading.statements import statements
+from symbody.worksheet.reading.statements import names_in_code, statements
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.sheet.source import Cell, ReadFile, Remark, SyntaxMistake
 from symbody.worksheet.values.naming import symbol
@@ -132,14 +133,14 @@ class Interpreter:
         Behind ``read "f":`` they print nothing, however they end.
         """
         file = ReadFile(name, source_cells(text))
-        for statement in _statements_of(file.cells, name):
+        for statement in _statements_of(file.cells, self.session.notice, name):
             with in_file(self.session, file, statement.place):
                 self._statement(statement, shown=statement.shown and not self._quiet)
 
     def parsed(self, text: str) -> Value:
         """Return the value of an expression given as a text."""
         value: Value = NULL
-        for statement in _statements_of(source_cells(text)):
+        for statement in _statements_of(source_cells(text), self.session.notice):
             if not isinstance(statement, syntax.Evaluation):
                 raise WorksheetError(f"{text[:60]!r} is not an expression")
             value = self.session.evaluate(statement.expression)
@@ -313,13 +314,23 @@ class Interpreter:
         raise Stop
 
 
-def _statements_of(cells: Iterable[Cell], file: str = "") -> Iterable[syntax.Statement]:
+def _statements_of(
+    cells: Listing[Cell], note: Callable[[str], None], file: str = ""
+) -> Iterable[syntax.Statement]:
+    """Return the statements of a file that is read; a mistake ends it, and ``note`` is told what may be code."""
+    used = names_in_code(cells)
     for cell in cells:
-        for statement in statements(cell):
+        for statement in statements(cell, used):
             if isinstance(statement, SyntaxMistake):
                 raise WorksheetError(f'in "{file}", {statement.message}' if file else statement.message)
             if not isinstance(statement, Remark):
                 yield statement
+            elif statement.notice:
+                note(
+                    f'in "{file}", line {statement.place.line}: {statement.notice}'
+                    if file
+                    else statement.notice
+                )
 
 
 def _face(session: Session, before: Array, after: Array) -> Array:

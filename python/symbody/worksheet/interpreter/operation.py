@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from dataclasses import replace
+from typing import Any, TypeAlias
 
 from symbody.worksheet import builtins
 from symbody.worksheet.builtins.sets import joined_by
 from symbody.worksheet.evaluation import arithmetic
-from symbody.worksheet.evaluation.condition import compared, truth
+from symbody.worksheet.evaluation.assumptions import positive_names, under
+from symbody.worksheet.evaluation.condition import can_not_be_decided, compared, truth
 from symbody.worksheet.evaluation.session import Session
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.values.naming import symbol
@@ -37,7 +39,9 @@ def _prefix(session: Session, node: syntax.Prefix) -> Value:
     if node.operator == "-":
         return arithmetic.negated(session, value)
     if node.operator == "not":
-        found = truth(session, value)
+        found = _decided(session, value)
+        if isinstance(found, Relation):
+            return Relation(_OPPOSITES[found.operator], found.right, found.left)
         return Boolean(None if found is None else not found)
     if node.operator == "$":
         return builtins.repeated(session, value)
@@ -54,6 +58,13 @@ def _postfix(session: Session, node: syntax.Postfix) -> Value:
     return value
 
 
+_Decision: TypeAlias = bool | Relation | None
+"""Whether a condition holds; None for FAIL, and the relation itself where that can't be told."""
+
+#: What holds, with the sides exchanged, where a relation doesn't.
+_OPPOSITES = {"<": "<=", "<=": "<"}
+
+
 def _infix(session: Session, node: syntax.Infix) -> Value:
     operator = node.operator
     if node.elementwise:
@@ -65,8 +76,9 @@ def _infix(session: Session, node: syntax.Infix) -> Value:
     if operator in _FOLDED:
         return _folded(session, node)
     left = session.evaluate(node.left)
-    if operator == "assuming":  # names stand for real numbers, and nothing more is assumed
-        return left
+    if operator == "assuming":
+        conditions = session.evaluated((node.right,))
+        return under(left, positive_names(session, "assuming", conditions))
     return _operated(session, operator, left, session.evaluate(node.right))
 
 
@@ -103,12 +115,15 @@ def _folded(session: Session, node: syntax.Infix) -> Value:
 
 
 def _logical(session: Session, node: syntax.Infix) -> Value:
-    left = truth(session, session.evaluate(node.left))
+    """Return what an operator of logic gives; what can't be decided stays in it."""
+    left = _decided(session, session.evaluate(node.left))
     if node.operator == "and" and left is False:
         return Boolean(truth=False)
     if node.operator == "or" and left is True:
         return Boolean(truth=True)
-    right = truth(session, session.evaluate(node.right))
+    right = _decided(session, session.evaluate(node.right))
+    if isinstance(left, Relation) or isinstance(right, Relation):
+        return _undecided(node.operator, left, right)
     if left is None or right is None:
         return Boolean(None)
     results = {
@@ -120,6 +135,24 @@ def _logical(session: Session, node: syntax.Infix) -> Value:
     return Boolean(results[node.operator])
 
 
+def _decided(session: Session, value: Value) -> _Decision:
+    """Return whether a condition holds; a relation of which that can't be told comes back."""
+    if isinstance(value, Relation) and value.operator in _OPPOSITES:
+        return value if can_not_be_decided(session, value) else truth(session, value)
+    return truth(session, value)
+
+
+def _undecided(operator: str, left: _Decision, right: _Decision) -> Value:
+    """Return ``true and c`` and ``false or c`` as c, and other conditions as they stand."""
+    neutral = {"and": True, "or": False}.get(operator)
+    if isinstance(right, Relation) and left is neutral is not None:
+        return right
+    if isinstance(left, Relation) and right is neutral is not None:
+        return left
+    sides = (each if isinstance(each, Relation) else Boolean(each) for each in (left, right))
+    return Unevaluated(symbol(operator), tuple(sides))
+
+
 def _entrywise(session: Session, operator: str, left: Value, right: Value) -> Value:
     a, b = session.resolve(left), session.resolve(right)
     for side in (a, b):
@@ -129,7 +162,7 @@ def _entrywise(session: Session, operator: str, left: Value, right: Value) -> Va
             entries = [_operated(session, operator, x, y) for x, y in pairs]
             if isinstance(side, Listed):
                 return Listed(tuple(entries))
-            return Array(side.rows, side.columns, entries, side.kind)
+            return replace(side, entries=entries, attributes=(), frame=None)
     return _operated(session, operator, left, right)
 
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from symbody.deferred import Deferred
 from symbody.symbolic import Expr
@@ -16,9 +17,17 @@ else:
 
 __all__ = ["integral_number"]
 
+ValueAt: TypeAlias = Callable[[Expr, Mapping[Expr, float]], float]
 
-def integral_number(value: Unevaluated, digits: int) -> Value:
-    """Return ``Int(e, x = a..b)`` as a number, if it is one; other values as they are."""
+
+def integral_number(value: Unevaluated, digits: int, value_at: ValueAt | None = None) -> Value:
+    """Return ``Int(e, x = a..b)`` as a number, if it is one; other values as they are.
+
+    Args:
+        value: the integral.
+        digits: the digits of the number.
+        value_at: gives the integrand at a number, if it calls functions that have digits of their own.
+    """
     place = value.arguments[1] if len(value.arguments) == 2 else None
     if getattr(value.function, "name", "") not in ("Int", "int") or not isinstance(place, Relation):
         return value
@@ -30,7 +39,8 @@ def integral_number(value: Unevaluated, digits: int) -> Value:
         return value
 
     def function(x: float) -> Any:
-        return integrand.evaluate({variable: x})
+        return (value_at or Expr.evaluate)(integrand, {variable: x})
 
-    found = integrate.quad(function, low, high, epsabs=1e-13, epsrel=1e-12, limit=200)[0]
+    accuracy = (1e-13, 1e-12) if value_at is None else (1e-8, 1e-8)
+    found = integrate.quad(function, low, high, epsabs=accuracy[0], epsrel=accuracy[1], limit=200)[0]
     return decimal(float(found), digits)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import random
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING, TypeAlias
 
 from symbody.deferred import Deferred
@@ -21,9 +21,12 @@ __all__ = ["newton"]
 
 Column: TypeAlias = "NDArray[np.float64]"
 Bounds = tuple[float, float] | None
+ValueAt: TypeAlias = Callable[[Expr, Mapping[Expr, float]], float]
 
 _TOLERANCE = 1e-12
 _STARTS = 200
+_STEP = 1e-5
+"""Of central differences, of functions that have some ten digits."""
 
 
 def newton(
@@ -31,21 +34,34 @@ def newton(
     unknowns: list[Expr],
     starts: list[float | None],
     ranges: list[Bounds],
+    value_at: ValueAt | None = None,
 ) -> list[float] | None:
-    """Return a root within the ranges, or None; the starts are fixed, so that the result is always the same."""
-    slopes = jacobian(residuals, unknowns)
-    entries = [slopes[i, j] for i in range(len(residuals)) for j in range(len(unknowns))]
+    """Return a root within the ranges, or None; the starts are fixed, so that the result is always the same.
+
+    Args:
+        residuals: what is zero.
+        unknowns: what is looked for.
+        starts: where to begin, if it is given.
+        ranges: the bounds, if they are given.
+        value_at: gives a residual at numbers, if its derivative is not known; differences stand for it.
+    """
+    slopes = jacobian(residuals, unknowns) if value_at is None else None
+    entries = list(slopes.entries) if slopes is not None else []
 
     def evaluate(expressions: list[Expr], x: Column) -> Column:
         values = dict(zip(unknowns, map(float, x), strict=True))
-        return np.array([each.evaluate(values) for each in expressions])
+        return np.array([(value_at or Expr.evaluate)(each, values) for each in expressions])
+
+    def slope(x: Column) -> Column:
+        if value_at is None:
+            return evaluate(entries, x).reshape(len(residuals), len(unknowns))
+        columns = [
+            evaluate(residuals, x + step) - evaluate(residuals, x - step) for step in _STEP * np.eye(len(x))
+        ]
+        return np.array(columns).T / (2 * _STEP)
 
     for start in itertools.islice(_candidates(starts, ranges), _STARTS):
-        found = _iterated(
-            lambda x: evaluate(residuals, x),
-            lambda x: evaluate(entries, x).reshape(len(residuals), len(unknowns)),
-            np.array(start),
-        )
+        found = _iterated(lambda x: evaluate(residuals, x), slope, np.array(start))
         if found is None:
             continue
         if all(

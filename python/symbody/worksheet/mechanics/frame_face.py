@@ -66,7 +66,8 @@ def chain(session: Session, value: Value, where: str) -> Frame:
     array = session.resolve(value)
     if not isinstance(array, Array) or (array.rows, array.columns) != (_SIZE, _SIZE):
         raise WorksheetError(
-            f"{where}: expected a frame, a 4x4 matrix such as translate(x, y, z) * rotate('Z', a)"
+            f"{where}: {session.text(array)[:60]}; expected a frame, a 4x4 matrix such as translate(x, y, z) * "
+            "rotate('Z', a)"
         )
     if isinstance(array.frame, Frame):
         return current(session, array.frame)

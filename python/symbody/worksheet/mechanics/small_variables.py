@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable, Collection, Iterable, Sequence
+from dataclasses import replace
 from typing import TypeVar
 
 from symbody.errors import ModelNotice, WorksheetError
@@ -121,7 +122,7 @@ def _linear(session: Session, value: Value, places: dict[Expr, Expr]) -> Value:
             return type(value)(tuple(_linear(session, item, places) for item in items))
         case Array():
             entries = [_linear(session, session.current(entry), places) for entry in value.entries]
-            return Array(value.rows, value.columns, entries, value.kind)
+            return replace(value, entries=entries, attributes=(), frame=None)
     raise WorksheetError(
         f"linearize: {type(value).__name__.lower()}; expected an expression, an equation, a list, a set or a matrix"
     )

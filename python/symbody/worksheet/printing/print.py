@@ -375,6 +375,8 @@ def _key(key: tuple[Value, ...], style: Style) -> str:
 def _array(value: Array, style: Style) -> str:
     texts = [text_of(entry, style) for entry in value.entries]
     rows = [f"[{', '.join(texts[i * value.columns : (i + 1) * value.columns])}]" for i in range(value.rows)]
+    if value.first != (1, 1):
+        return bounded_text(value, texts)
     if value.kind == "Vector":
         return f"Vector[column]([{', '.join(rows)}])"
     if value.kind == "RowVector":
@@ -382,6 +384,19 @@ def _array(value: Array, style: Style) -> str:
     if value.kind == "vector":
         return f"vector([{', '.join(texts)}])"
     return f"{'Matrix' if value.kind == 'Matrix' else 'matrix'}([{', '.join(rows)}])"
+
+
+def bounded_text(value: Array, texts: list[str]) -> str:
+    """Return an array whose indices do not begin at 1, as a call that makes it again: ``Array(0 .. 1, [a, b])``."""
+    is_list = value.kind.lower() == "vector"
+    bounds = [
+        f"{low} .. {low + count - 1}"
+        for low, count in zip(value.first, (value.rows, value.columns), strict=True)
+    ]
+    rows = [", ".join(texts[i * value.columns : (i + 1) * value.columns]) for i in range(value.rows)]
+    content = ", ".join(texts if is_list else [f"[{row}]" for row in rows])
+    name = "array" if value.kind.islower() else "Array"
+    return f"{name}({', '.join(bounds[:1] if is_list else bounds)}, [{content}])"
 
 
 def _unevaluated(value: Unevaluated, style: Style) -> str:

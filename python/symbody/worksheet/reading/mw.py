@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from xml.parsers import expat
 
 from symbody.errors import WorksheetError
@@ -56,7 +56,10 @@ class _Reader:
         if tag == "Startup-Code":  # Maple executes it when the file is opened
             place = self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber + 1
             self.input += _lines([(attributes.get("startupcode", ""), *place)])
+            has_code = bool(self.input)
             self.close()
+            if has_code:
+                self.cells[-1] = replace(self.cells[-1], is_startup=True)
         if tag == "Equation" and self._within("Input"):
             self.formula = _Formula(
                 attributes.get("display", ""),

@@ -10,16 +10,13 @@ from collections.abc import Collection, Iterator, Sequence
 
 from lark import Token
 
-__all__ = ["begins_with_code", "stands_far", "tails"]
+from symbody.worksheet.reading.prose import CLOSING, LITERALS, stands_far
+
+__all__ = ["begins_with_code", "tails"]
 
 _CALCULATION = frozenset({"POWER", "TIMES", "OVER", "PLUS"})
-_LITERALS = frozenset({"INTEGER", "DECIMAL"})
-_CLOSING = frozenset({"RPAR", "RSQB", "RBRACE"})
-_OPERAND_ENDS = _CLOSING | _LITERALS | {"NAME"}
+_OPERAND_ENDS = CLOSING | LITERALS | {"NAME"}
 _OPERATORS = frozenset({"PLUS", "MINUS", "TIMES", "OVER", "EQUAL", "COMMA"})
-
-#: How many characters apart words are that don't belong together.
-_GAP = 2
 
 
 def tails(text: Sequence[Token], words: Collection[str], used: Collection[str]) -> Iterator[int]:
@@ -32,7 +29,7 @@ def tails(text: Sequence[Token], words: Collection[str], used: Collection[str]) 
         first -= 1
     for place in range(first, end):
         before, word = text[place - 1], text[place]
-        if word.type != "NAME" or word in used or before.line != word.line:
+        if word.type != "NAME" or word in used or before.line != word.line or _is_glued(before, word):
             continue
         if before.type in _OPERATORS:
             is_tail = (
@@ -45,15 +42,30 @@ def tails(text: Sequence[Token], words: Collection[str], used: Collection[str]) 
 
 
 def begins_with_code(tokens: Sequence[Token], begin: int, end: int, used: Collection[str]) -> bool:
-    """Whether text up to the first two words side by side calculates or calls something: ``b^2  the force``."""
+    """Whether text up to the first two words side by side is code: it calculates, or calls or names something.
+
+    So does ``b^2  the force``. A name of the code may be a word, too: ``a`` in ``[x,  a wheel``.
+    """
+    if _is_name_of_code(tokens, begin, end, used):
+        return True
     for place in range(begin, end):
         kind = tokens[place].type
-        is_number = kind == "EQUAL" and place + 1 < end and tokens[place + 1].type in _LITERALS
+        is_number = kind == "EQUAL" and place + 1 < end and tokens[place + 1].type in LITERALS
         if kind in _CALCULATION or is_number or (kind == "LPAR" and _is_call(tokens, place, used)):
             return True
         if place > begin and kind == "NAME" and tokens[place - 1].type in _OPERAND_ENDS:
             return False
     return False
+
+
+def _is_name_of_code(tokens: Sequence[Token], begin: int, end: int, used: Collection[str]) -> bool:
+    """Whether a name of the code begins the text, nearer to what stands before it than to the next word."""
+    if tokens[begin] not in used or begin + 1 == end:
+        return False
+    if tokens[begin + 1].type != "NAME":
+        return tokens[begin + 1] != "(" or _is_call(tokens, begin + 1, used)
+    is_apart = tokens[begin - 1].line != tokens[begin].line or not _is_operand(tokens, begin)
+    return stands_far(tokens[begin], tokens[begin + 1]) or not is_apart
 
 
 def _is_call(tokens: Sequence[Token], bracket: int, used: Collection[str]) -> bool:
@@ -66,7 +78,7 @@ def _is_apart(text: Sequence[Token], place: int, used: Collection[str]) -> bool:
     before = text[place - 1]
     if stands_far(before, text[place]):
         return True
-    return before in used if before.type == "NAME" else before.type in _CLOSING or place + 1 < len(text)
+    return before in used if before.type == "NAME" else before.type in CLOSING or place + 1 < len(text)
 
 
 def _is_operand(tokens: Sequence[Token], place: int) -> bool:
@@ -74,14 +86,14 @@ def _is_operand(tokens: Sequence[Token], place: int) -> bool:
     return _space(tokens[place - 1], tokens[place]) < _space(tokens[place], tokens[place + 1])
 
 
+def _is_glued(before: Token, word: Token) -> bool:
+    """Whether a number and a word are one word: ``2nd``."""
+    return before.type in LITERALS and not _space(before, word)
+
+
 def _has_code(text: Sequence[Token], used: Collection[str]) -> bool:
     """Whether text before a remark has more than words of its own."""
     return any(token.type not in {"NAME", "COMMA"} or token in used for token in text)
-
-
-def stands_far(one: Token, two: Token) -> bool:
-    """Whether two tokens of a line are apart as columns are: by more than one space."""
-    return _space(one, two) >= _GAP
 
 
 def _space(one: Token, two: Token) -> int:

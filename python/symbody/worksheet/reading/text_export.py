@@ -6,6 +6,7 @@ as statements, each with its terminator; it is output if it can be read as a val
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass, field
 
@@ -129,7 +130,7 @@ def _read_code(cells: _Cells, lines: Sequence[Line]) -> None:
             cells.print_below(line.text)
         elif not cells.printed and _goes_on(cells.input, _unprompted(lines[index:])):
             cells.input.append(line)
-        elif _is_output(line.text, cells.expected):
+        elif _is_output(line.text, cells.expected) or _repeats_target(cells.input, line):
             cells.print(line.text.strip())
         elif ":=" in line.text or line.text.rstrip().endswith((";", ":")):
             cells.input.append(line)  # it can't be read, and the mistake is reported
@@ -147,6 +148,25 @@ def _is_printed_below(code: Sequence[Line], lines: Sequence[Line], index: int) -
     if is_indented(lines[index].text) and any(has_bar(each.text) for each in _unprompted(lines[index:])):
         return True
     return _prints(code) and not _begins_code(_unprompted(lines[index:]))
+
+
+def _repeats_target(code: Sequence[Line], line: Line) -> bool:
+    """Whether a line assigns what the code above assigns, without a terminator: ``W := 4 x(t)``, in two dimensions."""
+    target, sign, _ = line.text.partition(":=")
+    is_open = bool(sign and target.strip()) and not line.text.rstrip().endswith((";", ":"))
+    return is_open and any(_without_blanks(target) in _targets(each) for each in code)
+
+
+def _targets(line: Line) -> Iterator[str]:
+    """Return what the statements of a line assign."""
+    for piece in re.split(r"[;:](?!=)", line.text):
+        target, sign, _ = piece.partition(":=")
+        if sign:
+            yield _without_blanks(target)
+
+
+def _without_blanks(text: str) -> str:
+    return "".join(text.split())
 
 
 def _prints(code: Sequence[Line]) -> bool:
@@ -215,7 +235,7 @@ def _read_text(cells: _Cells, lines: Sequence[Line]) -> None:
         if text in seen:  # the export repeats an output that had several lines
             continue
         seen.append(text)
-        if _is_output(text, cells.expected):
+        if _is_output(text, cells.expected) or _repeats_target(cells.input, line):
             cells.print(text)
         else:
             cells.close()
@@ -280,6 +300,8 @@ def _is_output(text: str, expected: Callable[[], Collection[str]] = tuple) -> bo
     found = next_statement([*tokens, terminator_after(tokens[-1])])
     if isinstance(found, Failure) or found.end <= len(tokens):
         return False
+    if len(tokens) == 1 and tokens[0].type == "BACKQUOTED":  # a rate: `x'`
+        return True
     words = {str(token) for token in tokens if token.type == "NAME"}
     return not _is_bare(found.statement) or (bool(words) and words <= {*expected(), *_TRUTHS})
 

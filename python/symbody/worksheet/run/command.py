@@ -63,9 +63,8 @@ def run_file(options: argparse.Namespace) -> int:
 
 
 def _show(outcome: Outcome, options: argparse.Namespace) -> None:
-    if outcome.remark is not None:
-        if options.verbose:
-            print(f"Remark, line {outcome.line}: {outcome.remark}")
+    if outcome.remark is not None and options.verbose:
+        print(f"Remark, line {outcome.line}: {outcome.remark}")
         return
     if not options.quiet:
         for text in outcome.printed:

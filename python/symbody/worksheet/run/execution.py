@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 
 from symbody.errors import WorksheetError
 from symbody.worksheet.evaluation.notices import in_maple_words
@@ -11,7 +12,7 @@ from symbody.worksheet.interpreter.interpret import Interpreter, Stop
 from symbody.worksheet.reading import located, names_in_code, statements
 from symbody.worksheet.sheet.outcome import Outcome
 from symbody.worksheet.sheet.source import Cell, Remark, SyntaxMistake
-from symbody.worksheet.sheet.syntax import Place, Statement
+from symbody.worksheet.sheet.syntax import Evaluation, Name, Place, Statement
 
 __all__ = ["outcomes"]
 
@@ -22,14 +23,34 @@ def outcomes(cells: Sequence[Cell], interpreter: Interpreter) -> Iterator[Outcom
     for number, cell in enumerate(cells):
         for item in statements(cell, used):
             if isinstance(item, Remark):
-                yield Outcome(number, item.place.line, remark=item.text)
+                notices = (item.notice,) if item.notice else ()
+                yield Outcome(number, item.place.line, notices=notices, remark=item.text)
             elif isinstance(item, SyntaxMistake):
                 yield Outcome(number, item.place.line, error=item.message)
             else:
                 try:
                     yield _executed(number, cell, item, interpreter)
+                    if _restarts(item):
+                        _start(cells, interpreter)
                 except Stop:
                     return
+
+
+def _restarts(statement: Statement) -> bool:
+    match statement:
+        case Evaluation(expression=Name(name="restart")):
+            return True
+    return False
+
+
+def _start(cells: Sequence[Cell], interpreter: Interpreter) -> None:
+    """Execute the startup code of a file again; its mistakes were told when the file was opened."""
+    for cell in cells:
+        for item in statements(cell) if cell.is_startup else ():
+            if isinstance(item, Statement):
+                with suppress(WorksheetError):
+                    interpreter.execute(item)
+    interpreter.session.lines.clear()
 
 
 def _executed(number: int, cell: Cell, statement: Statement, interpreter: Interpreter) -> Outcome:

@@ -20,7 +20,7 @@ class Outcome:
         printed: what it printed.
         error: why it failed, with the place; "" if it didn't.
         notices: what the user should know that Maple doesn't print.
-        remark: text that was taken for a remark; then there is no statement.
+        remark: text that was taken for a remark; then there is no statement, and notices tell of code in it.
     """
 
     cell: int

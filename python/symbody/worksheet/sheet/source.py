@@ -37,6 +37,7 @@ class Cell:
         remarks_lost_marks: text behind the last terminator of a line, without one of its own, is a remark: exports to
             text leave out the marks of remarks.
         unread: input of which the file has no text.
+        is_startup: whether Maple executes it when the file is opened, and again behind each ``restart``.
     """
 
     input: tuple[Line, ...]
@@ -44,6 +45,7 @@ class Cell:
     prose: tuple[str, ...] = ()
     remarks_lost_marks: bool = True
     unread: tuple[SyntaxMistake, ...] = ()
+    is_startup: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,10 +58,22 @@ class ReadFile:
 
 @dataclass(frozen=True, slots=True)
 class Remark:
-    """Text among the code that is no code, though it has no ``#``."""
+    """Text among the code that is no code, though it has no ``#``.
+
+    Attributes:
+        place: where it stands.
+        text: the text.
+        has_code: whether names of the code, numbers or operators are in it, so that it may have been meant as code.
+    """
 
     place: Place
     text: str
+    has_code: bool = False
+
+    @property
+    def notice(self) -> str:
+        """What the user should know; nothing where the text has only words."""
+        return f"taken for a remark: {self.text}" if self.has_code else ""
 
 
 @dataclass(frozen=True, slots=True)

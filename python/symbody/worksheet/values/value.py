@@ -109,7 +109,8 @@ class Array:
 
     ``kind``: "Matrix", "Vector", "RowVector" (they print in full), or "matrix", "vector", "array" of the old kind,
     which are evaluated to their last name. ``attributes`` hold the name of a frame, as ``set_frame_name`` writes it;
-    ``frame`` is the chain of motions of which the matrix is the other face, if it has one.
+    ``frame`` is the chain of motions of which the matrix is the other face, if it has one. ``first`` are the indices of
+    the first row and of the first column: ``Array(0..2)`` begins at 0.
     """
 
     rows: int
@@ -118,6 +119,7 @@ class Array:
     kind: str = "Matrix"
     attributes: tuple[Value, ...] = ()
     frame: Any = None
+    first: tuple[int, int] = (1, 1)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -135,10 +137,14 @@ class ProcedureValue:
 
 @dataclass(frozen=True, slots=True)
 class Builtin:
-    """A command of Maple or of MBSymba, as a value: ``map(simplify, ..)``."""
+    """A command of Maple or of MBSymba, as a value: ``map(simplify, ..)``.
+
+    ``of_numbers`` says that a call of it stays as it is written until its arguments are numbers.
+    """
 
     name: str
     function: Callable[..., Value] = field(compare=False, repr=False)
+    of_numbers: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,0 +1,94 @@
+"""Systems of many bodies: what is shown is short, and has the forms of small systems."""
+
+from __future__ import annotations
+
+import re
+from itertools import pairwise
+
+from symbody import (
+    Body,
+    Force,
+    System,
+    Vector,
+    describe,
+    forward_dynamics,
+    functions_of_time,
+    ground,
+    hamilton,
+    latex,
+    linearize,
+    newton_euler,
+    parse,
+    rotate,
+    symbols,
+    translate,
+)
+from symbody.models import rattleback
+
+g, m, M, l = symbols("g m M l")
+DOWN = Vector(ground, 0, -g, 0)
+
+
+def test_thirty_links_keep_one_form() -> None:
+    """No entry of a large mass matrix is left as it was derived, and names are put in order at once."""
+    angles = functions_of_time(" ".join(f"q{i}" for i in range(30)))
+    frame, bodies = ground, []
+    for before, angle in zip((0, *angles), angles, strict=False):
+        frame = frame * rotate("Z", angle - before) * translate(0, -l, 0)
+        bodies.append(Body(frame, m))
+    equations = newton_euler(System(bodies, [], angles, gravity=DOWN))
+    row = equations.equation_of(angles[12]).description()
+    assert "17*m*l**2*cos(q12 - q13)*q13''" in row
+    assert ":=" not in row
+
+
+def test_equations_of_large_systems_have_the_form_of_small_ones() -> None:
+    """From forty wagons on, the equation of a load stood in one bracket: `l*m*(cos(th)*x'' + l*th'' + g*sin(th))`."""
+    shown = []
+    for count in (2, 60):
+        wagons = functions_of_time(" ".join(f"x{i}" for i in range(count)))
+        swings = functions_of_time(" ".join(f"th{i}" for i in range(count)))
+        bodies = []
+        for wagon, swing in zip(wagons, swings, strict=True):
+            bodies += [Body(translate(wagon, 0, 0), M)]
+            bodies += [Body(translate(wagon, 0, 0) * rotate("Z", swing) * translate(0, -l, 0), m)]
+        equations = newton_euler(System(bodies, [], [*wagons, *swings], gravity=DOWN))
+        shown.append(equations.equation_of(swings[1]).description())
+    assert shown[0] == shown[1]
+    assert shown[0].endswith("l*m*cos(th1)*x1'' + m*l**2*th1'' + g*l*m*sin(th1) = 0")
+
+
+def test_the_rest_of_what_is_shown_of_a_train_is_short() -> None:
+    places = functions_of_time(" ".join(f"x{i}" for i in range(40)))
+    springs = [symbols("k") * (after - before) for before, after in pairwise(places)]
+    bodies = [Body(translate(place, 0, 0), m) for place in places]
+    pulls = [
+        Force(ground, pull, 0, 0, at=body.center_of_mass, on=body, reaction=after)
+        for pull, (body, after) in zip(springs, pairwise(bodies), strict=True)
+    ]
+    train = System(bodies, pulls, places)
+    equations = newton_euler(train)
+    for shown in (linearize(equations), forward_dynamics(equations), hamilton(train)):
+        assert len(describe(shown).splitlines()) < 15
+        assert len(latex(shown)) < 1000
+
+
+def test_a_wall_has_names_of_its_sums_by_what_they_are() -> None:
+    """As of the rattleback: 14 702 characters before, more than two pages; its rows are the equations."""
+    equations = newton_euler(rattleback().system)
+    text = describe(equations)
+    rows = [" ".join(row.split()) for row in re.split(r"\n    (?! )", text)[1:]]
+    assert equations.is_readable
+    assert len(text) < 7000
+    assert "R1 := s_alpha*s_gamma - c_alpha*s_beta*c_gamma" in rows
+    assert "J1 := A - C + M*h**2" in rows
+    names = {leaf.name: leaf for leaf in equations.system.leaves}
+    names |= {each.name: each for each in (*equations.coordinates, *equations.system.multipliers)}
+    shown = []
+    for row in rows:
+        left, right = row.split(" := " if " := " in row else " = ")
+        if " := " in row:
+            names[left] = parse(right, names)
+        elif not row.startswith("constraint"):
+            shown.append(parse(left, names) - parse(right, names))
+    assert shown == [*equations.residuals]

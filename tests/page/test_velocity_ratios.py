@@ -1,0 +1,171 @@
+"""Embedded equations by velocity ratios: mechanisms read as Eksergian's equation, and the values are theirs."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+import pytest
+
+from symbody import (
+    Body,
+    Equations,
+    Expr,
+    System,
+    cos,
+    describe,
+    embedded,
+    functions_of_time,
+    latex,
+    newton_euler,
+    parse,
+    rotate,
+    sin,
+    subs,
+    symbols,
+    t,
+    time_derivative,
+    translate,
+)
+from symbody.models import ClassicSystem, andrews_mechanism, four_bar, slider_crank
+from symbody.symbolic import free_symbols
+
+r, b, m, M, J, I, F = symbols("r b m M J I F")
+phi = functions_of_time("phi")
+
+
+def crank_slider(names: str = "phi psi s") -> Equations:
+    """Return the equation of a crank with a massless rod and a piston, by its angle."""
+    first, second, slide = functions_of_time(names)
+    crank, piston = Body(rotate("Z", first), 0, Iz=J), Body(translate(slide, 0, 0), m)
+    closed = [r * cos(first) + b * cos(second) - slide, r * sin(first) + b * sin(second)]
+    system = System([crank, piston], coordinates=[first, second, slide], constraints=closed)
+    return embedded(newton_euler(system), [time_derivative(first)])
+
+
+def rows(equations: Equations) -> list[str]:
+    """Return what is shown, a text for each quantity, equation and rate."""
+    return [" ".join(row.split()) for row in re.split(r"\n    (?! )", describe(equations))[1:]]
+
+
+def residuals(equations: Equations) -> list[Expr]:
+    """Return the equations that are shown, by the independent speeds and without names."""
+    system = equations.system
+    names = {leaf.name: leaf for leaf in system.leaves}
+    names |= {each.name: each for each in system.coordinates}
+    found = list[Expr]()
+    for row in rows(equations):
+        if " := " in row:
+            name, right = row.split(" := ")
+            names[name] = system.by_speeds([parse(right, names)])[0]
+            names[f"{name}_rate"] = system.rate([names[name]])[0]
+        elif not row.startswith("kinematics"):
+            left, right = re.sub(r"\b([lf])'", r"\1_rate", row).split(" = ")
+            found.append(parse(left, names) - parse(right, names))
+    return [*system.by_speeds(found)]
+
+
+def test_a_slider_crank_is_eksergians_equation() -> None:
+    """As in Doughty, Mechanics of Machines, 1988, ch. 6: K is a velocity coefficient, L its derivative."""
+    assert rows(crank_slider()) == [
+        "K_psi := -r*cos(phi)/(b*cos(psi))",
+        "K_s := -r*sin(phi - psi)/cos(psi)",
+        "L_psi := (K_psi**2*sin(psi) + r*sin(phi)/b)/cos(psi)",
+        "L_s := -b*(K_psi**2*cos(psi) + L_psi*sin(psi)) - r*cos(phi)",
+        "(J + m*K_s**2)*phi'' + m*K_s*L_s*phi'**2 = 0",
+        "kinematics: psi' = K_psi*phi'",
+        "kinematics: psi'' = K_psi*phi'' + L_psi*phi'**2",
+        "kinematics: s' = K_s*phi'",
+        "kinematics: s'' = K_s*phi'' + L_s*phi'**2",
+    ]
+
+
+@pytest.mark.parametrize("model", [slider_crank, four_bar])
+def test_rows_by_velocity_ratios_are_the_equations(model: Callable[[], ClassicSystem]) -> None:
+    equations = embedded(newton_euler(model().system))
+    assert any(row.startswith("K_") for row in rows(equations))
+    assert residuals(equations) == [*equations.residuals]
+
+
+def test_a_mechanism_of_six_loops_is_written_out() -> None:
+    equations = embedded(newton_euler(andrews_mechanism().system))
+    shown = rows(equations)
+    assert equations.is_readable
+    assert not any("beta'**2/beta'" in row for row in shown)
+    assert sum(row.startswith(("K_", "L_")) for row in shown) == 2 * len(equations.system.eliminated)
+
+
+def five_bar() -> Equations:
+    """Return the equations of two cranks of equal lengths whose rods meet in a joint, in the angles of the cranks."""
+    angles = functions_of_time("alpha beta gamma delta")
+    first, second, third, fourth = angles
+    bodies = [
+        Body(rotate("Z", angle), 0, Iz=inertia) for angle, inertia in zip(angles, (I, J, m, M), strict=True)
+    ]
+    closed = [
+        r * cos(first) + b * cos(second) - r * cos(third) - b * cos(fourth) - F,
+        r * sin(first) + b * sin(second) - r * sin(third) - b * sin(fourth),
+    ]
+    system = System(bodies, coordinates=angles, constraints=closed)
+    return embedded(newton_euler(system), [time_derivative(first), time_derivative(third)])
+
+
+def test_ratios_to_several_speeds_name_them() -> None:
+    equations = five_bar()
+    shown = rows(equations)
+    assert shown[0] == "K_beta_alpha := -r*sin(alpha - delta)/(b*sin(beta - delta))"
+    assert "kinematics: beta' = K_beta_alpha*alpha' + K_beta_gamma*gamma'" in shown
+    assert residuals(equations) == [*equations.residuals]
+
+
+def test_names_of_the_model_are_not_taken() -> None:
+    stiff = symbols("K")
+    first, slide = functions_of_time("phi s")
+    crank, piston = Body(rotate("Z", first), 0, Iz=stiff), Body(translate(slide, 0, 0), m)
+    closed = (slide - r * cos(first)) ** 2 + (r * sin(first)) ** 2 - b**2
+    system = System([crank, piston], coordinates=[first, slide], constraints=[closed])
+    shown = rows(embedded(newton_euler(system), [time_derivative(first)]))
+    assert shown[0].startswith("kappa_s := ")
+    assert "(K + m*kappa_s**2)*phi''" in shown[2]
+
+
+def test_numbers_keep_the_form() -> None:
+    shown = rows(subs(crank_slider(), {r: 2, b: 5}))
+    assert "(J + m*K_s**2)*phi'' + m*K_s*L_s*phi'**2 = 0" in shown
+
+
+def test_values_have_no_such_names() -> None:
+    equations = crank_slider()
+    form = equations.matrix_form()
+    assert form.mass_matrix == equations.mass_matrix
+    assert not any(leaf.name.startswith(("K_", "L_")) for leaf in free_symbols(form.mass_matrix.entries))
+
+
+def test_latex_and_a_page_of_one_equation_have_them() -> None:
+    equations = crank_slider()
+    assert r"\left(J + m K_{s}^{2}\right) \ddot{\phi}" in latex(equations)
+    assert "K_s := -r*sin(phi - psi)/cos(psi)" in describe(equations.equation_of(phi))
+
+
+def test_what_moves_by_itself_has_no_ratios() -> None:
+    """A speed that doesn't vanish with the independent ones is no multiple of these."""
+    first, slide = functions_of_time("phi s")
+    bodies = [Body(rotate("Z", first), 0, Iz=J), Body(translate(slide, 0, 0), m)]
+    system = System(bodies, coordinates=[first, slide], constraints=[slide - r * sin(first) - b * t])
+    assert not any(
+        row.startswith("K_") for row in rows(embedded(newton_euler(system), [time_derivative(first)]))
+    )
+
+
+def test_short_equations_have_none() -> None:
+    """As of a bead whose height its place gives: `m*(1 + x**2/y**2)*x''` needs no name."""
+    place, height = functions_of_time("x y")
+    bead = System(
+        [Body(translate(place, height, 0), m)],
+        coordinates=[place, height],
+        constraints=[place**2 + height**2 - r**2],
+    )
+    assert rows(embedded(newton_euler(bead), [time_derivative(place)])) == [
+        "m*(1 + x**2/y**2)*x'' + m*x*(x**2 + y**2)*x'**2/y**4 = 0",
+        "kinematics: y' = -x*x'/y",
+    ]
