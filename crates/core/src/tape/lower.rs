@@ -150,12 +150,11 @@ impl<'a> Lowering<'a> {
         let of_shape = shape.as_ref().and_then(|(shape, is_opposite)| {
             self.shapes.get(shape).map(|value| value.flipped_if(*is_opposite))
         });
-        let found = match of_shape {
-            Some(found) => found,
-            None => {
-                let (value, is_opposite) = self.graph.find_among_many(&self.known, id)?;
-                value.flipped_if(is_opposite)
-            }
+        let found = if let Some(found) = of_shape {
+            found
+        } else {
+            let (value, is_opposite) = self.graph.find_among_many(&self.known, id)?;
+            value.flipped_if(is_opposite)
         };
         self.note(id, shape, found);
         Some(found)
