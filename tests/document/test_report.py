@@ -57,7 +57,7 @@ from symbody.document.subject import Subject
 from symbody.dynamics.display.summary import READABLE
 from symbody.dynamics.equations.equations import Derived
 from symbody.errors import ModelNotice, PictureError, ReportError, SymbodyError
-from symbody.models import ClassicSystem, four_bar, full_car, motorcycle, n_pendulum
+from symbody.models import ClassicSystem, four_bar, full_car, motorcycle, n_pendulum, single_track_car
 from tests.view.browser import browser
 
 r, l, m1, m2, m3, I1, I2, g, tau = PARAMETERS = symbols("r l m1 m2 m3 I1 I2 g tau")
@@ -706,3 +706,10 @@ def test_a_mass_is_that_of_all_bodies_that_have_it() -> None:
     wheels = [Body(translate(s, k, 0), m1, name=f"wheel {k}") for k in range(1, 4)]
     rows = cells(blocks(newton_euler(System(wheels, [], [s]))))
     assert ("m_{1}", "mass of wheel 1, wheel 2 and wheel 3", "kg") in rows
+
+
+def test_places_of_forces_are_lengths(tmp_path: Path) -> None:
+    """As the distances of the axles, which stand in no frame of a body."""
+    path = tmp_path / "car.md"
+    report(newton_euler(single_track_car().system), path)
+    assert "| $a$, $b$ | length | m |" in path.read_text(encoding="utf-8")

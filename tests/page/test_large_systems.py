@@ -78,7 +78,7 @@ def test_a_wall_has_names_of_its_sums_by_what_they_are() -> None:
     equations = newton_euler(rattleback().system)
     text = describe(equations)
     rows = [" ".join(row.split()) for row in re.split(r"\n    (?! )", text)[1:]]
-    assert equations.is_readable
+    assert not equations.is_readable  # as a formula
     assert len(text) < 7000
     assert "R1 := s_alpha*s_gamma - c_alpha*s_beta*c_gamma" in rows
     assert "J1 := A - C + M*h**2" in rows

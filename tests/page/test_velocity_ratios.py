@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
@@ -19,6 +20,7 @@ from symbody import (
     latex,
     newton_euler,
     parse,
+    report,
     rotate,
     sin,
     subs,
@@ -169,3 +171,10 @@ def test_short_equations_have_none() -> None:
         "m*(1 + x**2/y**2)*x'' + m*x*(x**2 + y**2)*x'**2/y**4 = 0",
         "kinematics: y' = -x*x'/y",
     ]
+
+
+def test_a_report_has_the_short_form_of_rates(tmp_path: Path) -> None:
+    """What the constraints give was written as their solution: wider than a page."""
+    report(crank_slider(), tmp_path / "crank.md")
+    text = (tmp_path / "crank.md").read_text(encoding="utf-8")
+    assert r"\dot{\psi} &= -\frac{r \cos(\phi) \dot{\phi}}{b \cos(\psi)}" in text

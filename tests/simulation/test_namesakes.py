@@ -79,6 +79,7 @@ COORDINATE = (
     "; the x expected is functions_of_time('x'), the x given is symbols('x'): a symbol is not a function of time; "
     "use the same one in both places"
 )
+ENTRY = "no value for m: give evaluate a value of each, or substitute it"
 INPUT = "no value for m: make each an input, or substitute it"
 GIVE = "no value for m; give parameters={m: ...}"
 
@@ -115,7 +116,7 @@ MISTAKES: list[tuple[type[Exception], Callable[[], object], str]] = [
             "are different symbols; use the same one in both places"
         ),
     ),
-    (ParameterError, lambda: (positive + 1).evaluate({real: 1}), f"{INPUT}{MASS}"),
+    (ParameterError, lambda: (positive + 1).evaluate({real: 1}), f"{ENTRY}{MASS}"),
     (ParameterError, lambda: lambdify([real], positive), f"{INPUT}{MASS}"),
     (
         ParameterError,

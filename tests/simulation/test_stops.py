@@ -360,3 +360,17 @@ def test_a_ball_in_a_socket_does_not_begin_beyond_its_cone():
         SimulationError, match=r"J.* begins 0\.1 beyond its limit .* is at rest, but accelerated outwards"
     ):
         simulate(equations, {}, {socket.coordinates[0]: 0.4}, t=(0, 1), events=stops(equations))
+
+
+@pytest.mark.parametrize("over", [1e-2, 1e-3, 1e-5])
+def test_a_short_excursion_beyond_a_limit_is_stopped(over):
+    """A cart that is braked at -1 m/s^2 turns round at 1 m, beyond its limit, within a part of one step."""
+    cart = Link("cart", 1.0)
+    rail = prismatic("rail", ground, cart, limits=(-5, 1 - over))
+    mechanism = assemble([rail])
+    equations = newton_euler(mechanism.system([motor(rail.coordinate, -1.0, on=mechanism.body(cart))]))
+    start = {time_derivative(rail.coordinate): np.sqrt(2)}
+    motion = simulate(equations, {}, start, t=(0, 3), events=stops(equations))
+    (end,) = motion.events
+    assert end.event.name == "rail.upper"
+    assert end.t == pytest.approx(np.sqrt(2) - np.sqrt(2 * over), rel=1e-9)

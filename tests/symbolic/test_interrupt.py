@@ -120,6 +120,7 @@ ONCE = {
     "LaTeX": (f"{PRODUCTS}; total = _core.sum_of(products)", "total.latex()"),
     "difference of equal sums of moduli and maxima": (PRODUCTS + SIGNS, "difference()"),
     "angles within angles": (TOWER, "request()"),
+    "sum of long rationals": ('A, B = [number(q) ** 200_000 for q in ("7/5", "11/3")]', "A + B"),
 }
 """Calls that take a second or more: what they need, and the call."""
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from decimal import Decimal
 from fractions import Fraction
 from random import Random
@@ -9,7 +10,7 @@ from random import Random
 import numpy as np
 import pytest
 
-from symbody import Expr, cos, lambdify, number, parse, symbols
+from symbody import Expr, cos, lambdify, log, number, parse, sqrt, symbols
 from symbody.errors import ArgumentError, ExpressionError
 
 x = symbols("x")
@@ -143,6 +144,27 @@ def test_such_products_in_compiled_code() -> None:
         assert product(1e-200, 1e-250) == pytest.approx([1e-50, 1.0, 0.0], rel=1e-15)
         assert product(1e-80, 1e-80) == pytest.approx([1e240, 1e240, 0.0], rel=1e-15)
         assert product(1e100, 1e-300)[[0, 2]] == pytest.approx([1e200, 1.0], rel=1e-15)
+
+
+def test_logarithms_and_powers_of_numbers_beyond_the_doubles() -> None:
+    u = symbols("u")
+    large, unit = number(10) ** 400, 400 * math.log(10)
+    assert float(log(large)) == pytest.approx(unit, rel=1e-15)
+    assert float(sqrt(large * 10 + 7)) == pytest.approx(math.sqrt(10) * 1e200, rel=1e-14)
+    cases = [
+        (log(large * u), 2.0, unit + math.log(2)),
+        (log(u / large), 2.0, math.log(2) - unit),
+        (large**u, 0.75, 1e300),
+        ((1 / large) ** u, 0.75, 1e-300),
+        ((large * u) ** u, 0.5, 0.5**0.5 * 1e200),
+    ]
+    for expression, value, expected in cases:
+        assert expression.evaluate({u: value}) == pytest.approx(expected, rel=1e-13)
+        assert lambdify([u], expression, compile=True)(value) == pytest.approx(expected, rel=1e-13)
+
+
+def test_roots_of_very_long_powers_take_no_time_by_trial_division() -> None:
+    assert number(7) ** 200_000 == (number(7) ** 400_000) ** Fraction(1, 2)
 
 
 def test_a_decimal_stays_one_after_its_fraction_and_large_numbers() -> None:

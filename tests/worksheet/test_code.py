@@ -10,7 +10,7 @@ from symbody.symbolic import cos, sin, symbols
 from symbody.worksheet.interpreter.interpret import Interpreter
 from symbody.worksheet.mathematics.shared_parts import named_parts
 from symbody.worksheet.printing.code_text import code_text
-from tests.worksheet.printed_by import printed
+from tests.worksheet.printed_by import failures, printed
 
 
 @pytest.mark.parametrize(
@@ -105,3 +105,34 @@ def test_a_shared_part_stands_behind_the_values_of_its_names() -> None:
 def test_nothing_is_shared_across_a_new_value_of_a_name() -> None:
     sheet = "CodeGeneration[Matlab]([u = sin(r+1), r = a, v = sin(r+1)], optimize);"
     assert "".join(printed(sheet)) == "u = sin(r + 1);\nr = a;\nv = sin(r + 1);"
+
+
+@pytest.mark.parametrize(
+    ("language", "text"),
+    [
+        ("C", "r = pow(z[0], 2) + M[0][1] + sin(z[1]);"),
+        ("Python", "r = z[0] ** 2 + M[0, 1] + math.sin(z[1])"),
+        ("Matlab", "r = z(1) ^ 2 + M(1,2) + sin(z(2));"),
+        ("Fortran", "      r = z(1) ** 2 + M(1,2) + sin(z(2))"),
+    ],
+)
+def test_indices_are_those_of_the_language(language: str, text: str) -> None:
+    (line,) = printed(f'CodeGeneration[{language}](z[1]^2 + sin(z[2]) + M[1,2], resultname="r");')
+    assert sorted(line.replace(";", "").split(" + ")) == sorted(text.replace(";", "").split(" + "))
+
+
+def test_left_sides_and_parts_have_indices_too() -> None:
+    lines = printed("CodeGeneration[C]([z[2] = sin(z[1])*z[1] + sin(z[1])], optimize);")
+    assert lines == ["t1 = sin(z[0]);\nz[1] = t1 * z[0] + t1;"]
+
+
+def test_an_index_before_the_first_is_refused() -> None:
+    (message,) = failures("CodeGeneration[C](z[0] + 1);")
+    assert message == (
+        "codegen: z[0] is before the first entry of z: indices count from 0 in this language, and from 1 in the "
+        "worksheet; expected indices from 1"
+    )
+
+
+def test_only_functions_of_python_are_those_of_its_module() -> None:
+    assert printed("CodeGeneration[Python](f(x)*sin(x));") == ["cg = f(x) * math.sin(x)"]

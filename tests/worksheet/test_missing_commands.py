@@ -20,6 +20,16 @@ def test_a_missing_command_comes_back_with_a_note() -> None:
     assert "eliminate of Maple is not there; it comes back unevaluated" in interpreter.session.notices
 
 
+def test_a_command_of_a_package_that_is_not_loaded_is_told() -> None:
+    interpreter = Interpreter()
+    assert printed("M := diag(a, b);", interpreter=interpreter) == ["M := diag(a,b)"]
+    (note,) = interpreter.session.notices
+    assert note == (
+        "diag is a command of linalg, which is not loaded; it comes back unevaluated: write with(linalg) before it, or "
+        "linalg[diag]"
+    )
+
+
 def test_what_is_no_object_is_named() -> None:
     found = failures(
         "with(MBSymba_r6): comp_XYZ(eliminate([1,2])); comp_X([1]..2); comp_X(a=b); comp_X(true);"

@@ -87,3 +87,11 @@ CASES = {
 @pytest.mark.parametrize(("sheet", "expected"), CASES.values(), ids=CASES.keys())
 def test_structure(sheet: str, expected: list[str]) -> None:
     assert printed(sheet) == expected
+
+
+def test_an_operand_gets_a_function() -> None:
+    assert printed("applyop(sin, 2, [a, b]); applyop(f, 1, x + y, z);") == ["[a, sin(b)]", "f(x,z)+y"]
+
+
+def test_parts_of_strings_are_ranges() -> None:
+    assert printed('"abcdef"[2..4], "abc"[2..], "abc"[-1];') == ['"bcd", "bc", "c"']

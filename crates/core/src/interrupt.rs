@@ -38,6 +38,11 @@ pub(crate) fn tick() {
     if left == 0 { ask() } else { LEFT.set(left - 1) }
 }
 
+/// A step that may take long by itself, such as a product of integers of a million digits.
+pub(crate) fn long_tick() {
+    ask();
+}
+
 #[cold]
 fn ask() {
     LEFT.set(STRIDE);

@@ -199,6 +199,37 @@ fn constants_are_computed_when_the_tape_is_made() -> Result<(), Error> {
 }
 
 #[test]
+fn logarithms_and_powers_of_numbers_beyond_the_doubles_are_doubles() -> Result<(), Error> {
+    let g = &mut Graph::new();
+    let [x, y] = ["x", "y"].map(|name| g.symbol(name, Assumption::Real));
+    let large = g.number(&Number::integer(10).powi(400)?);
+    let small = g.number(&Number::integer(10).powi(-400)?);
+    let product = g.mul(x, y)?;
+    let mut outputs = Vec::new();
+    for argument in [x, product] {
+        let argument = g.mul(large, argument)?;
+        outputs.push(g.apply(Function::Log, &[argument])?);
+    }
+    outputs.push(g.apply(Function::Log, &[small])?);
+    for base in [large, small] {
+        outputs.push(g.apply(Function::Power, &[base, y])?);
+    }
+    let multiple = g.mul(large, x)?;
+    outputs.push(g.apply(Function::Power, &[multiple, y])?);
+    let tape = g.tape(&[x, y], &outputs)?;
+    let unit = 400.0 * std::f64::consts::LN_10;
+    let found = Evaluator::new(&tape).evaluate(&[2.0, 0.75])?;
+    let expected = [unit + 2f64.ln(), unit + 1.5f64.ln(), -unit, 1e300, 1e-300, 2f64.powf(0.75) * 1e300];
+    for (value, expected) in found.iter().zip(expected) {
+        assert!((value / expected - 1.0).abs() < 1e-13, "{value} {expected}");
+    }
+    let negative = Evaluator::new(&g.tape(&[x, y], &[outputs[5]])?);
+    assert!((negative.evaluate(&[-1e-200, 1.0])?[0] / -1e200 - 1.0).abs() < 1e-13);
+    assert!(negative.evaluate(&[-1.0, 0.5])?[0].is_nan());
+    Ok(())
+}
+
+#[test]
 fn a_cosine_follows_its_sine() -> Result<(), Error> {
     let g = &mut Graph::new();
     let inputs: Vec<Id> =
@@ -231,6 +262,8 @@ fn missing_inputs_are_named() -> Result<(), Error> {
     let total = g.add(force, friction);
     let Err(error) = g.tape(&[x], &[total]) else { panic!("k and f have no value") };
     assert_eq!(error.to_string(), "no value for f(m), k: make each an input, or substitute it");
+    let Err(error) = g.tape_or_advice(&[x], &[total], "give one for each") else { panic!("k has no value") };
+    assert_eq!(error.to_string(), "no value for f(m), k: give one for each, or substitute it");
     assert!(matches!(g.tape(&[total], &[total]), Err(Error::NotAVariable(_))));
     let evaluator = Evaluator::new(&g.tape(&[x, k, friction], &[total])?);
     let Err(error) = evaluator.evaluate(&[1.0]) else { panic!("k and f have no value") };

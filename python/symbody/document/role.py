@@ -64,6 +64,9 @@ def _of_system(system: System) -> Iterator[tuple[Expr, Role]]:
         yield from ((leaf, LENGTH) for leaf in _multiples(motion.displacement))
         if motion.turn_axis is not None:
             yield from ((leaf, ANGLE) for leaf in _multiples(motion.variables))
+    points = (action.point for load in system.loads for action in load.actions if action.point is not None)
+    for point in (*(body.center_of_mass for body in system.bodies), *points):
+        yield from ((leaf, LENGTH) for leaf in _multiples(point.coordinates))
 
 
 _EFFORT, _SPEED, _DAMPING = ("N", "N m"), ("m/s", "rad/s"), ("N s/m", "N m s/rad")

@@ -385,6 +385,15 @@ def test_a_moving_frame_takes_the_gravity_along_that_was_given_before(
     assert list(values["w"].components) == [sb.diff(b, sb.t), 0, 0]
 
 
+def test_functions_remember_what_procedures_remember() -> None:
+    text = program(
+        "f := proc(n) option remember; if n < 2 then n else f(n-1)+f(n-2) fi end: f(60);", "fibonacci"
+    )
+    assert "import functools\n" in text
+    assert "@functools.cache\ndef f(n):\n" in text
+    assert run(text)["f"](60) == 1548008755920
+
+
 def test_small_deviations_are_from_other_variables() -> None:
     text = program(
         "with(MBSymba_r6): T := rotate('Z',phi(t)): linear_modeling({psi(t) = phi(t)}): "

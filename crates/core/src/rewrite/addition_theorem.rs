@@ -42,11 +42,11 @@ const LARGEST_MULTIPLE: i64 = 8;
 const IMAGINARY_UNIT: u32 = u32::MAX;
 
 /// Update, for each atomic angle, the greatest common divisor of its multiples by those in one more angle. If all is
-/// opened, integer multiples are those of the angle itself.
+/// opened, integer multiples are those of the angle itself, such as 2 and 2.0.
 pub(super) fn update_units(units: &mut FxHashMap<Monomial, Number>, angle: &Polynomial, opens_all: bool) {
     let one = Number::integer(1);
     for (monomial, coefficient) in angle.iter() {
-        let is_multiple = coefficient.is_integer() && !coefficient.is_decimal() && !monomial.is_one();
+        let is_multiple = coefficient.is_integer() && !monomial.is_one();
         let coefficient = if opens_all && is_multiple { &one } else { coefficient };
         let unit = match units.get(monomial) {
             Some(known) => common_unit(known, coefficient),
@@ -68,11 +68,9 @@ impl Ring<'_> {
         let Some(waves) = waves_of(shape).map(|place| WAVES[place]) else { return Ok(self.leaf(id)) };
         let mut multiples = Vec::new();
         for (monomial, coefficient) in angle.iter() {
-            let unit = units[monomial].clone();
-            let Some(n) = coefficient.mul(&unit.recip()?).to_i64() else { return Ok(self.leaf(id)) };
-            if (n.abs() > LARGEST_MULTIPLE && !self.opens_all) || coefficient.is_decimal() {
+            let Some((unit, n)) = self.multiple_of_unit(coefficient, &units[monomial])? else {
                 return Ok(self.leaf(id));
-            }
+            };
             multiples.push((Polynomial::term(monomial.clone(), unit), n));
         }
         let by_quotients = self.opens_all && shape == waves.quotient;
@@ -110,6 +108,23 @@ impl Ring<'_> {
         }
         let (monomial, factor) = single_power(&even, -1)?;
         Ok(odd.shifted(&monomial, &factor))
+    }
+
+    /// The unit and the integer of which a coefficient is the product; `None` if its wave stays closed.
+    ///
+    /// Decimals have a common unit such as 0.01 by chance. What would be a large multiple of it is a unit of its own.
+    fn multiple_of_unit(&self, coefficient: &Number, unit: &Number) -> Result<Option<(Number, i64)>, Error> {
+        let multiple = coefficient.mul(&unit.recip()?).to_i64();
+        let is_large = multiple.is_none_or(|n| n.abs() > LARGEST_MULTIPLE);
+        let is_fraction = coefficient.is_decimal() && !coefficient.is_integer();
+        Ok(match multiple {
+            _ if coefficient.is_decimal() && !self.opens_all => None,
+            _ if is_fraction && is_large => {
+                Some((coefficient.abs(), if coefficient.is_negative() { -1 } else { 1 }))
+            }
+            Some(n) if !is_large || self.opens_all => Some((unit.clone(), n)),
+            _ => None,
+        })
     }
 
     /// A sum as a multiple of one atom, with integer coefficients under it if its own are rational.
@@ -166,10 +181,12 @@ impl Ring<'_> {
     }
 }
 
-/// The largest number of which both are integer multiples.
+/// The largest number of which both are integer multiples: a decimal, unless both are exact or it is an integer.
 fn common_unit(a: &Number, b: &Number) -> Number {
     let num = (a.numerator() * b.denominator()).gcd(&(b.numerator() * a.denominator()));
-    Number::from_big(num, a.denominator() * b.denominator()).expect("denominators are positive")
+    let unit = Number::from_big(num, a.denominator() * b.denominator()).expect("denominators are positive");
+    let is_decimal = !unit.is_integer() && (a.is_decimal() || b.is_decimal());
+    unit.with_decimal(is_decimal)
 }
 
 #[cfg(test)]
@@ -198,6 +215,31 @@ mod tests {
                 }
             }
         }
+        Ok(())
+    }
+
+    #[test]
+    fn angles_with_decimals_open() -> Result<(), Error> {
+        let g = &mut Graph::new();
+        let [a, b] = ["a", "b"].map(|name| g.symbol(name, Assumption::Real));
+        let mut wave = |terms: &[(f64, Id)]| -> Result<(Id, Id), Error> {
+            let mut angle = Id::ZERO;
+            for &(factor, node) in terms {
+                let factor = g.number_id(&Number::from_f64(factor)?);
+                let term = g.scale(factor, node);
+                angle = g.add(angle, term);
+            }
+            let sine = g.apply(Function::Sin, &[angle])?;
+            let expanded = g.expand_trig(sine)?;
+            assert!(g.equal(sine, expanded));
+            Ok((sine, expanded))
+        };
+        let sums = [wave(&[(2.0, a)])?, wave(&[(0.5, a), (1.0, b)])?, wave(&[(0.37, a), (-0.92, b)])?];
+        let (_, alone) = wave(&[(0.37, a)])?;
+        let texts = sums.map(|(sine, expanded)| (g.to_text(expanded), sine != expanded));
+        assert_eq!(texts[0], ("2*sin(a)*cos(a)".to_owned(), true));
+        assert!(texts.iter().all(|(_, is_opened)| *is_opened), "{texts:?}");
+        assert_eq!(g.to_text(alone), "sin(0.37*a)");
         Ok(())
     }
 

@@ -7,7 +7,7 @@
 use crate::graph::Function;
 use crate::value::Number;
 
-use super::emit::Emitter;
+use super::emit::{Emitter, Signed};
 use super::straight_line::{Instruction, Operand};
 
 /// The binary logarithm of the base R of the exponents.
@@ -68,6 +68,35 @@ impl Emitter {
             exponent = self.emit_plain(Instruction::Sub(exponent, step));
         }
         mantissa
+    }
+
+    /// The logarithm of a value: `log(m) + e log(R)`.
+    pub fn logarithm_of_extended(&mut self, value: Extended) -> Operand {
+        let mantissa = self.emit_plain(Instruction::Unary(Function::Log, value.mantissa));
+        let base = self.plain_constant(f64::from(BASE) * std::f64::consts::LN_2);
+        let exponent = self.emit_plain(Instruction::Mul(value.exponent, base));
+        self.emit_plain(Instruction::Add(mantissa, exponent))
+    }
+
+    /// The power y of a value, `sign(m)^y h^4` with `h = |m|^(y/4) (R^(1/4))^(e y)`: both factors of h are doubles where
+    /// the power is.
+    pub fn power_of_extended(&mut self, value: Extended, exponent: Operand) -> Operand {
+        let quarter = self.plain_constant(0.25);
+        let size = self.emit_plain(Instruction::Unary(Function::Abs, value.mantissa));
+        let sign = self.emit_plain(Instruction::Unary(Function::Sign, value.mantissa));
+        let base = self.plain_constant(2f64.powi(BASE / 4));
+        let part = self.emit_plain(Instruction::Mul(quarter, exponent));
+        let mantissa = self.emit_plain(Instruction::Binary(Function::Power, size, part));
+        let turns = self.emit_plain(Instruction::Mul(value.exponent, exponent));
+        let scale = self.emit_plain(Instruction::Binary(Function::Power, base, turns));
+        let root = self.emit_plain(Instruction::Mul(mantissa, scale));
+        let square = self.emit_plain(Instruction::Mul(root, root));
+        let power = self.emit_plain(Instruction::Mul(square, square));
+        if self.number_in(Signed::plus(sign)) == Some(1.0) {
+            return power;
+        }
+        let sign = self.emit_plain(Instruction::Binary(Function::Power, sign, exponent));
+        self.emit_plain(Instruction::Mul(sign, power))
     }
 
     /// The same value with a mantissa that is neither too large nor too small.

@@ -13,6 +13,7 @@ use crate::print::Format;
 use crate::value::Number;
 
 use super::emit::{Emitter, Signed};
+use super::extended_product::Extended;
 use super::schedule::schedule;
 use super::shape::{Shape, is_double};
 use super::sign::absorb_signs;
@@ -32,6 +33,14 @@ impl Graph {
     /// # Errors
     /// If an input is not a variable, or an output depends on a variable that is not an input.
     pub fn tape(&self, inputs: &[Id], outputs: &[Id]) -> Result<Tape, Error> {
+        self.tape_or_advice(inputs, outputs, "make each an input")
+    }
+
+    /// The same, with what the error advises if a variable has no value.
+    ///
+    /// # Errors
+    /// If an input is not a variable, or an output depends on a variable that is not an input.
+    pub fn tape_or_advice(&self, inputs: &[Id], outputs: &[Id], advice: &str) -> Result<Tape, Error> {
         let mut lowering = Lowering::new(self, inputs)?;
         let order = self.post_order_where(outputs, |id| !lowering.is_input(id));
         lowering.note_choices(&order);
@@ -39,7 +48,7 @@ impl Graph {
             tick();
             if !lowering.knows(id) {
                 let Some(value) = lowering.lower(id) else {
-                    return Err(self.missing_inputs(inputs, outputs));
+                    return Err(self.missing_inputs(inputs, outputs, advice));
                 };
                 lowering.remember(id, value);
             }
@@ -50,7 +59,7 @@ impl Graph {
     }
 
     /// The error that names every variable without a value, except those inside an undefined function.
-    fn missing_inputs(&self, inputs: &[Id], outputs: &[Id]) -> Error {
+    fn missing_inputs(&self, inputs: &[Id], outputs: &[Id], advice: &str) -> Error {
         let is_input = |id: Id| inputs.iter().any(|&input| self.same(input, id));
         let mut inside: Vec<Id> = Vec::new();
         let mut names: Vec<String> = Vec::new();
@@ -68,7 +77,7 @@ impl Graph {
         names.dedup();
         let explained = self.explain_namesakes(&needed, inputs, ("without a value", "given"));
         Error::MissingInput(format!(
-            "no value for {}: make each an input, or substitute it{}",
+            "no value for {}: {advice}, or substitute it{}",
             names.join(", "),
             explained.map_or_else(String::new, |text| format!("; {text}"))
         ))
@@ -251,14 +260,15 @@ impl<'a> Lowering<'a> {
         if let View::Product(factors) = self.graph.view(node)
             && !is_double(number)
         {
-            return self.extended_product(number, factors);
+            let product = self.extended_product(number, factors);
+            return Signed::plus(self.code.rounded(product));
         }
         let node = self.at(node);
         self.multiple(factor, node)
     }
 
     /// A product with a number beyond the doubles.
-    fn extended_product(&mut self, number: &Number, factors: Factors) -> Signed {
+    fn extended_product(&mut self, number: &Number, factors: Factors) -> Extended {
         let mut product = self.code.extended_number(number);
         let factors: Vec<_> =
             factors.iter().map(|(base, e)| (base, self.graph.get_number(e).clone())).collect();
@@ -275,7 +285,32 @@ impl<'a> Lowering<'a> {
                 product = self.code.combined(product, factor, exponent.is_negative());
             }
         }
-        Signed::plus(self.code.rounded(product))
+        product
+    }
+
+    /// The value of a number beyond the doubles, or of what it is multiplied by; `None` for all other nodes.
+    fn beyond_doubles(&mut self, id: Id) -> Option<Extended> {
+        let graph = self.graph;
+        let (number, node) = match graph.view(id) {
+            View::Number(number) => (number, None),
+            View::Scale(factor, node) => (factor, Some(node)),
+            _ => return None,
+        };
+        let number = graph.get_number(number);
+        if is_double(number) {
+            return None;
+        }
+        Some(match node.map(|node| (node, graph.view(node))) {
+            None => self.code.extended_number(number),
+            Some((_, View::Product(factors))) => self.extended_product(number, factors),
+            Some((node, _)) => {
+                let number = self.code.extended_number(number);
+                let node = self.at(node);
+                let node = self.code.plain(node);
+                let node = self.code.extended(node);
+                self.code.combined(number, node, false)
+            }
+        })
     }
 
     /// A multiple. A factor beyond the doubles is split into factors within them, all above 1 or all below, so that no
@@ -324,9 +359,14 @@ impl<'a> Lowering<'a> {
     fn product(&mut self, factors: Factors) -> Signed {
         let mut quotient = Quotient { constant: 1.0, above: Vec::new(), below: Vec::new() };
         for (base, exponent) in factors.iter() {
-            let base = self.at(base);
             let exponent = self.graph.get_number(exponent);
-            let power = self.power(base, exponent);
+            let power = if let Some(base) = self.beyond_doubles(base) {
+                let exponent = self.code.constant(exponent.abs().to_f64()).operand;
+                Signed::plus(self.code.power_of_extended(base, exponent))
+            } else {
+                let base = self.at(base);
+                self.power(base, exponent)
+            };
             quotient.push(power, self.code.number_in(power), exponent.is_negative());
         }
         self.quotient(quotient)
@@ -371,6 +411,16 @@ impl<'a> Lowering<'a> {
     }
 
     fn call(&mut self, function: Function, args: Ids) -> Signed {
+        if let Function::Log | Function::Power = function
+            && let Some(first) = self.beyond_doubles(args.get(0))
+        {
+            return Signed::plus(if function == Function::Log {
+                self.code.logarithm_of_extended(first)
+            } else {
+                let exponent = self.output(args.get(1));
+                self.code.power_of_extended(first, exponent)
+            });
+        }
         let args: Vec<Operand> = args.iter().map(|arg| self.output(arg)).collect();
         match function {
             Function::Min | Function::Max => {
@@ -392,6 +442,11 @@ impl<'a> Lowering<'a> {
             self.code.emit_plain(Instruction::Select { condition: pair[1], positive: pair[0], otherwise })
         }))
     }
+}
+
+/// Whether a number is 0 or a double with all its digits.
+fn is_double(number: &Number) -> bool {
+    number.is_zero() || number.to_f64().is_normal()
 }
 
 /// The parts of a product: constant * above / below.

@@ -7,24 +7,55 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 
+use crate::interrupt::tick;
+
 /// Leading bits on which Euclid's steps are tried: sums of two such numbers fit an `i64`.
 const LEADING: u64 = 62;
 
+/// Divisors of numbers with more bits take so long that the work may be interrupted meanwhile.
+const LONG: u64 = 20_000;
+
 /// The quotient num / den in lowest terms; `den` must be positive.
 pub(crate) fn reduced(num: BigInt, den: BigInt) -> BigRational {
-    let divisor = gcd(num.abs(), den.clone());
-    if divisor == BigInt::from(1) {
-        return BigRational::new_raw(num, den);
+    let (num, den) = without_common(num, den);
+    BigRational::new_raw(num, den)
+}
+
+/// The sum of two quotients in lowest terms, in lowest terms [Knuth 1998, sec. 4.5.1].
+pub(super) fn reduced_sum(a: &BigRational, b: &BigRational) -> BigRational {
+    if a.denom() == b.denom() {
+        return reduced(a.numer() + b.numer(), a.denom().clone());
     }
-    BigRational::new_raw(num / &divisor, den / &divisor)
+    let common = gcd(a.denom().clone(), b.denom().clone());
+    let (rest_of_a, rest_of_b) = (a.denom() / &common, b.denom() / &common);
+    let num = a.numer() * &rest_of_b + b.numer() * &rest_of_a;
+    // What the sum shares with the denominator divides the common part.
+    let (num, common) = without_common(num, common);
+    BigRational::new_raw(num, rest_of_a * rest_of_b * common)
+}
+
+/// The product of two quotients in lowest terms, in lowest terms [Knuth 1998, sec. 4.5.1].
+pub(super) fn reduced_product(a: &BigRational, b: &BigRational) -> BigRational {
+    let (num_of_a, den_of_b) = without_common(a.numer().clone(), b.denom().clone());
+    let (num_of_b, den_of_a) = without_common(b.numer().clone(), a.denom().clone());
+    BigRational::new_raw(num_of_a * num_of_b, den_of_a * den_of_b)
+}
+
+/// An integer and a positive one, divided by their greatest common divisor.
+fn without_common(a: BigInt, b: BigInt) -> (BigInt, BigInt) {
+    let divisor = gcd(a.abs(), b.clone());
+    if divisor == BigInt::from(1) { (a, b) } else { (a / &divisor, b / &divisor) }
 }
 
 /// The greatest common divisor of two integers that are not negative.
-fn gcd(mut a: BigInt, mut b: BigInt) -> BigInt {
+pub(super) fn gcd(mut a: BigInt, mut b: BigInt) -> BigInt {
     if a < b {
         std::mem::swap(&mut a, &mut b);
     }
     while b.bits() > LEADING {
+        if b.bits() > LONG {
+            tick();
+        }
         let shift = a.bits() - LEADING;
         let leading = |value: &BigInt| (value >> shift).to_i64().expect("both have at most 62 leading bits");
         (a, b) = match steps(leading(&a), leading(&b)) {
@@ -78,6 +109,32 @@ mod tests {
                     assert_eq!(gcd(a.clone(), b.clone()), a.gcd(&b), "{a} {b}");
                 }
                 assert_eq!(gcd(a.clone(), BigInt::from(0)), a);
+            }
+        }
+    }
+
+    #[test]
+    fn sums_and_products_are_in_lowest_terms() {
+        let large = BigInt::from(10).pow(30) + 57;
+        let parts = [1i64, -6, 35, 12].map(BigInt::from);
+        let mut quotients = vec![BigRational::from(BigInt::from(1))];
+        for num in &parts {
+            for den in [&large * 6, &large * 35, &large * &large, BigInt::from(10)] {
+                quotients.push(BigRational::new(num.clone(), den));
+            }
+        }
+        for a in &quotients {
+            for b in &quotients {
+                let same = |found: &BigRational, expected: &BigRational| {
+                    assert_eq!(
+                        (found.numer(), found.denom()),
+                        (expected.numer(), expected.denom()),
+                        "{a} {b}"
+                    );
+                };
+                same(&reduced_sum(a, b), &(a + b));
+                same(&reduced_product(a, b), &(a * b));
+                same(&reduced_sum(a, &-b), &(a - b));
             }
         }
     }

@@ -13,7 +13,7 @@ use std::hash::{Hash, Hasher};
 use crate::error::{Error, quoted};
 
 use super::double::{nearest_f64, scientific, shortest_decimal};
-use super::gcd::reduced;
+use super::gcd::{reduced_product, reduced_sum};
 
 /// An exact rational; `decimal` records that it came from doubles and prints as one.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -288,12 +288,7 @@ impl Number {
     }
 
     fn big_sum(&self, other: &Self) -> Value {
-        let (a, b) = (self.value.to_big(), other.value.to_big());
-        Value::from_big(if a.denom() == b.denom() {
-            reduced(a.numer() + b.numer(), a.denom().clone())
-        } else {
-            reduced(a.numer() * b.denom() + b.numer() * a.denom(), a.denom() * b.denom())
-        })
+        Value::from_big(reduced_sum(&self.value.to_big(), &other.value.to_big()))
     }
 
     /// The opposite.
@@ -336,8 +331,7 @@ impl Number {
     }
 
     fn big_product(&self, other: &Self) -> Value {
-        let (a, b) = (self.value.to_big(), other.value.to_big());
-        Value::from_big(reduced(a.numer() * b.numer(), a.denom() * b.denom()))
+        Value::from_big(reduced_product(&self.value.to_big(), &other.value.to_big()))
     }
 
     /// The reciprocal.

@@ -2,11 +2,14 @@
 
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::{One, ToPrimitive, Zero};
+use num_traits::{One, Signed, ToPrimitive, Zero};
 use rustc_hash::FxHashMap;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Arc, LazyLock, Mutex};
 
+use crate::interrupt::{long_tick, tick};
+
+use super::gcd::gcd;
 use super::number::Number;
 use super::prime::mul_mod;
 
@@ -18,6 +21,9 @@ static KNOWN: LazyLock<Mutex<FxHashMap<BigInt, Arc<Powers>>>> = LazyLock::new(Mu
 
 /// The table of known factors begins anew after this many numbers.
 const MOST_KNOWN: usize = 10_000;
+
+/// Numbers with more bits are not divided by Pollard's method, which would take seconds.
+const MOST_BITS_FOR_STEPS: u64 = 8192;
 
 type Powers = [(BigInt, i64)];
 
@@ -58,11 +64,11 @@ fn factors_of_large(number: BigInt) -> Arc<Powers> {
 fn split(mut rest: BigInt, sign: i64, factors: &mut BTreeMap<BigInt, i64>) {
     let mut q = 2u64;
     while q < TRIALS && rest.bits() > 64 {
-        let (mut quotient, mut remainder) = rest.div_rem(&q.into());
-        while remainder.is_zero() {
-            *factors.entry(q.into()).or_default() += sign;
-            rest = quotient;
-            (quotient, remainder) = rest.div_rem(&q.into());
+        tick();
+        let count;
+        (rest, count) = without_powers(rest, q);
+        if count > 0 {
+            *factors.entry(q.into()).or_default() += sign * count;
         }
         q += if q == 2 { 1 } else { 2 };
     }
@@ -70,6 +76,34 @@ fn split(mut rest: BigInt, sign: i64, factors: &mut BTreeMap<BigInt, i64>) {
         Some(word) => split_word(word, sign, factors),
         None => split_large(rest, sign, factors),
     }
+}
+
+/// A number that is not zero without all its factors q, and their count: it is divided by q, q^2, q^4, and so on, and by
+/// these powers from the largest one down.
+fn without_powers(mut rest: BigInt, q: u64) -> (BigInt, i64) {
+    let (mut powers, mut count) = (vec![BigInt::from(q)], 0);
+    if !(&rest % q).is_zero() {
+        return (rest, 0);
+    }
+    let mut divide = |rest: &mut BigInt, power: &BigInt, exponent: usize| {
+        long_tick();
+        let (quotient, remainder) = rest.div_rem(power);
+        if remainder.is_zero() {
+            (*rest, count) = (quotient, count + (1 << exponent));
+        }
+        remainder.is_zero()
+    };
+    while divide(&mut rest, &powers[powers.len() - 1], powers.len() - 1) {
+        let square = &powers[powers.len() - 1] * &powers[powers.len() - 1];
+        if square.bits() > rest.bits() {
+            break;
+        }
+        powers.push(square);
+    }
+    for (exponent, power) in powers.iter().enumerate().rev() {
+        divide(&mut rest, power, exponent);
+    }
+    (rest, count)
 }
 
 /// The factors of a number of up to 64 bits; zero has none.
@@ -102,7 +136,8 @@ fn split_without_small(word: u64, sign: i64, factors: &mut BTreeMap<BigInt, i64>
 fn split_large(number: BigInt, sign: i64, factors: &mut BTreeMap<BigInt, i64>) {
     let bits = u32::try_from(number.bits()).unwrap_or(u32::MAX);
     // No prime below 2^10 divides the number, so it is no higher power than this.
-    for degree in (2..=(bits / 10).min(100)).rev() {
+    for degree in (2..=(bits / 10).min(100)).rev().filter(|&degree| may_be_power(&number, degree)) {
+        long_tick();
         let root = number.nth_root(degree);
         if root.pow(degree) == number {
             split(root, sign * i64::from(degree), factors);
@@ -116,22 +151,37 @@ fn split_large(number: BigInt, sign: i64, factors: &mut BTreeMap<BigInt, i64>) {
     *factors.entry(number).or_default() += sign;
 }
 
+/// Whether a number is a residue of powers of a degree modulo the first primes of which that is a question.
+fn may_be_power(number: &BigInt, degree: u32) -> bool {
+    const PRIMES: usize = 8;
+    let degree = u64::from(degree);
+    let moduli = (1..).map(|k| k * degree + 1).filter(|&q| q > 2 && is_prime(q)).take(PRIMES);
+    moduli.into_iter().all(|q| {
+        let residue = (number % q).to_u64().unwrap_or(0);
+        residue == 0 || pow_mod(residue, (q - 1) / degree, q) == 1
+    })
+}
+
 /// A proper divisor of a large number by Pollard's rho method, if it is found in few steps: one with a prime factor below
 /// 2^20, as a rule. The differences of many steps are tried together [Brent 1980].
 fn divisor_in_few_steps(number: &BigInt) -> Option<BigInt> {
     const STEPS: usize = 2048;
     const TOGETHER: usize = 128;
+    if number.bits() > MOST_BITS_FOR_STEPS {
+        return None;
+    }
     let next = |x: &BigInt| (x * x + 1u32) % number;
     let (mut slow, mut fast) = (BigInt::from(2), BigInt::from(2));
     for _ in 0..STEPS / TOGETHER {
         let (start_slow, start_fast) = (slow.clone(), fast.clone());
         let mut product = BigInt::one();
         for _ in 0..TOGETHER {
+            tick();
             slow = next(&slow);
             fast = next(&next(&fast));
             product = product * (&slow - &fast) % number;
         }
-        if product.gcd(number).is_one() {
+        if gcd(product.abs(), number.clone()).is_one() {
             continue;
         }
         return first_divisor(number, start_slow, start_fast, TOGETHER);
@@ -145,7 +195,7 @@ fn first_divisor(number: &BigInt, mut slow: BigInt, mut fast: BigInt, steps: usi
     let shared = (0..steps).map(|_| {
         slow = next(&slow);
         fast = next(&next(&fast));
-        (&slow - &fast).gcd(number)
+        gcd((&slow - &fast).abs(), number.clone())
     });
     shared.into_iter().find(|divisor| !divisor.is_one()).filter(|divisor| divisor != number)
 }
@@ -215,7 +265,7 @@ pub(crate) fn coprime_factors(numbers: impl Iterator<Item = Number>) -> BTreeSet
 fn shared_factor(factors: &BTreeSet<BigInt>) -> Option<(BigInt, BigInt)> {
     let large = factors.iter().filter(|factor| factor.bits() > 64);
     large
-        .flat_map(|large| factors.iter().map(move |other| (large, large.gcd(other))))
+        .flat_map(|large| factors.iter().map(move |other| (large, gcd(large.clone(), other.clone()))))
         .find_map(|(large, shared)| (!shared.is_one() && shared != *large).then(|| (large.clone(), shared)))
 }
 
@@ -241,6 +291,25 @@ mod tests {
         let factors = coprime_factors(numbers.into_iter());
         assert!(factors.contains(&15791.into()) && factors.iter().any(|factor| factor.bits() > 64));
         assert_eq!(shared_factor(&factors), None);
+    }
+
+    #[test]
+    fn high_powers_of_small_primes_are_counted() {
+        for (q, n) in [(2u32, 1000), (7, 1023), (7, 1024), (1999, 321)] {
+            let power: BigInt = BigInt::from(q).pow(n) * 9;
+            let expected =
+                [(3.into(), 2), (q.into(), i64::from(n))].into_iter().collect::<BTreeMap<BigInt, i64>>();
+            assert_eq!(prime_factors(&Number::whole(power)), expected);
+        }
+    }
+
+    #[test]
+    fn perfect_powers_pass_the_test_of_residues() {
+        let base: BigInt = BigInt::from(10).pow(25) + 13;
+        for degree in 2..40 {
+            assert!(may_be_power(&base.pow(degree), degree), "{degree}");
+        }
+        assert!(!(2..40).any(|degree| may_be_power(&base, degree)));
     }
 
     #[test]

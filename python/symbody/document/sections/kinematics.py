@@ -27,7 +27,11 @@ def kinematics(subject: Subject) -> list[Block]:
     }
     if rates:
         lead = prose(f"The rates of the coordinates, by the {'momenta' if system.momenta else 'speeds'}, are")
-        blocks += equalities(lead, [*map(latex, rates)], [*rates.values()])
+        values = [*rates.values()]
+        if system.eliminated and not subject.is_large:  # what constraints give is as long as their solution
+            reader = reader_of(system)
+            values = [shorter(each, reader) for each in values]
+        blocks += equalities(lead, [*map(latex, rates)], values)
     if system.constraints:
         multipliers = listed(system.multipliers)
         lead = prose("The constraints, whose multipliers are ", *multipliers, ", are")

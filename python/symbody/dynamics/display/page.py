@@ -103,9 +103,17 @@ class Page:
     @cached_property
     def _has_short_names(self) -> bool:
         """Whether the text has them; then all notations have."""
+        return self._names_but_of_sums != self._rows("text")[1]
+
+    @property
+    def has_names_of_sums(self) -> bool:
+        """Whether repeated sums have names in the text, which other notations write out."""
+        return self._named_rows("text")[0] != self._names_but_of_sums
+
+    @cached_property
+    def _names_but_of_sums(self) -> list[Definition]:
         entries, given, rows = self._rows("text")
-        definitions, _ = shortened([side for row in rows for side in row], entries, given)
-        return definitions != given
+        return shortened([side for row in rows for side in row], entries, given)[0]
 
     def _rows(self, notation: str) -> tuple[list[Entry], list[Definition], list[tuple[str, str]]]:
         """Return the entries of the mass matrix, named quantities, and the left and right sides of all rows."""

@@ -346,7 +346,15 @@ class Equations:
 
     @cached_property
     def is_readable(self) -> bool:
-        """Whether the equations are written out: they have at most 1000 operations, and fill at most two pages."""
+        """Whether the equations are written out: they have at most 1000 operations, and fill at most two pages.
+
+        Equations that do so as text alone, by names of repeated sums, are not written out as formulas.
+        """
+        return self._is_printed and not self._printed_page.has_names_of_sums
+
+    @cached_property
+    def _is_printed(self) -> bool:
+        """Whether the equations are written out as text."""
         return self._has_page and self._printed_page.description().count("\n") <= PAGES
 
     def description(self, *, whole: bool = False) -> str:
@@ -361,7 +369,7 @@ class Equations:
         """
         if not self._has_page:
             return summary(self.system, self.residuals)
-        if whole or self.is_readable:
+        if whole or self._is_printed:
             return self._printed_page.description()
         return abridged(self._printed_page, self.residuals)
 

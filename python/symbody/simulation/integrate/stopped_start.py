@@ -16,7 +16,7 @@ from symbody.symbolic import Expr, time_derivative
 
 from .task import Columns, Task
 
-__all__ = ["stopped_start", "stopped_starts"]
+__all__ = ["stopped_start", "stopped_starts", "stops_of"]
 
 Array = NDArray[np.float64]
 
@@ -45,7 +45,7 @@ def stopped_starts(task: Task, parameters: Columns, states: Array) -> dict[int, 
         states: the initial states, shape (k, model.width).
     """
     found: dict[int, str] = {}
-    for event, joint in _stops(task):
+    for event, joint in stops_of(task):
         excess = _values(task, event.expression, parameters, states)
         for case in np.flatnonzero(excess >= 0).tolist():
             own = {name: column[case : case + 1] for name, column in parameters.items()}
@@ -60,7 +60,7 @@ def stopped_starts(task: Task, parameters: Columns, states: Array) -> dict[int, 
     return found
 
 
-def _stops(task: Task) -> Iterator[tuple[Event, str]]:
+def stops_of(task: Task) -> Iterator[tuple[Event, str]]:
     """Yield the events that are stops, with their joints: they rise through the excess over a limit, and end there."""
     limits = {
         excess: watched.joint

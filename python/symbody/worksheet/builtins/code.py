@@ -16,6 +16,7 @@ from symbody.worksheet.mathematics.operation_count import operation_count
 from symbody.worksheet.mathematics.shared_parts import computation_sequence, named_parts
 from symbody.worksheet.printing.code_text import (
     LANGUAGES,
+    MATLAB,
     Language,
     code_name,
     code_text,
@@ -184,7 +185,7 @@ def _lines(session: Session, value: Value, name: str, *, shares: bool) -> list[s
 
 
 def _assignment_lines(session: Session, equations: list[Relation], *, shares: bool) -> list[str]:
-    lefts = [code_name(unparsed(session, each.left)) for each in equations]
+    lefts = [code_name(unparsed(session, each.left), MATLAB) for each in equations]
     rights = [scalar(session, session.current(each.right)) for each in equations]
     if not shares:
         return [f"{left} = {code_text(right)};" for left, right in zip(lefts, rights, strict=True)]
@@ -206,7 +207,7 @@ def _matrix_lines(session: Session, array: Array, name: str, *, shares: bool) ->
         " ".join(_spaceless(text) for text in texts[i * array.columns : (i + 1) * array.columns])
         for i in range(array.rows)
     ]
-    return [*lines, f"{code_name(name)} = [{'; '.join(rows)};];"]
+    return [*lines, f"{code_name(name, MATLAB)} = [{'; '.join(rows)};];"]
 
 
 def _spaceless(text: str) -> str:
@@ -248,7 +249,7 @@ def _program(session: Session, value: Value, name: str, language: Language, *, s
     lines: list[str] = []
     if shares:
         definitions, rights = named_parts(rights, _names(rights) | frozenset(names))
-        lines = [statement_text(code_text(left), right, language) for left, right in definitions]
+        lines = [statement_text(code_text(left, language), right, language) for left, right in definitions]
     return [
         *lines,
         *(statement_text(left, right, language) for left, right in zip(names, rights, strict=True)),
@@ -260,20 +261,29 @@ def _named_results(
 ) -> Iterator[tuple[str, Expr]]:
     """Return what a program computes: equations by their left sides, entries of arrays, an expression."""
     if isinstance(value, Relation):
-        yield code_name(unparsed(session, value.left)), scalar(session, session.current(value.right))
+        yield (
+            code_name(unparsed(session, value.left), language),
+            scalar(session, session.current(value.right)),
+        )
     elif isinstance(value, Array):
         for place, entry in enumerate(value.entries):
             row, column = divmod(place, value.columns)
             indices = (row,) if value.columns == 1 else (column,) if value.rows == 1 else (row, column)
-            yield entry_name(code_name(name), indices, language), scalar(session, session.current(entry))
+            yield (
+                entry_name(code_name(name, language), indices, language),
+                scalar(session, session.current(entry)),
+            )
     elif isinstance(value, Listed | MapleSet):
         for place, item in enumerate(value.items):
             if isinstance(item, Relation):
                 yield from _named_results(session, item, name, language)
             else:
-                yield entry_name(code_name(name), (place,), language), scalar(session, session.current(item))
+                yield (
+                    entry_name(code_name(name, language), (place,), language),
+                    scalar(session, session.current(item)),
+                )
     else:
-        yield code_name(name), scalar(session, session.current(value))
+        yield code_name(name, language), scalar(session, session.current(value))
 
 
 COMMANDS: dict[str, Command] = {}

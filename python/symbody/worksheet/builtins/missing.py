@@ -28,7 +28,7 @@ _BY_PURPOSE = {
         "Pivot Permanent MatrixPower KroneckerProduct exponential jordan frobenius hadamard swaprow swapcol "
         "mulrow mulcol addrow addcol angle orthog definite"
     ),
-    "the system": "process tracelast debug showstat stopat profile iostatus",
+    "the system": "process lasterror tracelast debug showstat stopat profile iostatus",
 }
 """Their names, by what they are for. A name that gets a command leaves this table."""
 

@@ -345,6 +345,14 @@ def _selected(
     return with_parts(found, [part for part in operands(session, found) if keeps(part)])
 
 
+def applied_to_operand(session: Session, function: Value, place: Value, value: Value, *rest: Value) -> Value:
+    """applyop(f, i, e): e with f of its operand i in the place of the operand."""
+    operand = session.call(symbol("op"), (place, value))
+    return session.call(
+        symbol("subsop"), (Relation("=", place, session.call(function, (operand, *rest))), value)
+    )
+
+
 def subsop(session: Session, *arguments: Value) -> Value:
     """subsop(i = a, .., e): the i-th operand replaced."""
     *rules, value = arguments
@@ -441,6 +449,7 @@ COMMANDS: dict[str, Command] = {
     "remove": remove,
     "selectremove": select_and_remove,
     "subsop": subsop,
+    "applyop": applied_to_operand,
     "sort": sort,
     "member": member,
     "type": of_type,

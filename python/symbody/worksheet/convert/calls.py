@@ -17,6 +17,7 @@ from symbody.worksheet.convert.maple_calls import MAPLE
 from symbody.worksheet.convert.matrix_calls import MATRICES
 from symbody.worksheet.convert.matrix_constructors import CONSTRUCTORS
 from symbody.worksheet.convert.mechanics_calls import MECHANICS
+from symbody.worksheet.convert.motion_calls import MOTIONS
 from symbody.worksheet.convert.name_text import concatenation
 from symbody.worksheet.convert.names import NoText, identifier
 from symbody.worksheet.convert.numbers_calls import NUMBERS
@@ -44,6 +45,7 @@ _TABLES = (
     MATRICES,
     LISTS,
     NUMBERS,
+    MOTIONS,
     PICTURES,
     FILES,
 )

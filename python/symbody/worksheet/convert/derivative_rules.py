@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import fields, is_dataclass, replace
+from typing import Any
 
+from symbody.worksheet.check.printed import functions_in
 from symbody.worksheet.convert.names import Names, NoText
 from symbody.worksheet.convert.writer import Writer
 from symbody.worksheet.sheet import syntax
@@ -21,23 +24,46 @@ def rule_lines(text: Writer, statement: syntax.Statement) -> list[str] | None:
             if function not in text.names.functions:
                 raise NoText(name)
             variable = text.names.text(function)
-            rate = text.text(_rate(value))
+            rate = _text_of_rate(text, _rate(value))
             begin = [] if text.names.rules else [f"{text.names.own('rates_of_time')} = {{}}"]
             text.names.root().rules = text.names.rules = text.names.own("rates_of_time")
             return [*begin, f"{text.names.rules}[sb.diff({variable}, sb.t)] = {rate}"]
     return None
 
 
+def _text_of_rate(text: Writer, rate: syntax.Expression) -> str:
+    text.names.functions.update(functions_in(rate))
+    return text.text(rate)
+
+
 def _rate(value: syntax.Expression) -> syntax.Expression:
-    """Return what a rule of the time alone gives."""
+    """Return what a rule of the time alone gives, with the time in place of its parameter."""
     match value:
-        case syntax.Procedure(parameters=(_,), body=body):
+        case syntax.Procedure(parameters=(parameter,), body=body):
             kept = [each for each in body if not isinstance(each, syntax.Empty)]
             if len(kept) == 1 and isinstance(kept[0], syntax.Evaluation):
-                return kept[0].expression
-        case syntax.Arrow(parameters=(_,), body=body) if not isinstance(body, syntax.If):
-            return body
+                return _of_time(kept[0].expression, parameter.name)
+        case syntax.Arrow(parameters=(parameter,), body=body) if not isinstance(body, syntax.If):
+            return _of_time(body, parameter.name)
     raise NoText(PREFIX)
+
+
+def _of_time(node: syntax.Expression, parameter: str) -> syntax.Expression:
+    """Return an expression with the time in place of a name."""
+    made: syntax.Expression = _renamed(node, parameter)
+    return made
+
+
+def _renamed(node: Any, parameter: str) -> Any:
+    if isinstance(node, syntax.Name):
+        return replace(node, name="t") if node.name == parameter else node
+    if isinstance(node, tuple):
+        return tuple(_renamed(each, parameter) for each in node)
+    if is_dataclass(node) and not isinstance(node, type):
+        return replace(
+            node, **{each.name: _renamed(getattr(node, each.name), parameter) for each in fields(node)}
+        )
+    return node
 
 
 def by_rules(names: Names, code: Sequence[str]) -> Iterator[list[str]]:

@@ -61,7 +61,9 @@ def definition(
         body = procedure.body
         for local in procedure.local:
             inner.values.pop(identifier(local), None)
-    return [f"def {identifier(name)}({', '.join(heads)}):", *_body(body, writer)]
+    remembers = isinstance(procedure, syntax.Procedure) and "remember" in procedure.options
+    decorators = ["@functools.cache"] if remembers else []
+    return [*decorators, f"def {identifier(name)}({', '.join(heads)}):", *_body(body, writer)]
 
 
 def _recursion(*values: Any) -> None:

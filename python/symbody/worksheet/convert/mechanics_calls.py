@@ -13,6 +13,7 @@ from symbody.symbolic import Expr, Matrix
 from symbody.worksheet.convert.frames import axis, components, frame
 from symbody.worksheet.convert.names import NoText
 from symbody.worksheet.convert.operations import SUM, grouped, product
+from symbody.worksheet.convert.selections import word_of
 from symbody.worksheet.convert.sequences import item, items
 from symbody.worksheet.convert.tyres import tyre_forces, tyre_motion
 from symbody.worksheet.convert.writer import Arguments, Writer
@@ -114,6 +115,15 @@ def _heavy(function: str, *places: int) -> Call:
 
 def _component(index: int) -> Call:
     return lambda text, arguments: f"{components(text, arguments)}[{index}]"
+
+
+def _chosen(text: Writer, arguments: Arguments) -> str:
+    """Return the components that letters name: ``comp('XY', v, T)``."""
+    letters = word_of(arguments[0])
+    if not letters or not set(letters) <= set("XYZ"):
+        raise NoText("comp")
+    found = [f"{components(text, arguments[1:])}[{'XYZ'.index(letter)}]" for letter in letters]
+    return found[0] if len(found) == 1 else f"({', '.join(found)})"
 
 
 def _unit(index: int) -> Call:
@@ -266,6 +276,7 @@ MECHANICS: Mapping[str, Call] = {
     **{f"uvec_{axis}": _unit(index) for index, axis in enumerate("XYZ")},
     **{name: _velocity(f"sb.{name}") for name in ("velocity", "acceleration")},
     "angular_velocity": _spin,
+    "comp": _chosen,
     "linear_momentum": _framed("sb.linear_momentum", 1),
     "angular_momentum": _framed("sb.angular_momentum", 2),
     "kinetic_energy": _framed("sb.kinetic_energy"),

@@ -9,10 +9,12 @@ from typing import Any
 
 from symbody.deferred import Deferred
 from symbody.symbolic import Expr, symbol, time_function
+from symbody.worksheet.sheet import syntax
 
 __all__ = ["Names", "NoText", "identifier"]
 
-_MODULES = """import math
+_MODULES = """import functools
+import math
 import pickle
 from pathlib import Path
 
@@ -40,6 +42,7 @@ _TAKEN = frozenset(
         "dict",
         "np",
         "plt",
+        "functools",
         "math",
         "scipy",
         "sympy",
@@ -98,6 +101,7 @@ class Names:
         reserved: identifiers of the worksheet.
         added: identifiers that only the program has.
         rules: the variable that holds the sheet's own rates of functions of time; nothing without them.
+        sets: the sets and lists of names that the sheet assigns once, as it writes them.
         bare: identifiers of symbols that have the name of a function of time, as V in ``V(t) = V``.
     """
 
@@ -121,6 +125,7 @@ class Names:
     added: set[str] = field(default_factory=set)
     bare: set[str] = field(default_factory=set)
     rules: str = ""
+    sets: dict[str, syntax.Expression] = field(default_factory=dict)
 
     def own(self, name: str) -> str:
         """Return an identifier for what only the program has a name for."""
@@ -229,6 +234,7 @@ class Names:
             self.added,
             self.bare,
             self.rules,
+            self.sets,
         )
 
     def value(self, text: str) -> Any:

@@ -7,9 +7,8 @@ from typing import TypeAlias
 
 from symbody.symbolic import Expr
 from symbody.worksheet.convert.names import NoText
-from symbody.worksheet.convert.operations import SUM, grouped, plain_decimal
+from symbody.worksheet.convert.operations import plain_decimal
 from symbody.worksheet.convert.spectrum_calls import all_roots
-from symbody.worksheet.convert.substitutions import differences
 from symbody.worksheet.convert.writer import Arguments, Writer
 from symbody.worksheet.sheet import syntax
 
@@ -86,89 +85,7 @@ def number_text(text: Writer, node: syntax.Expression) -> str:
     return plain if plain != written else f"float({written})"
 
 
-def _motion(text: Writer, arguments: Arguments) -> str:
-    """Return the motion of differential equations with initial values, as ``dsolve(.., numeric)`` has it."""
-    options = {str(getattr(each, "name", "")) for each in arguments} | {
-        str(getattr(each.right, "name", "")) for each in arguments if isinstance(each, syntax.Infix)
-    }
-    if "numeric" not in options or not isinstance(arguments[0], syntax.SetDisplay):
-        raise NoText("dsolve")
-    equations, starts = [], []
-    for each in arguments[0].items:
-        initial = _initial(text, each)
-        if initial:
-            starts.append(initial)
-        else:
-            equations.append(_residual_item(text, each))
-    found = text.value(f"[{', '.join(equations)}]")
-    if not isinstance(found, list) or not all(isinstance(each, Expr) for each in found):
-        raise NoText("dsolve")
-    leaves = {leaf for each in found for leaf in each.free_symbols}
-    functions = sorted({leaf.name for leaf in leaves if leaf.kind == "time_function"})
-    unknowns = ", ".join(
-        text.text(
-            syntax.Call(syntax.Name(each, place=arguments[0].place), (_TIME,), place=arguments[0].place)
-        )
-        for each in functions
-    )
-    listed = ", ".join(each if each.startswith("*") else grouped(each, SUM) for each in equations)
-    return (
-        f"sb.simulate(sb.equations_from_differential([{listed}], [{unknowns}]), "
-        f"initial={{{', '.join(starts)}}}, t={_times(text, arguments)})"
-    )
-
-
-def _residual_item(text: Writer, node: syntax.Expression) -> str:
-    """Return an equation as the difference of its sides, or those of a list, as ``op(L)`` gives them."""
-    match node:
-        case syntax.Call(function=syntax.Name(name="op"), arguments=(whole,)):
-            return f"*{grouped(differences(text, residual_text(text, whole)))}"
-    return residual_text(text, node)
-
-
-def _times(text: Writer, arguments: Arguments) -> str:
-    """Return the times of a motion: those of the option ``range``, or ten units."""
-    for argument in arguments:
-        match argument:
-            case syntax.Infix(
-                operator="=",
-                left=syntax.Name(name="range"),
-                right=syntax.Infix(operator="..", left=first, right=last),
-            ):
-                return f"({number_text(text, first)}, {number_text(text, last)})"
-    return "(0, 10)"
-
-
-_TIME = syntax.Name("t", place=syntax.Place(1, 1, 1, 1))
-
-
-def _initial(text: Writer, node: syntax.Expression) -> str:
-    """Return the entry of an initial value, ``x(0) = 1`` or ``D(x)(0) = 1``; nothing for an equation."""
-    match node:
-        case syntax.Infix(
-            operator="=",
-            left=syntax.Call(function=syntax.Name() as name, arguments=(syntax.Integer(value=0),)),
-            right=right,
-        ):
-            return f"{text.text(_of_time(name))}: {number_text(text, right)}"
-        case syntax.Infix(
-            operator="=",
-            left=syntax.Call(
-                function=syntax.Call(function=syntax.Name(name="D"), arguments=(syntax.Name() as name,)),
-                arguments=(syntax.Integer(value=0),),
-            ),
-            right=right,
-        ):
-            return f"sb.diff({text.text(_of_time(name))}, sb.t): {number_text(text, right)}"
-    return ""
-
-
-def _of_time(name: syntax.Name) -> syntax.Call:
-    return syntax.Call(name, (_TIME,), place=name.place)
-
-
 NUMBERS: Mapping[str, Call] = {
     "fsolve": _root,
-    "dsolve": _motion,
 }
 """Writers by the names of commands."""

@@ -21,6 +21,7 @@ from symbody.worksheet.convert.open_files import leave_alone, note_files
 from symbody.worksheet.convert.procedures import Procedures
 from symbody.worksheet.convert.sheet_names import (
     functions_of_time,
+    named_sets,
     sided_names,
     solved_names,
     substituted_names,
@@ -74,6 +75,7 @@ def converted(cells: Sequence[Cell], title: str, session: Session | None = None)
         functions=set(functions_of_time(cells)),
         solved=set(solved_names(cells)),
         sided=set(sided_names(cells)),
+        sets=named_sets(cells),
         values_of=set(substituted_names(cells)),
         reserved=frozenset(map(identifier, names_in_code(cells))),
     )
@@ -168,6 +170,7 @@ def _end(body: str) -> str:
 def _imports(body: str) -> str:
     """Return the lines that import what the program needs of the standard library."""
     needed = {
+        "functools.": "import functools\n",
         "math.": "import math\n",
         "pickle.": "import pickle\n",
         "Path(": "from pathlib import Path\n",

@@ -12,7 +12,7 @@ from symbody.worksheet.reading import statements
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.sheet.source import Cell
 
-__all__ = ["functions_of_time", "names_in", "sided_names", "solved_names", "substituted_names"]
+__all__ = ["functions_of_time", "named_sets", "names_in", "sided_names", "solved_names", "substituted_names"]
 
 
 def functions_of_time(cells: Sequence[Cell]) -> Iterator[str]:
@@ -37,6 +37,36 @@ def sided_names(cells: Sequence[Cell]) -> Iterator[str]:
                 whole = node.whole if isinstance(node, syntax.Selection) else node
                 if isinstance(whole, syntax.Name):
                     yield whole.name
+
+
+def named_sets(cells: Sequence[Cell]) -> dict[str, syntax.Expression]:
+    """Return the sets and lists that are written out behind a name, of names that are assigned once."""
+    found: dict[str, syntax.Expression] = {}
+    assigned = Counter[str]()
+    for cell in cells:
+        for item in statements(cell):
+            for name in _assigned_in(item):
+                assigned[name] += 1
+            match item:
+                case syntax.Assignment(
+                    targets=(syntax.Name(name=name),),
+                    value=syntax.SetDisplay() | syntax.ListDisplay() as value,
+                ):
+                    found[name] = value
+    return {name: value for name, value in found.items() if assigned[name] == 1}
+
+
+def _assigned_in(node: Any) -> Iterator[str]:
+    """Return the names that a statement, or one within it, assigns, entries too."""
+    if isinstance(node, tuple):
+        for each in node:
+            yield from _assigned_in(each)
+    elif is_dataclass(node):
+        if isinstance(node, syntax.Assignment):
+            whole = (each.whole if isinstance(each, syntax.Selection) else each for each in node.targets)
+            yield from (each.name for each in whole if isinstance(each, syntax.Name))
+        for each in fields(node):
+            yield from _assigned_in(getattr(node, each.name))
 
 
 def substituted_names(cells: Sequence[Cell]) -> Iterator[str]:

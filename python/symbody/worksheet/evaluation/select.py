@@ -47,10 +47,9 @@ def selected(session: Session, whole: Value, indices: Indices) -> Value:
         return _of_table(session, whole, found, indices)
     if isinstance(found, Array):
         return _of_array(session, whole, found, indices)
-    if isinstance(found, String):
-        place = as_integer(indices[0]) if indices else None
-        if place is not None and 0 < abs(place) <= len(found.text):
-            return String(found.text[place - 1 if place > 0 else place])
+    if isinstance(found, String) and len(indices) == 1 and not _symbolic(indices):
+        places = _places(session, indices[0], len(found.text))
+        return String("".join(found.text[i] for i in ([places] if isinstance(places, int) else places)))
     if isinstance(found, Relation | Unevaluated | ProcedureValue):
         return _of_call(session, found, indices)
     return indexed_name(session, whole, indices)

@@ -208,6 +208,13 @@ def _notice_unknown(session: Session, name: str, arguments: tuple[Value, ...]) -
     if name in builtins.MISSING:
         session.notice(f"{name} of Maple is not there; it comes back unevaluated")
         return
+    packages = [package for package, commands in builtins.PACKAGES.items() if name in commands]
+    if packages:
+        session.notice(
+            f"{name} is a command of {packages[0]}, which is not loaded; it comes back unevaluated: write "
+            f"with({packages[0]}) before it, or {packages[0]}[{name}]"
+        )
+        return
     close = difflib.get_close_matches(name, builtins.known_names(session), 1, 0.75)
     if close:
         session.notice(f"{name} is not a command; did you mean {close[0]}?")

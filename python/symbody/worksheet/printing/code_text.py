@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
+from symbody.errors import WorksheetError
 from symbody.symbolic import Expr
 from symbody.symbolic.expression.traverse import post_order
 from symbody.worksheet.values.decimals import rounded
@@ -26,7 +28,7 @@ class Language:
         power: writes a base with an exponent.
         integer: writes an integer that stands in a product or a sum.
         decimal: writes a number with a point.
-        prefix: stands before the names of functions.
+        prefix: stands before the names of functions of the language, which are those of Python's math.
         end: ends a statement.
         first: the first index of an array.
         brackets: what stands around, and between, indices.
@@ -106,17 +108,36 @@ def entry_name(name: str, indices: tuple[int, ...], language: Language) -> str:
     return f"{name}{opening}{between.join(str(each + language.first) for each in indices)}{closing}"
 
 
-def code_name(name: str) -> str:
-    """Return a name that programs read: an index in parentheses, other letters as underscores."""
+def code_name(name: str, language: Language) -> str:
+    """Return a name that programs read: numbers as indices of the language, which counts them from its own first one.
+
+    Other letters than those of names are underscores.
+
+    Raises:
+        WorksheetError: an index is below the first one.
+    """
     head, bracket, indices = name.partition("[")
     plain = re.sub(r"\W", "_", head) or "_"
     plain = f"x{plain}" if plain[0].isdigit() or plain[0] == "_" else plain
     if not bracket:
         return plain
     inner = indices.rstrip("]")
-    if re.fullmatch(r"\d[\w, ]*", inner):
-        return f"{plain}({inner})"
+    if re.fullmatch(r"\d+(, ?\d+)*", inner):
+        return _entry(name, plain, inner, language)
     return plain + "_" + re.sub(r"\W", "_", inner)
+
+
+def _entry(name: str, plain: str, inner: str, language: Language) -> str:
+    """Return an entry of an array whose indices count from 1, ``z[1, 2]``."""
+    if language.first == 1:
+        return f"{plain}({inner})"
+    indices = tuple(int(each) - 1 for each in inner.split(","))
+    if min(indices) < 0:
+        raise WorksheetError(
+            f"codegen: {name} is before the first entry of {plain}: indices count from 0 in this language, and from 1 "
+            "in the worksheet; expected indices from 1"
+        )
+    return entry_name(plain, indices, language)
 
 
 def code_text(expression: Expr, language: Language = MATLAB) -> str:
@@ -132,7 +153,7 @@ def _node(language: Language, node: Tree, parts: list[_Text]) -> _Text:
     if node.kind == "number":
         return _number(language, node)
     if node.kind == "name":
-        return (_pi(language) if node.name == "Pi" else code_name(node.name)), _ATOM
+        return (_pi(language) if node.name == "Pi" else code_name(node.name, language)), _ATOM
     if node.kind == "sum":
         pieces = [part if part.startswith("-") else f"+{part}" for part, _ in parts]
         text = "".join(f" {piece[0]} {piece[1:]}" for piece in pieces).removeprefix(" + ").removeprefix(" ")
@@ -142,7 +163,7 @@ def _node(language: Language, node: Tree, parts: list[_Text]) -> _Text:
     if node.kind == "power":
         return _power(language, node, parts)
     if node.kind == "derivative":
-        return _rate(node), _ATOM
+        return _rate(language, node), _ATOM
     return _call(language, node, parts)
 
 
@@ -200,19 +221,20 @@ def _power(language: Language, node: Tree, parts: list[_Text]) -> _Text:
     return language.power(base, _inside(parts[1], _ATOM)), _POWER
 
 
-def _rate(node: Tree) -> str:
+def _rate(language: Language, node: Tree) -> str:
     order, inner = 1, node.parts[0]
     while inner.kind == "derivative":
         order, inner = order + 1, inner.parts[0]
-    return f"D{order if order > 1 else ''}{code_name(inner.name)}"
+    return f"D{order if order > 1 else ''}{code_name(inner.name, language)}"
 
 
 def _call(language: Language, node: Tree, parts: list[_Text]) -> _Text:
     inner = ", ".join(text for text, _ in parts)
     if node.name == "arctan" and len(parts) == 2:
         return f"{language.prefix}atan2({inner})", _ATOM
-    name = language.functions.get(node.name) or code_name(node.name)
-    return f"{language.prefix if node.kind == 'function' else ''}{name}({inner})", _ATOM
+    name = language.functions.get(node.name) or code_name(node.name, language)
+    is_known = node.kind == "function" and hasattr(math, name)
+    return f"{language.prefix if is_known else ''}{name}({inner})", _ATOM
 
 
 def _inside(part: _Text, strength: int) -> str:

@@ -1,0 +1,155 @@
+"""Motions: ``dsolve`` of differential equations with initial values as ``simulate``."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+
+from symbody.symbolic import Expr
+from symbody.worksheet.convert.names import NoText
+from symbody.worksheet.convert.numbers_calls import Call, number_text, residual_text
+from symbody.worksheet.convert.operations import SUM, grouped
+from symbody.worksheet.convert.substitutions import differences
+from symbody.worksheet.convert.writer import Arguments, Writer
+from symbody.worksheet.sheet import syntax
+
+__all__ = ["MOTIONS"]
+
+
+def _motion(text: Writer, arguments: Arguments) -> str:
+    """Return the motion of differential equations with initial values, as ``dsolve(.., numeric)`` has it."""
+    options = {str(getattr(each, "name", "")) for each in arguments} | {
+        str(getattr(each.right, "name", "")) for each in arguments if isinstance(each, syntax.Infix)
+    }
+    if "numeric" not in options or options & {"output", "parameters"}:
+        raise NoText("dsolve")
+    equations, starts = [], []
+    for each in _items(text, arguments[0]):
+        initial = _initial(text, each)
+        if initial:
+            starts.append(initial)
+        else:
+            equations.append(_residual_item(text, each))
+    found = text.value(f"[{', '.join(equations)}]")
+    if not isinstance(found, list) or not all(isinstance(each, Expr) for each in found):
+        raise NoText("dsolve")
+    leaves = {leaf for each in found for leaf in each.free_symbols}
+    functions = sorted({leaf.name for leaf in leaves if leaf.kind == "time_function"})
+    unknowns = ", ".join(
+        text.text(
+            syntax.Call(syntax.Name(each, place=arguments[0].place), (_TIME,), place=arguments[0].place)
+        )
+        for each in functions
+    )
+    listed = ", ".join(each if each.startswith("*") else grouped(each, SUM) for each in equations)
+    return (
+        f"sb.simulate(sb.equations_from_differential([{listed}], [{unknowns}]), "
+        f"initial={{{', '.join(starts)}}}, t={_times(text, arguments)})"
+    )
+
+
+def _items(text: Writer, node: syntax.Expression) -> Iterator[syntax.Expression]:
+    """Return the equations and initial values of a problem, with what is put into them by ``subs``."""
+    match node:
+        case syntax.SetDisplay(items=items) | syntax.ListDisplay(items=items):
+            for each in items:
+                yield from _items(text, each)
+        case syntax.Infix(operator="union", left=left, right=right):
+            yield from _items(text, left)
+            yield from _items(text, right)
+        case syntax.Name(name=name) if name in text.names.sets:
+            yield from _items(text, text.names.sets[name])
+        case syntax.Name():
+            yield syntax.Call(replace(node, name="op"), (node,), place=node.place)
+        case syntax.Call(function=syntax.Name(name="op"), arguments=(syntax.Name(name=name),)) if (
+            name in text.names.sets
+        ):
+            yield from _items(text, text.names.sets[name])
+        case syntax.Call(function=syntax.Name(name="subs") as subs, arguments=(*changes, whole)):
+            for each in _items(text, whole):
+                yield _put_in(each, subs, tuple(changes))
+        case _:
+            yield node
+
+
+def _put_in(
+    node: syntax.Expression, subs: syntax.Name, changes: tuple[syntax.Expression, ...]
+) -> syntax.Expression:
+    """Return an equation, or those of a list, after a substitution; an initial value has it in its right side."""
+
+    def put(inner: syntax.Expression) -> syntax.Expression:
+        return syntax.Call(subs, (*changes, inner), place=inner.place)
+
+    match node:
+        case syntax.Infix(operator="=", left=left, right=syntax.Integer() | syntax.Decimal()) if _starts(
+            left
+        ):
+            return node
+        case syntax.Infix(operator="=", left=left, right=right) if _starts(left):
+            return replace(node, right=put(right))
+        case syntax.Infix(operator="="):
+            return put(replace(node, operator="-"))
+        case syntax.Call(function=syntax.Name(name="op"), arguments=(inner,)):
+            return replace(node, arguments=(put(inner),))
+    return put(node)
+
+
+def _starts(node: syntax.Expression) -> bool:
+    """Whether a left side is that of an initial value, ``x(0)`` or ``D(x)(0)``."""
+    match node:
+        case syntax.Call(arguments=(syntax.Integer(value=0),)):
+            return True
+    return False
+
+
+def _residual_item(text: Writer, node: syntax.Expression) -> str:
+    """Return an equation as the difference of its sides, or those of a list, as ``op(L)`` gives them."""
+    match node:
+        case syntax.Call(function=syntax.Name(name="op"), arguments=(whole,)):
+            return f"*{grouped(differences(text, residual_text(text, whole)))}"
+    return residual_text(text, node)
+
+
+def _times(text: Writer, arguments: Arguments) -> str:
+    """Return the times of a motion: those of the option ``range``, or ten units."""
+    for argument in arguments:
+        match argument:
+            case syntax.Infix(
+                operator="=",
+                left=syntax.Name(name="range"),
+                right=syntax.Infix(operator="..", left=first, right=last),
+            ):
+                return f"({number_text(text, first)}, {number_text(text, last)})"
+    return "(0, 10)"
+
+
+_TIME = syntax.Name("t", place=syntax.Place(1, 1, 1, 1))
+
+
+def _initial(text: Writer, node: syntax.Expression) -> str:
+    """Return the entry of an initial value, ``x(0) = 1`` or ``D(x)(0) = 1``; nothing for an equation."""
+    match node:
+        case syntax.Infix(
+            operator="=",
+            left=syntax.Call(function=syntax.Name() as name, arguments=(syntax.Integer(value=0),)),
+            right=right,
+        ):
+            return f"{text.text(_of_time(name))}: {number_text(text, right)}"
+        case syntax.Infix(
+            operator="=",
+            left=syntax.Call(
+                function=syntax.Call(function=syntax.Name(name="D"), arguments=(syntax.Name() as name,)),
+                arguments=(syntax.Integer(value=0),),
+            ),
+            right=right,
+        ):
+            return f"sb.diff({text.text(_of_time(name))}, sb.t): {number_text(text, right)}"
+    return ""
+
+
+def _of_time(name: syntax.Name) -> syntax.Call:
+    return syntax.Call(name, (_TIME,), place=name.place)
+
+
+MOTIONS: Mapping[str, Call] = {"dsolve": _motion}
+"""Writers by the names of commands."""
