@@ -444,11 +444,6 @@ impl<'a> Lowering<'a> {
     }
 }
 
-/// Whether a number is 0 or a double with all its digits.
-fn is_double(number: &Number) -> bool {
-    number.is_zero() || number.to_f64().is_normal()
-}
-
 /// The parts of a product: constant * above / below.
 struct Quotient {
     constant: f64,

@@ -27,15 +27,16 @@ pub(super) enum Part {
 
 impl Graph {
     /// The shape of a node, and whether its value is the opposite of that of the shape; `None` where it has no shape: the
-    /// multiple of a product by a number beyond the doubles is not made of the operand of the product.
+    /// multiple of a product by a number beyond the doubles, and what is made of such a multiple, are not made of operands.
     pub(super) fn shape(
         &self,
         id: Id,
         mut operand: impl FnMut(Id) -> Option<Signed>,
     ) -> Option<(Shape, bool)> {
-        let mut part = |id: Id| match self.as_number(id) {
-            Some(_) => Some((Part::Number(id), false)),
-            None => operand(id).map(|signed| (Part::Operand(signed.operand), signed.negative)),
+        let mut part = |id: Id| match self.view(id) {
+            View::Number(_) => Some((Part::Number(id), false)),
+            View::Scale(factor, _) if !is_double(self.get_number(factor)) => None,
+            _ => operand(id).map(|signed| (Part::Operand(signed.operand), signed.negative)),
         };
         let is_double = |factor: NumberId| is_double(self.get_number(factor));
         match self.view(id) {
