@@ -91,6 +91,7 @@ format: $(STAMPS)/develop  ## put the sources into the project's format, and REA
 
 bench: $(STAMPS)/build $(STAMPS)/bench  ## measure against the rivals (a quarter of an hour), write docs/benchmarks/
 	$(BIN)/python -m benchmarks.derive.run
+	$(BIN)/python -m benchmarks.lower.run
 	$(BIN)/python -m benchmarks.evaluate.run
 	$(BIN)/python -m benchmarks.simulate.run
 	$(BIN)/python -m benchmarks.singular.run

@@ -66,12 +66,38 @@ impl Graph {
 
     /// The entry of a table that has the value of a node up to sign, and whether it has the opposite value.
     pub(crate) fn find_up_to_sign<'t, T>(&self, table: &'t ByValue<T>, id: Id) -> Option<(&'t T, bool)> {
-        table.candidates(self.value(id)).find_map(|(known, item)| {
+        self.find_in(table.candidates(self.value(id)), id)
+    }
+
+    /// The same entry, for tables of very many nodes with signs, of which several agree in the hash lanes by chance: their
+    /// values in the other lanes, which are found once for each node, tell most of them apart.
+    pub(crate) fn find_among_many<'t, T>(&self, table: &'t ByValue<T>, id: Id) -> Option<(&'t T, bool)> {
+        let candidates = table.candidates(self.value(id));
+        self.find_in(candidates.filter(|(known, _)| !self.differ_at_first_point(*known, id)), id)
+    }
+
+    fn find_in<'t, T>(&self, candidates: impl Iterator<Item = &'t (Id, T)>, id: Id) -> Option<(&'t T, bool)> {
+        let mut candidates = candidates;
+        candidates.find_map(|(known, item)| {
             if self.same(*known, id) {
                 return Some((item, false));
             }
             self.opposite_values(*known, id).then_some((item, true))
         })
+    }
+
+    /// Whether two nodes whose fingerprints are equal or opposite differ in one of the other lanes, at the first point.
+    fn differ_at_first_point(&self, a: Id, b: Id) -> bool {
+        let branches = |id: Id| self.flags(id).has(Flags::BRANCH);
+        let (one, two) = (self.value(a), self.value(b));
+        if a == b || !branches(a) && !branches(b) || one == -one {
+            return false; // zero is both equal and opposite
+        }
+        let is_opposite = one != two;
+        let (column, other) = (self.column(a, 0), self.column(b, 0));
+        self.lanes.borrow_mut().limit();
+        let mut values = FieldId::others(0).zip(column.iter().zip(other.iter()));
+        values.any(|(field, (value, other))| *value != signed(field, other, is_opposite))
     }
 
     /// Whether two nodes have the same value up to the sign.
@@ -97,10 +123,7 @@ impl Graph {
             return true;
         }
         match self.points_for(&self.signs_of_both(pending, id), &[pending.nodes(), vec![id]].concat()) {
-            Some(points) => self.everywhere(pending, points, |field, value| {
-                let other = self.value_in(id, field);
-                *value == if is_opposite { field.field().neg(&other) } else { other }
-            }),
+            Some(points) => self.has_values_of(pending, id, is_opposite, points),
             None => !is_opposite && self.has_equal_parts_once(pending, id),
         }
     }
@@ -227,6 +250,23 @@ impl Graph {
         agrees
     }
 
+    /// Whether something has the values of a node, or the opposite ones, in the hash lanes and at some points of the others.
+    fn has_values_of(&self, pending: Pending<'_>, id: Id, is_opposite: bool, points: u16) -> bool {
+        let agree = |field: FieldId, value: &Quadratic, other: &Quadratic| {
+            *value == signed(field, other, is_opposite)
+        };
+        let agrees = FieldId::HASH
+            .into_iter()
+            .all(|field| agree(field, &self.pending_in(pending, field), &self.value_in(id, field)))
+            && (0..points).all(|point| {
+                let (column, other) = (self.pending_column(pending, point), self.column(id, point));
+                let values = column.iter().zip(other.iter());
+                FieldId::others(point).zip(values).all(|(field, (value, other))| agree(field, value, other))
+            });
+        self.lanes.borrow_mut().limit();
+        agrees
+    }
+
     fn pending_column(&self, pending: Pending<'_>, point: u16) -> Column {
         match pending {
             Pending::Node(id) => self.column(id, point),
@@ -322,6 +362,11 @@ impl Graph {
             .find(|order| order.is_ne())
             .unwrap_or(Ordering::Equal)
     }
+}
+
+/// A value, or the opposite one.
+fn signed(field: FieldId, value: &Quadratic, is_opposite: bool) -> Quadratic {
+    if is_opposite { field.field().neg(value) } else { value.clone() }
 }
 
 #[cfg(test)]

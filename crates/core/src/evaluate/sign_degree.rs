@@ -8,6 +8,7 @@
 //! Sums have the largest degree of their terms, products the sum. Any other function of k signs has at most degree k.
 //! This is the degree in all signs; [`independent_signs`](super::independent_signs) has that in independent ones.
 
+use rustc_hash::FxHashSet;
 use std::sync::Arc;
 
 use crate::graph::{Flags, Function, Graph, Id, Kind, NumberId, Signs, View};
@@ -58,8 +59,19 @@ impl Graph {
         (points <= MOST_POINTS || self.hold_few_signs(nodes)).then_some(points)
     }
 
+    /// Whether few nodes hold signs. The search ends when they are many, however many there are: a large Jacobian asks for
+    /// each of its nodes.
     fn hold_few_signs(&self, nodes: &[Id]) -> bool {
-        self.post_order_where(nodes, |id| self.flags(id).has(Flags::BRANCH)).len() <= FEW_NODES
+        let (mut waiting, mut seen) = (nodes.to_vec(), FxHashSet::default());
+        while let Some(id) = waiting.pop() {
+            if self.flags(id).has(Flags::BRANCH) && seen.insert(id) {
+                if seen.len() > FEW_NODES {
+                    return false;
+                }
+                self.push_children(id, &mut waiting);
+            }
+        }
+        true
     }
 
     /// The signs of a difference.
@@ -207,6 +219,21 @@ mod tests {
             let negative = g.apply(Function::Min, &[x, Id::ZERO])?;
             let both = g.mul(part, negative)?;
             assert_eq!(both, Id::ZERO);
+        }
+        Ok(())
+    }
+
+    /// The search may end early, but it counts each node once, as many as are few and not one more.
+    #[test]
+    fn few_signs_are_counted_exactly() -> Result<(), Error> {
+        let g = &mut Graph::new();
+        let x = g.symbol("x", Assumption::Real);
+        let mut node = g.apply(Function::Abs, &[x])?;
+        for expected in 1..=FEW_NODES + 3 {
+            let counted = g.post_order_where(&[node, node], |id| g.flags(id).has(Flags::BRANCH)).len();
+            assert_eq!(counted, expected);
+            assert_eq!(g.hold_few_signs(&[node, node]), expected <= FEW_NODES, "{expected}");
+            node = g.apply(Function::Sin, &[node])?;
         }
         Ok(())
     }

@@ -11,7 +11,7 @@ use super::straight_line::{Factorization, Instruction, Operand, Solution, Tape};
 const STORED: &str = "that the operand is a number was seen before";
 
 /// An operand, or its opposite.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Signed {
     pub operand: Operand,
     pub negative: bool,

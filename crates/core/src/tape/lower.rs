@@ -7,7 +7,7 @@ use rustc_hash::FxHashMap;
 use std::cmp::Reverse;
 
 use crate::error::Error;
-use crate::graph::{ByValue, Factors, Function, Graph, Id, Ids, Kind, NumberId, Terms, View};
+use crate::graph::{ByValue, Factors, Flags, Function, Graph, Id, Ids, Kind, NumberId, Terms, View};
 use crate::interrupt::tick;
 use crate::print::Format;
 use crate::value::Number;
@@ -15,6 +15,7 @@ use crate::value::Number;
 use super::emit::{Emitter, Signed};
 use super::extended_product::Extended;
 use super::schedule::schedule;
+use super::shape::{Shape, is_double};
 use super::sign::absorb_signs;
 use super::straight_line::{Instruction, Operand, Tape};
 
@@ -100,6 +101,11 @@ struct Lowering<'a> {
     graph: &'a Graph,
     /// The operands that are computed.
     known: ByValue<Signed>,
+    /// Those of the nodes that were looked for: whether values with signs agree is asked once for a node, not whenever it
+    /// is read.
+    found: FxHashMap<Id, Signed>,
+    /// Those of the shapes of nodes with signs.
+    shapes: FxHashMap<Shape, Signed>,
     /// Nodes that are computed as they are written: signs and piecewise functions, which may differ at corners from what
     /// has their value elsewhere, and the branches of those, each of which may be accurate in its own range only.
     choices: FxHashMap<Id, Option<Signed>>,
@@ -113,6 +119,8 @@ impl<'a> Lowering<'a> {
         let mut lowering = Self {
             graph,
             known: ByValue::default(),
+            found: FxHashMap::default(),
+            shapes: FxHashMap::default(),
             choices: FxHashMap::default(),
             inputs: ByValue::default(),
             systems: ByValue::default(),
@@ -124,7 +132,9 @@ impl<'a> Lowering<'a> {
             }
             lowering.code.tape.inputs.push(graph.to_text(input));
             lowering.inputs.push(graph.value(input), input, ());
-            lowering.remember(input, Signed::plus(Operand::Input(position)));
+            if !lowering.knows(input) {
+                lowering.remember(input, Signed::plus(Operand::Input(position)));
+            }
         }
         Ok(lowering)
     }
@@ -133,18 +143,57 @@ impl<'a> Lowering<'a> {
         self.graph.find(&self.inputs, id).is_some()
     }
 
-    fn knows(&self, id: Id) -> bool {
-        if let Some(choice) = self.choices.get(&id) {
-            return choice.is_some();
+    fn knows(&mut self, id: Id) -> bool {
+        match self.choices.get(&id) {
+            Some(choice) => choice.is_some(),
+            None => self.find(id).is_some(),
         }
-        self.graph.find_up_to_sign(&self.known, id).is_some()
     }
 
+    /// The operand of the value of a node, if it is computed.
+    fn find(&mut self, id: Id) -> Option<Signed> {
+        if let Some(&found) = self.found.get(&id) {
+            return Some(found);
+        }
+        let shape = self.shape(id);
+        let of_shape = shape.as_ref().and_then(|(shape, is_opposite)| {
+            self.shapes.get(shape).map(|value| value.flipped_if(*is_opposite))
+        });
+        let found = if let Some(found) = of_shape {
+            found
+        } else {
+            let (value, is_opposite) = self.graph.find_among_many(&self.known, id)?;
+            value.flipped_if(is_opposite)
+        };
+        self.note(id, shape, found);
+        Some(found)
+    }
+
+    /// The shape of a node with signs. Others are known by their fingerprints.
+    fn shape(&self, id: Id) -> Option<(Shape, bool)> {
+        if !self.graph.flags(id).has(Flags::BRANCH) {
+            return None;
+        }
+        self.graph.shape(id, |part| match self.choices.get(&part) {
+            Some(&choice) => choice,
+            None => self.found.get(&part).copied(),
+        })
+    }
+
+    fn note(&mut self, id: Id, shape: Option<(Shape, bool)>, value: Signed) {
+        self.found.insert(id, value);
+        if let Some((shape, is_opposite)) = shape {
+            self.shapes.entry(shape).or_insert(value.flipped_if(is_opposite));
+        }
+    }
+
+    /// Note the operand of a node whose value was not known.
     fn remember(&mut self, id: Id, value: Signed) {
         if let Some(choice) = self.choices.get_mut(&id) {
             *choice = Some(value);
-        } else if !self.knows(id) {
+        } else {
             self.known.push(self.graph.value(id), id, value);
+            self.note(id, self.shape(id), value);
         }
     }
 
@@ -154,11 +203,10 @@ impl<'a> Lowering<'a> {
             // Numbers have more information than their value in the field.
             return self.code.constant(number.to_f64());
         }
-        if let Some(&Some(choice)) = self.choices.get(&id) {
-            return choice;
+        match self.choices.get(&id) {
+            Some(&Some(choice)) => choice,
+            _ => self.find(id).expect(EARLIER),
         }
-        let (value, is_opposite) = self.graph.find_up_to_sign(&self.known, id).expect(EARLIER);
-        value.flipped_if(is_opposite)
     }
 
     fn note_choices(&mut self, order: &[Id]) {
@@ -394,11 +442,6 @@ impl<'a> Lowering<'a> {
             self.code.emit_plain(Instruction::Select { condition: pair[1], positive: pair[0], otherwise })
         }))
     }
-}
-
-/// Whether a number is 0 or a double with all its digits.
-fn is_double(number: &Number) -> bool {
-    number.is_zero() || number.to_f64().is_normal()
 }
 
 /// The parts of a product: constant * above / below.

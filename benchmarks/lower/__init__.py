@@ -1,0 +1,1 @@
+"""Lowering: how long it takes to write expressions as straight-line code."""
