@@ -16,8 +16,10 @@ from symbody import (
     System,
     Vector,
     describe,
+    friction,
     functions_of_time,
     ground,
+    latex,
     newton_euler,
     rotate,
     spring,
@@ -142,3 +144,22 @@ def test_variables_are_told_apart_by_their_places() -> None:
         assert names.original(names.standard(first * c)) == first * c
     q = functions_of_time("q")
     assert str(standard_names([q], []).standard(time_derivative(q))) == "A0'"
+
+
+def test_short_names_in_one_equation_are_no_parameters_of_others() -> None:
+    """Dampers c1 to c4 of an arm: c2 is no cosine in the equation of the first joint, which holds c1 alone."""
+    q, g = functions_of_time("q1 q2 q3 q4"), symbols("g")
+    frame, bodies, loads = ground, list[Body](), []
+    for i, angle in enumerate(q):
+        A, B, C, d, m, c = symbols(f"A{i} B{i} C{i} d{i + 1} m{i} c{i + 1}")
+        frame = frame * rotate("ZYYX"[i], angle)
+        body = Body(frame * translate(0, 0, d), m, A, B, C)
+        before = {"reaction": bodies[-1]} if bodies else {}
+        loads.append(friction(angle, viscous=c, on=body, **before))
+        bodies.append(body)
+        frame = frame * translate(0, 0, d)
+    equations = newton_euler(System(bodies, loads, q, gravity=Vector(ground, 0, 0, -g)))
+    for notation in (describe, latex):
+        text = notation(equations.equation_of(q[0]))
+        assert not re.search(r"\bc_?\{?[1-4]\}? (:=|&=)", text)
+        assert len(text) > 1200

@@ -70,7 +70,7 @@ def _placed(subject: Subject, lengths: Sequence[float]) -> Still:
     Raises:
         ConstraintError: no position satisfies the constraints.
     """
-    equations = subject.equations
+    equations = subject.constrained
     guess = _positions(equations.system) if subject.guess is None else subject.guess
     guess = {q: value for q, value in guess.items() if q not in subject.position}
     known = {**_numbers(subject, lengths), **subject.parameters}
@@ -83,7 +83,7 @@ def _placed(subject: Subject, lengths: Sequence[float]) -> Still:
 
 def _numbers(subject: Subject, lengths: Sequence[float]) -> dict[Expr, float]:
     """Return values of all parameters, by what they mean."""
-    found = dict.fromkeys(subject.equations.parameters, PARAMETER)
+    found = dict.fromkeys(subject.constrained.parameters, PARAMETER)
     roles = roles_of(subject)
     found |= {each: TILT for each, role in roles.items() if role == ANGLE}
     its_lengths = [each for each, role in roles.items() if role == LENGTH]

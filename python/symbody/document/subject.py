@@ -39,6 +39,11 @@ class Subject:
         return self.equations.system
 
     @property
+    def constrained(self) -> Equations:
+        """The equations with the constraints of the mechanism: of embedded ones, those from which they follow."""
+        return self.equations.whole or self.equations
+
+    @property
     def mechanism(self) -> System | None:
         """The system with its bodies; None for equations that were given without bodies."""
         return self.system if isinstance(self.system, System) else None

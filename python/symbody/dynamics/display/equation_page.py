@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from symbody.multibody import Variables
-from symbody.symbolic import Expr
+from symbody.symbolic import Expr, latex
 from symbody.symbolic.expression.latex_layout import (
     ARTICLE,
     aligned,
@@ -69,7 +69,9 @@ class EquationPage:
         sides = [written(texts[:count]), right]
         names = texts[len(texts) - len(named) :]
         given = in_order_of_use([*shared, *zip(names[::2], names[1::2], strict=True)])
-        return shortened(sides, (), _used(given, sides), notation, masses=names_of_masses(self.system))
+        leaves, masses = self.system.leaves, names_of_masses(self.system)
+        taken = {str(leaf) if notation == "text" else latex(leaf) for leaf in leaves}
+        return shortened(sides, (), _used(given, sides), notation, taken=taken, masses=masses)
 
 
 def _used(definitions: list[Definition], sides: list[str]) -> list[Definition]:

@@ -76,6 +76,7 @@ def shortened(
     notation: str = "text",
     *,
     is_wanted: bool | None = None,
+    taken: Collection[str] = (),
     masses: Collection[str] = (),
 ) -> tuple[list[Definition], list[str]]:
     """Return definitions of names, and rows with these names, if that is shorter altogether.
@@ -86,6 +87,7 @@ def shortened(
         given: names that the rows and entries use already; they stay, and are defined before those of entries.
         notation: "text" or "latex".
         is_wanted: whether there shall be names, where another notation of the same rows has decided it.
+        taken: further names that the model has.
         masses: the names of masses and moments of inertia; with them, repeated sums of walls in text have names.
 
     >>> shortened(["a*cos(q2)"])
@@ -97,9 +99,9 @@ def shortened(
     before = _length([*rows], given, style)
     if before < LONG if is_wanted is None else not is_wanted:
         return [*given], [*rows]
-    whole, changed = _with_entries(rows, entries, style)
+    whole, changed = _with_entries(rows, entries, style, taken)
     named = [*given, *whole]
-    waves, changed = _with_waves([*(value for _, value in named), *changed], style)
+    waves, changed = _with_waves([*(value for _, value in named), *changed], style, taken)
     named = [(name, value) for (name, _), value in zip(named, changed, strict=False)]
     definitions, changed = [*waves, *named], changed[len(named) :]
     if masses and not style.is_typeset and _length(changed, definitions, style) >= WALL:
@@ -142,7 +144,7 @@ def _with_sums(
 
 
 def _with_entries(
-    texts: Sequence[str], entries: Sequence[tuple[int, int, str]], style: _Notation
+    texts: Sequence[str], entries: Sequence[tuple[int, int, str]], style: _Notation, taken: Collection[str]
 ) -> tuple[list[Definition], list[str]]:
     """Return the entries of the mass matrix that occur again, and texts with their names."""
     changed, definitions = list(texts), list[Definition]()
@@ -152,13 +154,15 @@ def _with_entries(
         name = f"M{style.number.format(index)}" if style.number != "{}" or "," not in index else ""
         count = sum(text.count(bracketed) for text in changed)
         saved = count * (len(bracketed) - len(name)) - len(style.definition.format(name, value))
-        if name and saved > 0 and not occurs(name, texts):
+        if name and saved > 0 and name not in taken and not occurs(name, texts):
             changed = [text.replace(bracketed, name) for text in changed]
             definitions.append((name, value))
     return definitions, changed
 
 
-def _with_waves(texts: Sequence[str], style: _Notation) -> tuple[list[Definition], list[str]]:
+def _with_waves(
+    texts: Sequence[str], style: _Notation, taken: Collection[str]
+) -> tuple[list[Definition], list[str]]:
     """Return the sines and cosines that occur often as short names, and texts with these names."""
     names = dict[tuple[str, str], str]()
     definitions = list[Definition]()
@@ -169,7 +173,9 @@ def _with_waves(texts: Sequence[str], style: _Notation) -> tuple[list[Definition
         is_word = {part["stem"] for part in _parts(angle, style)} != {plain}
         often = waves[kind, angle] if is_word else max(waves[each, angle] for each in ("sin", "cos"))
         is_often = often >= (_OFTEN_WORD if is_word else _OFTEN)  # no line has both c1 and sin(q1)
-        if is_often and name is not None and name not in names.values() and not occurs(name, texts):
+        if not is_often or name is None:
+            continue
+        if name not in {*names.values(), *taken} and not occurs(name, texts):
             names[kind, angle] = name
             definitions.append((name, _wave(kind, angle, style)))
 

@@ -17,7 +17,7 @@ from symbody.worksheet.evaluation.entrywise import entrywise
 from symbody.worksheet.evaluation.session import Command, Session
 from symbody.worksheet.mathematics.elimination import eliminated_in_turn
 from symbody.worksheet.mathematics.polynomial import coefficients, degree, reduced
-from symbody.worksheet.printing.print import text_of
+from symbody.worksheet.printing.print import Style, text_of
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.numeric import as_integer
 from symbody.worksheet.values.structure import tree_of
@@ -106,7 +106,7 @@ def unapply(session: Session, value: Value, *variables: Value) -> Value:
     if len(names) != len(variables):
         raise WorksheetError("unapply: expected names behind the expression")
     heading = names[0] if len(names) == 1 else f"({', '.join(names)})"
-    return session.parsed(f"{heading} -> {text_of(value)}")
+    return session.parsed(f"{heading} -> {text_of(value, Style(raw=frozenset(session.opaque)))}")
 
 
 # --- simplification ---------------------------------------------------------------------------------------------------

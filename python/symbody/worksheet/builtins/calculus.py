@@ -9,7 +9,7 @@ from symbody.errors import ExpressionError, WorksheetError
 from symbody.symbolic import Expr, number, t, time_derivative
 from symbody.worksheet.evaluation.arithmetic import scalar
 from symbody.worksheet.evaluation.derivative_rules import by_rules, derived
-from symbody.worksheet.evaluation.entrywise import entrywise
+from symbody.worksheet.evaluation.entrywise import depends_on, entrywise
 from symbody.worksheet.evaluation.session import Command, Session
 from symbody.worksheet.mathematics.laurent import laurent_series
 from symbody.worksheet.mathematics.order_term import (
@@ -72,7 +72,17 @@ def derivative(session: Session, value: Expr, by: Expr) -> Expr:
     if terms:
         kept = [order_of_derivative(each) for each in terms if not each.diff(by).is_zero]
         return by_rules(session, without_order(value).diff(by) + sum(kept, start=number(0)))
-    return derived(session, value, by)
+    return derived(session, value, by) + _of_unknown_calls(session, value, by)
+
+
+def _of_unknown_calls(session: Session, value: Expr, by: Expr) -> Expr:
+    """Return what calls that nobody knows add to a derivative, by the chain rule: ``2*diff(int(..), x)``."""
+    total = number(0)
+    for leaf in sorted((each for each in value.free_symbols if each.name in session.opaque), key=str):
+        call = session.opaque[leaf.name]
+        if isinstance(call, Unevaluated) and depends_on(call, by):
+            total += value.diff(leaf) * scalar(session, _derived(session, call, by))
+    return total
 
 
 def derivative_operator(session: Session, function: Value) -> Value:

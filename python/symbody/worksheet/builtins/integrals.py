@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from typing import Any
 
 from symbody.errors import WorksheetError
-from symbody.symbolic import Expr, from_sympy, number, to_sympy
+from symbody.symbolic import Expr, from_sympy, number, t, to_sympy
 from symbody.worksheet.evaluation.arithmetic import scalar
 from symbody.worksheet.evaluation.entrywise import entrywise
 from symbody.worksheet.evaluation.session import Command, Session
@@ -118,12 +119,13 @@ def _applied(session: Session, name: str, value: Value, place: Value, make: _Mad
         import sympy  # noqa: PLC0415 - optional
     except ImportError as error:
         raise WorksheetError(f"{name}: it needs SymPy; pip install symbody[sympy]") from error
+    standing = _standing((value, *bounds), variable)
     try:
         made = make(
             sympy,
-            to_sympy(value.subs({variable: _PLACE})),
+            to_sympy(value.subs({variable: _PLACE, **standing})),
             to_sympy(_PLACE),
-            [_number(sympy, b) for b in bounds],
+            [_number(sympy, b.subs(standing)) for b in bounds],
         )
         if made is None or made.has(sympy.Integral, sympy.Limit, sympy.nan, sympy.zoo, sympy.I):
             return plain
@@ -132,7 +134,18 @@ def _applied(session: Session, name: str, value: Value, place: Value, make: _Mad
         found = from_sympy(made)
     except SYMPY_REFUSALS:
         return plain
-    return found.subs({_PLACE: variable}) if isinstance(found, Expr) else plain
+    original = {_PLACE: variable, **{stand: leaf for leaf, stand in standing.items()}}
+    return found.subs(original) if isinstance(found, Expr) else plain
+
+
+def _standing(values: tuple[Expr, ...], variable: Expr) -> dict[Expr, Expr]:
+    """Return names for what SymPy has no name for, such as ``a[1]`` or ``q[1](t)``, and doesn't hold the variable."""
+    leaves = frozenset[Expr]().union(*(each.free_symbols for each in values)) - {variable}
+    others = sorted((leaf for leaf in leaves if not leaf.name.isidentifier()), key=str)
+    moving = variable == t
+    held = re.compile(rf"\b{re.escape(variable.name)}\b")  # q[k] depends on k
+    fixed = [leaf for leaf in others if not held.search(leaf.name) and not (moving and leaf.depends_on_time)]
+    return {leaf: symbol(f"_leaf{i}") for i, leaf in enumerate(fixed)}
 
 
 def _bounds(session: Session, value: Value) -> tuple[Expr, ...]:

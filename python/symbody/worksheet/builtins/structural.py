@@ -126,6 +126,9 @@ def _occurs(session: Session, value: Value, part: Value) -> bool:
     if value == part:
         return True
     if isinstance(value, Expr):
+        calls = [session.opaque[leaf.name] for leaf in value.free_symbols if leaf.name in session.opaque]
+        if any(_occurs(session, call, part) for call in calls):
+            return True
         if not isinstance(part, Expr | Reference):
             return False
         wanted = scalar(session, part)

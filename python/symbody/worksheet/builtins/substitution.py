@@ -12,12 +12,13 @@ from typing import TYPE_CHECKING
 
 from symbody.symbolic import Expr, UndefinedFunction, t, time_derivative
 from symbody.symbolic.expression.traverse import post_order
-from symbody.worksheet.evaluation.current import replaced
+from symbody.worksheet.evaluation.arithmetic import scalar
+from symbody.worksheet.evaluation.current import called_again, replaced
 from symbody.worksheet.evaluation.entrywise import parts_of, with_parts
 from symbody.worksheet.mechanics import frame_face
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.structure import Tree, tree_of, walk
-from symbody.worksheet.values.value import Array, ProcedureValue, Reference, Table, Value
+from symbody.worksheet.values.value import Array, ProcedureValue, Reference, Table, Unevaluated, Value
 
 if TYPE_CHECKING:
     from symbody.worksheet.evaluation.session import Session
@@ -65,13 +66,26 @@ def _in_array(session: Session, array: Array, mapping: Mapping[Value, Value]) ->
 
 
 def _in_scalar(session: Session, value: Expr, mapping: Mapping[Value, Value]) -> Value:
-    complete = _with_derivatives(value, {**mapping, **_operated(session, value, mapping)})
+    within = _in_unknown_calls(session, value, mapping)
+    complete = _with_derivatives(value, {**mapping, **_operated(session, value, mapping), **within})
     if not complete:
         return value
     scalars = {old: new for old, new in complete.items() if old.kind in _LEAVES and isinstance(new, Expr)}
     if len(scalars) == len(complete):
         return replaced(session, value, scalars)
     return _rebuilt(session, value, complete)
+
+
+def _in_unknown_calls(session: Session, value: Expr, mapping: Mapping[Value, Value]) -> dict[Value, Value]:
+    """Return what calls that nobody knows become, which stand in a scalar as names: ``2*Int(sin(s), s = 0..x(t))``."""
+    made: dict[Value, Value] = {}
+    for leaf in value.free_symbols:
+        call = session.opaque.get(leaf.name)
+        if isinstance(call, Unevaluated) and leaf not in mapping:
+            found = substituted(session, call, mapping)
+            if found != call:
+                made[leaf] = scalar(session, called_again(session, session.current(found), call))
+    return made
 
 
 def _with_derivatives(value: Expr, mapping: Mapping[Value, Value]) -> dict[Expr, Value]:

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 from symbody.deferred import Deferred
 from symbody.errors import WorksheetError
 from symbody.geometry import Frame, Point
-from symbody.symbolic import ENERGY, Expr, derivation, number, small
+from symbody.symbolic import ENERGY, Expr, derivation, number, small, t
 from symbody.worksheet.commands.bodies import gravity
+from symbody.worksheet.evaluation.entrywise import depends_on
 from symbody.worksheet.evaluation.session import Command, Session
 from symbody.worksheet.mechanics import frame_face
 from symbody.worksheet.mechanics.modes import mechanics
@@ -107,10 +108,22 @@ def lagrange(session: Session, energy: Value, variable: Value, time: Value | Non
     del time
     reader = Reader(session, "lagrange")
     L, several = reader.scalar(energy), session.resolve(variable)
+    _check_known(session, L)
     items = several.items if isinstance(several, Listed | MapleSet | Sequence) else (variable,)
     found = [dynamics.lagrange(L, _function_of_time(reader, item)) for item in items]
     equations = result(mechanics(session), found)
     return Listed(equations) if isinstance(several, Listed | MapleSet | Sequence) else equations[0]
+
+
+def _check_known(session: Session, energy: Expr) -> None:
+    """Raise what the user should read if an energy holds a call that moves, and whose derivative is not known."""
+    for leaf in sorted(energy.free_symbols, key=str):
+        call = session.opaque.get(leaf.name)
+        if call is not None and depends_on(call, t):
+            raise WorksheetError(
+                f"lagrange: {session.text(call)[:60]} depends on the motion and isn't worked out; expected an energy "
+                "whose derivatives are known"
+            )
 
 
 def lagrange_equations(session: Session, system: Value, variables: Value, *options: Value) -> Value:

@@ -33,7 +33,7 @@ from symbody.worksheet.values.value import (
     Value,
 )
 
-__all__ = ["Seen", "current", "is_last_name", "named", "replaced", "resolved", "set_of"]
+__all__ = ["Seen", "called_again", "current", "is_last_name", "named", "replaced", "resolved", "set_of"]
 
 CONSTANTS: dict[str, Value] = {
     "Pi": pi,
@@ -402,8 +402,15 @@ def _indexed(session: State, value: Expr, base: str, indices: tuple[Value, ...])
 
 
 def _opaque(session: State, value: Expr, content: Value) -> Value:
-    found = current(session, content)
+    found = called_again(session, current(session, content), content)
     return value if found == content else found
+
+
+def called_again(session: State, value: Value, before: Value) -> Value:
+    """Return what a call that nobody knew is with its arguments of now: ``floor(z)``, if z has become a number."""
+    if isinstance(value, Unevaluated) and value != before:
+        return session.call(value.function, value.arguments)
+    return value
 
 
 def _function(session: State, value: Expr) -> Value:

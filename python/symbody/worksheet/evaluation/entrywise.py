@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from symbody.symbolic import Expr
+from symbody.symbolic import Expr, t
 from symbody.worksheet.evaluation.current import flattened, set_of
 from symbody.worksheet.values.value import (
     Array,
@@ -24,7 +24,7 @@ from symbody.worksheet.values.value import (
 if TYPE_CHECKING:
     from symbody.worksheet.evaluation.session import Session
 
-__all__ = ["copied", "entrywise", "parts_of", "with_parts"]
+__all__ = ["copied", "depends_on", "entrywise", "parts_of", "with_parts"]
 
 
 def entrywise(
@@ -62,6 +62,13 @@ def parts_of(value: Value) -> tuple[Value, ...]:
     if isinstance(value, Range):
         return value.start, value.stop
     return value.arguments if isinstance(value, Unevaluated) else ()
+
+
+def depends_on(value: Value, variable: Expr) -> bool:
+    """Return whether a variable occurs in a value or in its parts; for the time, whether anything moves."""
+    if isinstance(value, Expr):
+        return value.depends_on_time if variable == t else variable in value.free_symbols
+    return any(depends_on(part, variable) for part in parts_of(value))
 
 
 def with_parts(value: Value, parts: list[Value]) -> Value:
