@@ -34,6 +34,7 @@ EQUAL = [
     ("x-1/6*x^3+O(x^4)", "x-x^3/6+O(x^4)"),
     ("``(2)^2*``(3)", "``(3)*``(2)^2"),
     ("p := proc(x) x^2 end proc", "p := proc (a) a*a end proc"),
+    ("f := x -> x^2", "f := proc (x) options operator, arrow; x^2 end proc"),
     ("p := proc(x) local y; y := x; 2*y end proc", "p := proc (x) local y; y := x; 2*y end proc"),
     ("v := Vector[row]([1, 2])", "v := Vector[row]([1,2])"),
     ("v := Vector[column]([1, 2])", "v := Vector[column]([[1],[2]])"),

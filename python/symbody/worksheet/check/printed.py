@@ -280,10 +280,11 @@ class _Values:
         return self._operator("->", node.parameters, self._scalar(node.body))
 
     def procedure(self, node: syntax.Procedure) -> Value:
-        """Return a procedure of one expression like an operator."""
+        """Return a procedure of one expression like an operator, which Maple prints as one with these options."""
+        kind = "->" if {"operator", "arrow"} <= set(node.options) else "proc"
         match node.body:
             case (syntax.Evaluation(expression=body) | syntax.Return(value=body),) if body is not None:
-                return self._operator("proc", node.parameters, self._scalar(body))
+                return self._operator(kind, node.parameters, self._scalar(body))
         raise NotComparable("a procedure of several statements, which is written otherwise")
 
     def _operator(self, kind: str, parameters: tuple[syntax.Parameter, ...], body: Expr) -> Value:
