@@ -53,7 +53,7 @@ def test_equations_fit_an_article_and_break_across_pages(tmp_path: Path) -> None
     high = [each.latex() for each in machines]
     assert all(r"\begin{align*}" in each for each in high)
     assert small.latex().startswith(r"\begin{aligned}")
-    assert r"\begin{aligned}" in machines[0]._page.latex()
+    assert r"\begin{aligned}" in machines[0].display.page.latex()
     formulas = "\n\n".join([rf"\[ {small.latex()} \]", *high, rf"\[ {high_formula()} \]"])
     file = tmp_path / "equations.tex"
     file.write_text(

@@ -90,7 +90,7 @@ def test_no_double_angle_of_a_difference(seed: int) -> None:
 @each
 def test_rows_are_equal_to_the_residuals_and_fit(seed: int) -> None:
     equations, _ = shown(seed)
-    for balance, residual in zip(equations._page.balances, equations.residuals, strict=True):
+    for balance, residual in zip(equations.display.page.balances, equations.residuals, strict=True):
         assert balance.residual == residual
     assert max(map(len, equations.description().splitlines())) <= 110
 

@@ -222,7 +222,7 @@ def test_what_all_terms_share_stands_outside(given: Expr, form: str) -> None:
 @pytest.mark.parametrize("axes", ["ZYZ", "ZXZ", "ZYX", "XZX", "YXY"])
 def test_diagonals_are_sums_of_squares(axes: str) -> None:
     """Distances from the axis, and moments of inertia times squares of cosines: nothing is subtracted."""
-    matrix = newton_euler(arm(axes))._page.mass_matrix
+    matrix = newton_euler(arm(axes)).display.page.mass_matrix
     for i in range(len(axes)):
         assert " - " not in str(matrix[i, i])
 
@@ -237,7 +237,7 @@ def test_no_whole_number_behind_a_fraction_cancels(axes: str) -> None:
         frame = frame * rotate(axis, q[i])
         bodies.append(Body(Point(frame, length / 2, 0, 0), mass, Iz=inertia))
         frame = frame * translate(length, 0, 0)
-    matrix = newton_euler(System(bodies, coordinates=q))._page.mass_matrix
+    matrix = newton_euler(System(bodies, coordinates=q)).display.page.mass_matrix
     assert not any(re.search(r"\b4\*", str(entry)) for entry in matrix.entries)
 
 
@@ -297,7 +297,7 @@ def test_squares_of_distances_from_an_axis() -> None:
 
 @pytest.mark.parametrize("axes", ["ZYY", "ZXX", "YZZ", "XZZ", "ZYYZ"])
 def test_entries_of_spatial_arms_have_no_double_angles(axes: str) -> None:
-    matrix = newton_euler(arm(axes))._page.mass_matrix
+    matrix = newton_euler(arm(axes)).display.page.mass_matrix
     assert not re.search(r"(sin|cos)\([^()]*2\*", " ".join(map(str, matrix.entries)))
 
 
@@ -584,7 +584,7 @@ def test_loads_that_are_no_polynomials_stay_in_one_piece() -> None:
 @pytest.mark.parametrize("seed", [*range(5), *repeated(range(5, 15))])
 def test_rows_of_random_systems_are_equal_to_the_residuals(seed: int) -> None:
     equations = newton_euler(random_system(seed))
-    for balance, residual in zip(equations._page.balances, equations.residuals, strict=True):
+    for balance, residual in zip(equations.display.page.balances, equations.residuals, strict=True):
         assert balance.residual == residual
     for text in (equations.description(), equations.description(whole=True)):
         assert max(map(len, text.splitlines())) <= 110

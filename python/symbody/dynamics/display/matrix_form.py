@@ -6,11 +6,10 @@ Where the terms come from is known of systems of bodies alone. Equations that we
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
-from symbody.errors import ModelNotice
+from symbody.errors import notify
 from symbody.multibody import System, Variables
 from symbody.symbolic import Expr, Matrix, diff, free_symbols, latex, number, zeros
 from symbody.symbolic.expression.latex_layout import aligned, bmatrix, displayed
@@ -290,11 +289,7 @@ def _no_rates(system: Variables) -> str:
 
 
 def _notice(reason: str, instead: str = "c(q, q')") -> None:
-    warnings.warn(
-        f"matrix_form: {instead} is returned instead of the matrix C(q, q'), since {reason}",
-        ModelNotice,
-        stacklevel=4,
-    )
+    notify(f"matrix_form: {instead} is returned instead of the matrix C(q, q'), since {reason}")
 
 
 def by_christoffel(mass_matrix: Matrix, system: Variables) -> Matrix:

@@ -63,13 +63,13 @@ def total(system: Variables, residuals: Sequence[Expr]) -> str:
     return f"{sizes}: {counted(cost(residuals).total, 'operation')} in all"
 
 
-def ends(items: Sequence[Item]) -> list[Item | None]:
-    """Return items; of many the first and the last, with None between them.
+def ends(items: Sequence[Item], most: int = 2 * _SHOWN) -> list[Item | None]:
+    """Return items; of more than so many the first and the last, with None between them.
 
     >>> ends(range(20))
     [0, 1, 2, 3, None, 16, 17, 18, 19]
     """
-    return [*items] if len(items) <= 2 * _SHOWN else [*items[:_SHOWN], None, *items[-_SHOWN:]]
+    return [*items] if len(items) <= most else [*items[:_SHOWN], None, *items[-_SHOWN:]]
 
 
 def sizes_by_speed(system: Variables, residuals: Sequence[Expr]) -> list[tuple[Expr, int] | None]:

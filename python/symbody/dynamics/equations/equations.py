@@ -7,14 +7,9 @@ from dataclasses import dataclass, replace
 from typing import Any, Generic, TypeVar
 
 from symbody.deferred import cached_property
-from symbody.dynamics.display.abridged import PAGES, abridged, pages_of
-from symbody.dynamics.display.balance import Balance, balances
+from symbody.dynamics.display.display import Display
 from symbody.dynamics.display.equation_page import EquationPage
-from symbody.dynamics.display.line_page import with_lines_if_shorter
-from symbody.dynamics.display.matrix_form import MatrixForm, matrix_form, with_names
-from symbody.dynamics.display.page import Page
-from symbody.dynamics.display.ratio_page import better_page, page_of_ratios
-from symbody.dynamics.display.summary import is_readable, summary, summary_in_latex, summary_table
+from symbody.dynamics.display.matrix_form import MatrixForm
 from symbody.errors import ModelError
 from symbody.geometry import Scalar
 from symbody.geometry.given.argument import checked
@@ -28,15 +23,13 @@ from symbody.symbolic import (
     cost,
     derivation,
     free_symbols,
-    readable,
     seemingly_idle_symbols,
     truncated,
     with_numbers_for_idle_symbols,
     without_idle_symbols,
 )
 from symbody.symbolic.expression.container import Container, contains, substituted
-from symbody.symbolic.expression.latex_layout import displayed, in_pages, one_formula
-from symbody.symbolic.given.arguments import brief, counted
+from symbody.symbolic.given.arguments import counted
 from symbody.symbolic.numeric.program import program_of
 
 from .baumgarte import Damping, stabilized_beside
@@ -314,48 +307,17 @@ class Equations:
         )
 
     @cached_property
-    def _page(self) -> Page:
-        jacobian = self.constraint_jacobian
-        rows, matrix = balances(self.system, self.residuals, self.mass_matrix, self.bias, jacobian)
-        return Page(self.system, rows, self.constraints, matrix, tuple(self.state_rates.items()))
+    def display(self) -> Display:
+        """How the equations are shown."""
+        return Display(self)
 
-    @cached_property
-    def page_with_lines(self) -> Page:
-        """The equations in their form for the reader, with names of forces along lines if it is shorter so."""
-        return with_lines_if_shorter(self._page, self.residuals, self.bias, self.constraint_jacobian)
-
-    @cached_property
-    def _page_of_ratios(self) -> Page | None:
-        """The page of embedded equations by velocity ratios."""
-        if self.whole is None or cost(self.whole.residuals).total > _BY_RATIOS:
-            return None
-        return page_of_ratios(self.system, self.residuals, self.state_rates, self.whole.page_with_lines)
-
-    @cached_property
-    def _printed_page(self) -> Page:
-        """The one that reads better."""
-        if self._page_of_ratios is None:
-            return self.page_with_lines
-        if not is_readable(self.residuals):
-            return self._page_of_ratios
-        return better_page(self.page_with_lines, self._page_of_ratios)
-
-    @cached_property
-    def _has_page(self) -> bool:
-        return is_readable(self.residuals) or self._page_of_ratios is not None
-
-    @cached_property
+    @property
     def is_readable(self) -> bool:
         """Whether the equations are written out: they have at most 1000 operations, and fill at most two pages.
 
         Equations that do so as text alone, by names of repeated sums, are not written out as formulas.
         """
-        return self._is_printed and not self._printed_page.has_names_of_sums
-
-    @cached_property
-    def _is_printed(self) -> bool:
-        """Whether the equations are written out as text."""
-        return self._has_page and self._printed_page.description().count("\n") <= PAGES
+        return self.display.is_readable
 
     def description(self, *, whole: bool = False) -> str:
         """Return the equations line by line as a textbook prints them: what `show` prints.
@@ -367,11 +329,7 @@ class Equations:
         Args:
             whole: whether equations of at most 1000 operations are written out, however many pages they fill.
         """
-        if not self._has_page:
-            return summary(self.system, self.residuals)
-        if whole or self._is_printed:
-            return self._printed_page.description()
-        return abridged(self._printed_page, self.residuals)
+        return self.display.description(whole=whole)
 
     def equation_of(self, speed: Expr) -> EquationPage:
         """Return one equation, to be shown by itself with the names that it needs.
@@ -389,21 +347,7 @@ class Equations:
         EQUATION OF MOTION of x
             (M + m1)*x'' + a1*m1*cos(theta1)*theta1'' - a1*m1*sin(theta1)*theta1'**2 + b*x' = F
         """
-        places = {each: k for known in (self.system.driving, self.speeds) for k, each in enumerate(known)}
-        if speed not in places:
-            known = ", ".join(map(str, self.system.driving))
-            raise ModelError(f"equation_of: there is no equation of {brief(speed)}; expected one of {known}")
-        k = places[speed]
-        if self._has_page:
-            return pages_of(self._printed_page)[k]
-        rows, _ = balances(
-            self.system, self.residuals, self.mass_matrix, self.bias, self.constraint_jacobian, places=[k]
-        )
-        page = EquationPage(self.system, self.system.driving[k], rows[0])
-        if len(page.description()) <= _WALL:
-            return page
-        whole = Balance(velocities=(readable(self.residuals[k]),))
-        return min(page, replace(page, balance=whole), key=lambda each: len(each.description()))
+        return self.display.equation_of(speed)
 
     def latex(self, *, whole: bool = False) -> str:
         r"""Return the equations and constraints in LaTeX, as a textbook prints them.
@@ -416,9 +360,7 @@ class Equations:
         Args:
             whole: whether equations of at most 1000 operations are written out, however many pages they fill.
         """
-        if self.is_readable or (whole and self._has_page):
-            return in_pages(self._printed_page.latex())
-        return summary_in_latex(self.system, self.residuals)
+        return self.display.latex(whole=whole)
 
     def matrix_form(self, *, christoffel: bool = False) -> MatrixForm:
         """Return ``M q'' + c + g + loads = Q + phi_q^T lambda`` with each entry in its form for the reader.
@@ -433,45 +375,14 @@ class Equations:
         Raises:
             ModelError: the equations are too long to be read, as `show` tells by their sizes.
         """
-        if not is_readable(self.residuals):
-            raise ModelError(
-                f"matrix_form: the equations have {counted(cost(self.residuals).total, 'operation')}, too many to "
-                "be read; equations.mass_matrix and equations.bias have the entries, and readable(entry) is the form "
-                "of one"
-            )
-        form = matrix_form(self.system, self._page.mass_matrix, self._page.balances, christoffel=christoffel)
-        return with_names(form, self.page_with_lines)
-
-    @cached_property
-    def _latex_of_notebook(self) -> str | None:
-        """The equations in LaTeX if they are short enough to be read below a cell, and to be written at once."""
-        if (
-            cost(self.residuals).total > _AT_ONCE
-            or not self.is_readable
-            or self.description().count("\n") > _READABLE
-        ):
-            return None
-        return displayed(one_formula(self.latex()))
+        return self.display.matrix_form(christoffel=christoffel)
 
     def _repr_latex_(self) -> str | None:
-        return self._latex_of_notebook
+        return self.display.notebook_latex
 
     def _repr_html_(self) -> str | None:
         """Return the sizes of equations that are too long to be read."""
-        return None if self._latex_of_notebook else summary_table(self.system, self.residuals)
-
-
-_WALL = 3000
-"""The characters from which on an equation of a large system may be shorter if its terms are not told apart."""
-
-_BY_RATIOS = 400
-"""Operations of equations with constraints up to which embedded ones are written by velocity ratios."""
-
-_READABLE = 60
-"""Lines up to which a notebook shows equations."""
-
-_AT_ONCE = 500
-"""Operations up to which a notebook writes equations out: about a second."""
+        return self.display.notebook_html()
 
 
 @dataclass(frozen=True)

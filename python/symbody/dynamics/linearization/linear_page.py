@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
+from symbody.dynamics.display.summary import ends
 from symbody.symbolic import Expr, Matrix, cost, latex, readable, time_derivative
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.expression.latex_layout import aligned, bmatrix
@@ -23,8 +24,6 @@ _LONGEST = 40
 """Operations up to which an entry is written out as text."""
 _WIDE = 30
 """Columns beyond which a matrix is described by its size."""
-_ENDS = 4
-"""The first and the last names, so many each, that are listed of wide matrices."""
 
 
 class LinearPage(NamedTuple):
@@ -132,8 +131,7 @@ def _size(matrix: Matrix) -> str:
 
 def _listed(names: Sequence[Expr]) -> str:
     """Return names; of many the first and the last."""
-    texts = [str(name) for name in names]
-    return ", ".join(texts if len(texts) <= _WIDE else [*texts[:_ENDS], "...", *texts[-_ENDS:]])
+    return ", ".join("..." if name is None else str(name) for name in ends(names, _WIDE))
 
 
 _ADVICE = (

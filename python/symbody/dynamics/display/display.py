@@ -1,0 +1,210 @@
+"""How equations of motion are shown: as a page if they are short enough to be read, or by their sizes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Protocol
+
+from symbody.deferred import cached_property
+from symbody.errors import ModelError
+from symbody.multibody import Variables
+from symbody.symbolic import Expr, Matrix, cost, readable
+from symbody.symbolic.expression.latex_layout import displayed, in_pages, one_formula
+from symbody.symbolic.given.arguments import brief, counted
+
+from .abridged import PAGES, abridged, pages_of
+from .balance import Balance, balances
+from .equation_page import EquationPage
+from .line_page import with_lines_if_shorter
+from .matrix_form import MatrixForm, matrix_form, with_names
+from .page import Page
+from .ratio_page import better_page, page_of_ratios
+from .summary import is_readable, summary, summary_in_latex, summary_table
+
+_WALL = 3000
+"""The characters from which on an equation of a large system may be shorter if its terms are not told apart."""
+_BY_RATIOS = 400
+"""Operations of equations with constraints up to which embedded ones are written by velocity ratios."""
+_READABLE = 60
+"""Lines up to which a notebook shows equations."""
+_AT_ONCE = 500
+"""Operations up to which a notebook writes equations out: about a second."""
+
+
+class Shown(Protocol):
+    """What is known of equations that are shown."""
+
+    @property
+    def system(self) -> Variables:
+        """The system to which they belong."""
+
+    @property
+    def residuals(self) -> Sequence[Expr]:
+        """The equations, expressions that are zero."""
+
+    @property
+    def mass_matrix(self) -> Matrix:
+        """The mass matrix M, n x n."""
+
+    @property
+    def bias(self) -> Sequence[Expr]:
+        """The residuals at zero accelerations and multipliers."""
+
+    @property
+    def constraints(self) -> tuple[Expr, ...]:
+        """Expressions that are zero."""
+
+    @property
+    def constraint_jacobian(self) -> Matrix:
+        """The Jacobian phi_q of the constraints, m x n."""
+
+    @property
+    def state_rates(self) -> Mapping[Expr, Expr]:
+        """The rates of the states beside the mechanics."""
+
+    @property
+    def whole(self) -> Shown | None:
+        """Of embedded equations: those with the constraints."""
+
+    @property
+    def display(self) -> Display:
+        """How they are shown."""
+
+
+@dataclass(frozen=True, eq=False)
+class Display:
+    """The ways of showing equations: text, LaTeX, one equation, matrices, below the cell of a notebook.
+
+    Attributes:
+        shown: the equations.
+    """
+
+    shown: Shown
+
+    @property
+    def system(self) -> Variables:
+        """The system to which the equations belong."""
+        return self.shown.system
+
+    @cached_property
+    def page(self) -> Page:
+        """The equations row by row in their form for the reader."""
+        shown = self.shown
+        rows, matrix = balances(
+            shown.system, shown.residuals, shown.mass_matrix, shown.bias, shown.constraint_jacobian
+        )
+        return Page(shown.system, rows, shown.constraints, matrix, tuple(shown.state_rates.items()))
+
+    @cached_property
+    def page_with_lines(self) -> Page:
+        """The same with names of forces along lines if it is shorter so."""
+        shown = self.shown
+        return with_lines_if_shorter(self.page, shown.residuals, shown.bias, shown.constraint_jacobian)
+
+    @cached_property
+    def _page_of_ratios(self) -> Page | None:
+        """The page of embedded equations by velocity ratios."""
+        shown, whole = self.shown, self.shown.whole
+        if whole is None or cost(whole.residuals).total > _BY_RATIOS:
+            return None
+        page = whole.display.page_with_lines
+        return page_of_ratios(shown.system, shown.residuals, shown.state_rates, page)
+
+    @cached_property
+    def _printed_page(self) -> Page:
+        """The one that reads better."""
+        if self._page_of_ratios is None:
+            return self.page_with_lines
+        if not is_readable(self.shown.residuals):
+            return self._page_of_ratios
+        return better_page(self.page_with_lines, self._page_of_ratios)
+
+    @cached_property
+    def _has_page(self) -> bool:
+        return is_readable(self.shown.residuals) or self._page_of_ratios is not None
+
+    @cached_property
+    def _is_printed(self) -> bool:
+        """Whether the equations are written out as text."""
+        return self._has_page and self._printed_page.description().count("\n") <= PAGES
+
+    @cached_property
+    def is_readable(self) -> bool:
+        """Whether the equations are written out in all notations."""
+        return self._is_printed and not self._printed_page.has_names_of_sums
+
+    def description(self, *, whole: bool = False) -> str:
+        """Return the equations as text, or the sizes of those that are too long.
+
+        Args:
+            whole: whether equations of at most 1000 operations are written out, however many pages they fill.
+        """
+        if not self._has_page:
+            return summary(self.system, self.shown.residuals)
+        if whole or self._is_printed:
+            return self._printed_page.description()
+        return abridged(self._printed_page, self.shown.residuals)
+
+    def latex(self, *, whole: bool = False) -> str:
+        """Return the same in LaTeX."""
+        if self.is_readable or (whole and self._has_page):
+            return in_pages(self._printed_page.latex())
+        return summary_in_latex(self.system, self.shown.residuals)
+
+    def equation_of(self, speed: Expr) -> EquationPage:
+        """Return one equation on a page of its own.
+
+        Args:
+            speed: the coordinate whose equation it is, its rate, or the quasi-velocity.
+
+        Raises:
+            ModelError: it is none of these.
+        """
+        shown, system = self.shown, self.system
+        places = {each: k for known in (system.driving, system.speeds) for k, each in enumerate(known)}
+        if speed not in places:
+            known = ", ".join(map(str, system.driving))
+            raise ModelError(f"equation_of: there is no equation of {brief(speed)}; expected one of {known}")
+        k = places[speed]
+        if self._has_page:
+            return pages_of(self._printed_page)[k]
+        rows, _ = balances(
+            system, shown.residuals, shown.mass_matrix, shown.bias, shown.constraint_jacobian, places=[k]
+        )
+        page = EquationPage(system, system.driving[k], rows[0])
+        if len(page.description()) <= _WALL:
+            return page
+        whole = Balance(velocities=(readable(shown.residuals[k]),))
+        return min(page, replace(page, balance=whole), key=lambda each: len(each.description()))
+
+    def matrix_form(self, *, christoffel: bool) -> MatrixForm:
+        """Return the matrices of the equations, each entry in its form for the reader.
+
+        Raises:
+            ModelError: the equations are too long to be read.
+        """
+        residuals = self.shown.residuals
+        if not is_readable(residuals):
+            raise ModelError(
+                f"matrix_form: the equations have {counted(cost(residuals).total, 'operation')}, too many to "
+                "be read; equations.mass_matrix and equations.bias have the entries, and readable(entry) is the form "
+                "of one"
+            )
+        form = matrix_form(self.system, self.page.mass_matrix, self.page.balances, christoffel=christoffel)
+        return with_names(form, self.page_with_lines)
+
+    @cached_property
+    def notebook_latex(self) -> str | None:
+        """The equations in LaTeX if they are short enough to be read below a cell, and to be written at once."""
+        if (
+            cost(self.shown.residuals).total > _AT_ONCE
+            or not self.is_readable
+            or self.description().count("\n") > _READABLE
+        ):
+            return None
+        return displayed(one_formula(self.latex()))
+
+    def notebook_html(self) -> str | None:
+        """Return the sizes of equations that are too long for a notebook."""
+        return None if self.notebook_latex else summary_table(self.system, self.shown.residuals)
