@@ -1,7 +1,7 @@
 """The hierarchy of errors.
 
 Every message says where the mistake is, what was found, what was expected, and a way out, in the names of the user;
-``tests/test_errors.py`` contains each of them verbatim.
+``tests/errors`` contains each of them verbatim.
 """
 
 import inspect

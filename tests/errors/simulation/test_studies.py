@@ -1,4 +1,4 @@
-"""Mistakes with studies, samples and fits: their whole messages, beside `test_errors.py`."""
+"""Mistakes with studies, samples and fits: their whole messages."""
 
 from __future__ import annotations
 
@@ -25,6 +25,7 @@ from symbody import (
     study,
     symbols,
 )
+from tests.errors.given import Mistake, check
 from tests.simulation.oscillator import OSCILLATOR, c, k, m, u, x
 
 SALTELLI = sample({k: ("uniform", 1, 4), c: ("uniform", 0, 1)}, 8, method="saltelli")
@@ -55,7 +56,7 @@ def measured(**options: Any) -> Measurement:
     return Measurement(x, [0, 1], [0, 1], **options)
 
 
-MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
+MISTAKES: list[Mistake] = [
     (
         errors.ArgumentError,
         lambda: sample({"k": [1]}, 4),
@@ -570,10 +571,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
 
 @pytest.mark.parametrize(("kind", "mistake", "message"), MISTAKES, ids=[row[2][:40] for row in MISTAKES])
 def test_messages_of_studies(kind: type[SymbodyError], mistake: Callable[[], object], message: str) -> None:
-    with pytest.raises(SymbodyError) as caught:
-        mistake()
-    assert type(caught.value) is kind
-    assert str(caught.value) == message
+    check(kind, mistake, message)
 
 
 def test_packages_of_the_extra_are_named(monkeypatch: pytest.MonkeyPatch) -> None:

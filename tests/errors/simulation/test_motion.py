@@ -1,4 +1,4 @@
-"""Mistakes with speeds, states, constraints and prescribed motions: their whole messages, beside `test_errors.py`."""
+"""Mistakes with speeds, states, constraints and prescribed motions: their whole messages."""
 
 from __future__ import annotations
 
@@ -49,6 +49,7 @@ from symbody import (
     translate,
 )
 from symbody import t as time
+from tests.errors.given import Mistake, check
 
 x, y, z, theta, u, v, w = functions_of_time("x y z theta u v w")
 m, J, F, k, l, T = symbols("m J F k l T")
@@ -174,7 +175,7 @@ def tilted() -> Equations:
     return newton_euler(System([rod], (), [x, y], kinematics={u: dx * cos(y), v: dy}))
 
 
-MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
+MISTAKES: list[Mistake] = [
     # --- singular mass matrices ---
     (
         errors.ModelError,
@@ -879,10 +880,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
 
 @pytest.mark.parametrize(("kind", "mistake", "message"), MISTAKES)
 def test_message(kind: type[SymbodyError], mistake: Callable[[], object], message: str) -> None:
-    with pytest.raises(SymbodyError) as caught:
-        mistake()
-    assert str(caught.value) == message
-    assert type(caught.value) is kind
+    check(kind, mistake, message)
 
 
 def test_notices_of_speeds_that_are_not_listed() -> None:

@@ -1,4 +1,4 @@
-"""Mistakes in tyre property files: their whole messages, beside `test_errors_of_elements.py`."""
+"""Mistakes in tyre property files: their whole messages."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Mistakes with elements: their whole messages, beside `test_errors.py`."""
+"""Mistakes with the values of elements and with laws that users write: their whole messages, and notices."""
 
 from __future__ import annotations
 

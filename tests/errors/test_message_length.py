@@ -18,6 +18,7 @@ from symbody import (
     functions_of_time,
     ground,
     identity,
+    kinetic_energy,
     lambdify,
     moving_frame,
     newton_equations,
@@ -27,8 +28,41 @@ from symbody import (
     translate,
 )
 from symbody.symbolic.given.arguments import brief
-from tests import test_errors
+from tests.errors import given, test_codegen, test_geometry, test_models, test_symbolic
+from tests.errors.dynamics import test_equations, test_formalism, test_reaction
+from tests.errors.multibody import (
+    test_body,
+    test_constraint,
+    test_element,
+    test_joint,
+    test_kinematics,
+    test_mechanism,
+    test_state,
+    test_system,
+    test_tire,
+)
+from tests.errors.simulation import test_other_equations
 
+TABLES = (
+    test_symbolic,
+    test_codegen,
+    test_geometry,
+    test_models,
+    test_body,
+    test_constraint,
+    test_element,
+    test_joint,
+    test_kinematics,
+    test_mechanism,
+    test_state,
+    test_system,
+    test_tire,
+    test_equations,
+    test_formalism,
+    test_reaction,
+    test_other_equations,
+)
+"""The files whose mistakes are written with the names of `given.py`."""
 SHOWN = 80
 """Characters that a message spends on one thing."""
 
@@ -54,14 +88,14 @@ LONG = {
 }
 
 MISTAKES = [
-    *((mistake, message) for _, mistake, message in test_errors.MISTAKES),
+    *((mistake, message) for table in TABLES for _, mistake, message in table.MISTAKES),
     (lambda: long_sum / (long_sum - long_sum), ""),
     (lambda: float(long_sum), ""),
     (lambda: lambdify([long_sum], long_sum), ""),
     (lambda: solve([long_sum * x**2 - 1], [x]), ""),
     (lambda: long_sum.diff(long_sum), ""),
     (lambda: long_sum * "a text that is no expression", ""),
-    (lambda: test_errors.kinetic_energy([long_body, [long_frame] * 50]), ""),
+    (lambda: kinetic_energy([long_body, [long_frame] * 50]), ""),
     (lambda: rotate("W" * 1000, x), ""),
     (lambda: rotate((long_sum, x, y), x), ""),
     (lambda: Point([long_frame] * 50, 0, 0, 0), ""),
@@ -72,9 +106,11 @@ MISTAKES = [
 def test_no_message_prints_a_large_thing(
     mistake: Callable[[], object], usual: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Each mistake of ``tests/test_errors.py`` again, with names that hold large things."""
+    """Each mistake of these tables again, with names that hold large things."""
     for name, thing in LONG.items():
-        monkeypatch.setattr(test_errors, name, thing)
+        for file in (given, *TABLES):
+            if hasattr(file, name):
+                monkeypatch.setattr(file, name, thing)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         with pytest.raises((SymbodyError, TypeError)) as caught:

@@ -1,4 +1,4 @@
-"""Mistakes with joints, and with what they make: their whole messages, beside `test_errors.py`."""
+"""Mistakes with the values of joints, and with mechanisms in use: their whole messages."""
 
 from __future__ import annotations
 
@@ -49,6 +49,7 @@ from symbody import (
     universal,
 )
 from symbody.multibody.joint.joint import Joint
+from tests.errors.given import Mistake, check
 
 a, b = Link("a", 1, Iz=1), Link("b", 1, 1, 1, 1)
 
@@ -111,7 +112,7 @@ s_, twin = (
 )
 twins = System(twin, (), functions_of_time("s1 s2"))
 
-MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
+MISTAKES: list[Mistake] = [
     (
         errors.ModelError,
         lambda: reaction(newton_euler(twins), [twin[0], twin[0]]),
@@ -433,9 +434,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
 
 @pytest.mark.parametrize(("kind", "mistake", "message"), MISTAKES)
 def test_message(kind: type[SymbodyError], mistake: Callable[[], object], message: str) -> None:
-    with pytest.raises(SymbodyError) as caught:
-        mistake()
-    assert (type(caught.value), str(caught.value)) == (kind, message)
+    check(kind, mistake, message)
 
 
 def test_meshes_fit_up_to_rounding() -> None:

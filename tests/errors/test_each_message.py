@@ -1,7 +1,7 @@
 """Each error and notice of joints, elements, loads and reactions has a case whose whole message is compared.
 
-The cases are the tables of `test_errors*.py` and `test_notices_of_mechanisms.py`. The statements that raise or notify
-are read from the sources: a new one without a case fails here.
+The cases are the tables of this folder's rooms. The statements that raise or notify are read from the sources: a new
+one without a case fails here.
 """
 
 from __future__ import annotations
@@ -14,12 +14,17 @@ from pathlib import Path
 
 import symbody
 from symbody import SymbodyError
-from tests import (
-    test_errors,
-    test_errors_of_elements,
-    test_errors_of_joints,
-    test_errors_of_tire_files,
-    test_notices_of_mechanisms,
+from tests.errors.dynamics import test_reaction
+from tests.errors.multibody import (
+    test_body,
+    test_element,
+    test_element_values,
+    test_joint,
+    test_joint_values,
+    test_mechanism,
+    test_notices,
+    test_tire,
+    test_tire_file,
 )
 
 ROOT = Path(symbody.__file__).parent
@@ -30,11 +35,16 @@ SOURCES = (
     ROOT / "dynamics" / "formalism" / "reaction.py",
 )
 TABLES = (
-    test_errors.MISTAKES,
-    test_errors_of_joints.MISTAKES,
-    test_errors_of_elements.MISTAKES,
-    test_errors_of_tire_files.MISTAKES,
-    test_notices_of_mechanisms.NOTICES,
+    test_body.MISTAKES,
+    test_element.MISTAKES,
+    test_element_values.MISTAKES,
+    test_joint.MISTAKES,
+    test_joint_values.MISTAKES,
+    test_mechanism.MISTAKES,
+    test_notices.NOTICES,
+    test_reaction.MISTAKES,
+    test_tire.MISTAKES,
+    test_tire_file.MISTAKES,
 )
 Place = tuple[Path, int]
 

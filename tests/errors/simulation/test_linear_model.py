@@ -1,4 +1,4 @@
-"""Mistakes with linear models: their whole messages, beside `test_errors.py`."""
+"""Mistakes with linear models: their whole messages."""
 
 from __future__ import annotations
 
@@ -35,6 +35,7 @@ from symbody import (
     translate,
 )
 from symbody.models import rolling_disc
+from tests.errors.given import check
 
 x, y, theta, w, F = functions_of_time("x y theta w F")
 m, l, g, k, c, V, theta0 = symbols("m l g k c V theta0")
@@ -410,11 +411,8 @@ MISTAKES: dict[str, tuple[Callable[[], object], type[SymbodyError], str]] = {
 
 @pytest.mark.parametrize("name", MISTAKES)
 def test_message(name: str) -> None:
-    mistake, error, expected = MISTAKES[name]
-    with pytest.raises(SymbodyError) as raised:
-        mistake()
-    assert type(raised.value) is error
-    assert str(raised.value) == expected
+    mistake, kind, message = MISTAKES[name]
+    check(kind, mistake, message)
 
 
 def test_python_control_that_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -1,4 +1,4 @@
-"""Notices of joints, elements and reactions: their whole texts, beside `test_errors_of_joints.py`."""
+"""Notices of joints, elements and reactions: their whole texts, beside the mistakes with them."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ import pytest
 
 import symbody as sb
 from symbody import Link, ground
-from tests.test_errors_of_elements import LATERAL, TIRE
-from tests.test_errors_of_tire_files import SLICK, read
+from tests.errors.multibody.test_element_values import LATERAL, TIRE
+from tests.errors.multibody.test_tire_file import SLICK, read
 
 a, b, c = (Link(name, 1, 1, 1, 1) for name in "abc")
 phi = sb.functions_of_time("phi")

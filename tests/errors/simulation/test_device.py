@@ -1,4 +1,4 @@
-"""Mistakes with devices: their whole messages, beside `test_errors.py`."""
+"""Mistakes with devices: their whole messages."""
 
 from __future__ import annotations
 

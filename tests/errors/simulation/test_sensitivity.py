@@ -1,4 +1,4 @@
-"""Mistakes with sensitivities: their whole messages, beside `test_errors.py`."""
+"""Mistakes with sensitivities: their whole messages."""
 
 from __future__ import annotations
 
@@ -41,6 +41,7 @@ from symbody import (
     translate,
 )
 from symbody.simulation import Occurrence
+from tests.errors.given import Mistake, check
 
 x, y, w = functions_of_time("x y w")
 m, k, l, g = symbols("m k l g")
@@ -159,7 +160,7 @@ def mode(*, repeated: bool = False, place: float | None = None) -> Mode:
     return modes(linearize(newton_euler(System([body, other], pulls, [x, y]))), {m: 1.0, k: 2.0})[0]
 
 
-MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
+MISTAKES: list[Mistake] = [
     (
         errors.ParameterError,
         lambda: cart(sensitivities=[l]),
@@ -406,6 +407,4 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
 
 @pytest.mark.parametrize(("kind", "mistake", "message"), MISTAKES)
 def test_message(kind: type[SymbodyError], mistake: Callable[[], object], message: str) -> None:
-    with pytest.raises(kind) as caught:
-        mistake()
-    assert str(caught.value) == message
+    check(kind, mistake, message)

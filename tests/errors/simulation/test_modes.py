@@ -1,4 +1,4 @@
-"""Mistakes with modes, root loci and responses: their whole messages, beside `test_errors.py`."""
+"""Mistakes with modes, root loci and responses: their whole messages."""
 
 from __future__ import annotations
 
@@ -34,6 +34,7 @@ from symbody import (
     translate,
 )
 from symbody.models import n_pendulum
+from tests.errors.given import check
 
 x, y, F, w = functions_of_time("x y F w")
 m, k, c, p = symbols("m k c p")
@@ -425,9 +426,7 @@ MISTAKES: dict[str, tuple[Callable[[], object], type[SymbodyError], str]] = {
 @pytest.mark.parametrize("name", MISTAKES)
 def test_mistake(name: str) -> None:
     mistake, kind, message = MISTAKES[name]
-    with pytest.raises(kind) as caught:
-        mistake()
-    assert str(caught.value) == message
+    check(kind, mistake, message)
 
 
 def test_an_unstable_system_has_a_response_that_is_not_reached() -> None:
