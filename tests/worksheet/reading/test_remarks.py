@@ -87,6 +87,9 @@ CASES = [
     ("e := [a + b  offset here\n c, d];", ["SyntaxMistake"], []),
     ("m := [[1,2],  2nd row\n [3,4]];", ["Assignment"], ["2nd row"]),
     ("m := [[1,2],  first\n [3,4]];", ["Assignment"], ["first"]),
+    ("q := [x(t), (m) lateral\n y(t)];", ["Assignment"], ["(m) lateral"]),
+    ("q := [x(t), [m/s] rate, of the car\n y(t)];", ["Assignment"], ["[m/s] rate, of the car"]),
+    ("q := [x(t), (m) k];", ["SyntaxMistake"], []),
     ("q := [x, y,  [m]\n phi  (rad)\n ];", ["Assignment"], ["[m]", "(rad)"]),
     ("F := k*(x - x0  deflection [m]\n ) + c*v;", ["Assignment"], ["deflection [m]"]),
     ("s := a * not used\n + b;", ["SyntaxMistake"], []),
@@ -102,7 +105,7 @@ CASES = [
     ("x := 3:\n  length, width and height\ny, z := f(x);", ["Assignment"] * 2, ["length, width and height"]),
     ("x := 3:\n  [m/s^2]\ny := 4;", ["Assignment"] * 2, ["[m/s^2]"]),
     ("x := 3:\n  from the 2nd link\ny := 4;", ["Assignment"] * 2, ["from the 2nd link"]),
-    ("x := 3:\n  x + 1\ny := 4;", ["Assignment", "SyntaxMistake"], []),
+    ("x := 3:\n  x + 1\ny := 4;", ["Assignment", "SyntaxMistake", "Assignment"], []),
     # Lines of prose among code.
     ("The energy of the plate\nB := 3;", ["Assignment"], ["The energy of the plate"]),
     ("B := 3;\nThe energy: it is kept\nshow(B);", ["Assignment", "Evaluation"], ["The energy: it is kept"]),
@@ -179,6 +182,14 @@ def test_what_may_be_code_is_told() -> None:
         "b2, 3rd link": "taken for a remark: b2, 3rd link",
         "mass": "",
     }
+
+
+def test_a_unit_that_may_be_an_item_is_told() -> None:
+    lines = "m := 5; S := {b1, (m) lateral", "b2(t), (s) rate", "b3};"
+    cell = Cell(tuple(Line(line, k) for k, line in enumerate(lines, start=1)))
+    found = [one for one in statements(cell, names_in_code([cell])) if isinstance(one, Remark)]
+    notice = "taken for a remark: (m) lateral"
+    assert [(one.text, one.notice) for one in found] == [("(m) lateral", notice), ("(s) rate", "")]
 
 
 def test_where_marks_were_kept_the_end_of_a_cell_ends_a_statement() -> None:

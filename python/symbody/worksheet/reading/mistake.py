@@ -11,7 +11,7 @@ from symbody.worksheet.reading.parse import Failure, accepted
 from symbody.worksheet.sheet.source import Cell, SyntaxMistake
 from symbody.worksheet.sheet.syntax import Place
 
-__all__ = ["located", "mistake", "unclosed_vector"]
+__all__ = ["located", "mistake", "unclosed_vector", "unread"]
 
 #: What can follow, in the order in which messages list it; an operand or an operator is told by one token of each.
 _WORDS = {
@@ -57,6 +57,14 @@ def mistake(cell: Cell, tokens: Sequence[Token], begin: int, failure: Failure) -
 def unclosed_vector(cell: Cell, tokens: Sequence[Token], index: int) -> SyntaxMistake:
     """Return the mistake of ``<a, b;``: the semicolon at the end of the line is no end of a row."""
     return _told(cell, one_place(tokens[index]), "found ';' at the end of the line, expected '>'")
+
+
+def unread(cell: Cell, tokens: Sequence[Token], begin: int) -> SyntaxMistake:
+    """Return the mistake of a statement behind too many others: the rest of the cell isn't read."""
+    message = (
+        "there are too many mistakes before this statement: neither it nor what follows in this cell is read"
+    )
+    return _told(cell, one_place(tokens[begin]), message)
 
 
 def _hint(read: Sequence[Token], token: Token) -> str:

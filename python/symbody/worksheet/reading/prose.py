@@ -14,6 +14,7 @@ __all__ = [
     "OPENING",
     "WORDS",
     "begins_with_words",
+    "has_bracketed_word",
     "has_words_side_by_side",
     "holds_code",
     "is_prose",
@@ -32,6 +33,7 @@ _OPERANDS = WORDS | LITERALS | {"STRING", "BACKQUOTED"}
 _INFIX = frozenset(
     {"AND", "OR", "NOT", "XOR", "UNION", "WITHOUT", "INTERSECT", "SUBSET", "MOD", "IN", "ASSUMING", "IMPLIES"}
 )
+_OF_UNITS = frozenset({"INTEGER", "OVER", "TIMES", "POWER", "MINUS", "DOT"})
 _CALCULATIONS = frozenset({"POWER", "TIMES", "OVER", "PLUS", "EQUAL"})
 
 #: How many characters apart words are that don't belong together.
@@ -78,6 +80,17 @@ def begins_with_words(text: Sequence[Token]) -> bool:
     )
 
 
+def has_bracketed_word(text: Sequence[Token], used: Collection[str]) -> bool:
+    """Whether words or a unit in brackets begin a text, and a word follows that isn't of the code: ``(m) lateral``."""
+    end = next((k for k, token in enumerate(text) if token.type in CLOSING), 0)
+    inner = text[1:end]
+    if text[0].type not in OPENING or not any(token.type == "NAME" for token in inner):
+        return False
+    if not all(token.type in WORDS | _OF_UNITS for token in inner) or end + 1 == len(text):
+        return False
+    return text[end + 1].type == "NAME" and text[end + 1] not in used
+
+
 def is_used(line: Sequence[Token], index: int) -> bool:
     """Whether a name stands beside an operator or a bracket."""
     if line[index].type not in {"NAME", "BACKQUOTED"}:
@@ -91,9 +104,14 @@ def is_used(line: Sequence[Token], index: int) -> bool:
 
 
 def holds_code(text: Sequence[Token], used: Collection[str]) -> bool:
-    """Whether a remark may have been meant as code: it calculates, or begins with an item, or a name of the code."""
+    """Whether a remark may have been meant as code: it calculates, or begins with an item, or a name of the code.
+
+    A bracket may have been an index, or an item: ``a  [m]`` and ``x, (m) lateral``, where m is a name of the code.
+    """
     if any(token.type in _CALCULATIONS or token == ":=" for token in text):
         return True
+    if text[0].type in OPENING and len(text) > 1:
+        return text[1] in used
     if text[0].type not in LITERALS | {"NAME"}:
         return False
     if len(text) == 1:

@@ -12,7 +12,7 @@ from itertools import pairwise
 from lark import Token
 
 from symbody.worksheet.reading.parse import TERMINATORS, Failure, Parsed, is_statement, next_statement
-from symbody.worksheet.reading.prose import CLOSING, MARKS, WORDS, is_prose
+from symbody.worksheet.reading.prose import CLOSING, MARKS, WORDS, has_bracketed_word, is_prose
 from symbody.worksheet.reading.remark_behind_code import begins_with_code, tails
 from symbody.worksheet.reading.remark_places import SEPARATORS, Span, candidates
 from symbody.worksheet.sheet import syntax
@@ -53,9 +53,14 @@ def remark_in(tokens: Sequence[Token], begin: int, failure: Failure, used: Colle
                 return part
         if tokens[span.begin].line != tokens[span.end - 1].line:  # a remark ends with its line
             continue
-        if _is_within(tokens, begin, span) and begins_with_code(tokens, span.begin, span.end, used):
+        is_unit = has_bracketed_word(tokens[span.begin : span.end], used)
+        if (
+            _is_within(tokens, begin, span)
+            and begins_with_code(tokens, span.begin, span.end, used)
+            and not is_unit
+        ):
             continue
-        if not _is_text(tokens, span, begin):
+        if not _is_text(tokens, span, begin, used):
             continue
         span = _with_bare_words(tokens, span, begin, used)  # noqa: PLW2901 - the same remark, longer
         if span.begin == begin or _helps(tokens, begin, span, failure.index):
@@ -110,7 +115,7 @@ def words_before_end(tokens: Sequence[Token], begin: int, end: int, used: Collec
     return None
 
 
-def _is_text(tokens: Sequence[Token], span: Span, begin: int) -> bool:
+def _is_text(tokens: Sequence[Token], span: Span, begin: int, used: Collection[str]) -> bool:
     """Whether tokens read as prose: words side by side, signs that mean nothing, or words alone."""
     text = tokens[span.begin : span.end]
     if not text or any(token == ":=" for token in text):
@@ -129,7 +134,9 @@ def _is_text(tokens: Sequence[Token], span: Span, begin: int) -> bool:
     if any(_is_code(piece) for piece in _pieces(text)[1:]):  # behind a mistake, the line goes on with code
         return False
     is_behind_operand = tokens[span.begin - 1].type in CLOSING | {"NAME"} and text[0].type == "NAME"
-    return is_prose(text) or (is_behind_operand and text[-1].type in CLOSING)  # deflection [m]
+    return (
+        is_prose(text) or has_bracketed_word(text, used) or (is_behind_operand and text[-1].type in CLOSING)
+    )  # deflection [m]
 
 
 def _pieces(text: Sequence[Token]) -> list[Sequence[Token]]:

@@ -6,18 +6,18 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 
 from lark import Token
 
+from symbody.worksheet.reading.behind_mistake import next_begin
 from symbody.worksheet.reading.block_remark import without_block_remarks
 from symbody.worksheet.reading.builder import one_place
 from symbody.worksheet.reading.code_names import used_names
 from symbody.worksheet.reading.loose_text import without_loose_text
-from symbody.worksheet.reading.mistake import mistake, unclosed_vector
+from symbody.worksheet.reading.mistake import mistake, unclosed_vector, unread
 from symbody.worksheet.reading.parse import (
     TERMINATORS,
     Failure,
     Parsed,
     is_statement,
     next_statement,
-    opened,
     terminator_after,
     tokens_of,
 )
@@ -92,17 +92,25 @@ def _read(
                 tokens[found.index - 1] = Token.new_borrow_pos("SEMICOLON", ";", comma)
                 continue
             if found.row is not None:
-                yield unclosed_vector(cell, tokens, found.row)
-                begin = found.row + 1
+                following = next_begin(tokens, begin, found.row, prompted)
+                if following > found.row:
+                    yield unclosed_vector(cell, tokens, found.row)
+                else:
+                    yield _mistake_before(cell, tokens, begin, found, following)
+                begin = following
                 continue
             span = remark_in(tokens, begin, found, used) if effort > 0 else None
             if span is None and _prompt_ends(cell, tokens, begin, found):
                 tokens.insert(found.index, terminator_after(tokens[found.index - 1]))
                 continue
             span = span or words_before_code(tokens, begin)
+            if span is None and effort <= 0:
+                yield unread(cell, tokens, begin)
+                return
             if span is None:
-                yield mistake(cell, tokens, begin, found)
-                begin = _next_begin(tokens, begin, found.index) if effort > 0 else len(tokens)
+                following = next_begin(tokens, begin, found.index, prompted)
+                yield _mistake_before(cell, tokens, begin, found, following)
+                begin = following
                 continue
         elif cell.remarks_lost_marks and is_trailing_remark(tokens, begin, found):
             span = Span(begin, found.end - 1)
@@ -186,21 +194,23 @@ def _prompt_ends(cell: Cell, tokens: Sequence[Token], begin: int, failure: Failu
     return has_prompt and is_statement(tokens[begin:index])
 
 
-def _next_begin(tokens: Sequence[Token], begin: int, index: int) -> int:
-    """Return where the next statement begins: behind the next terminator that no loop or procedure contains.
+def _mistake_before(
+    cell: Cell, tokens: Sequence[Token], begin: int, failure: Failure, following: int
+) -> SyntaxMistake:
+    """Return the mistake of a statement; what it needs is missing before the statement behind it.
 
-    A command of the system, ``!ls``, ends with its line.
+    Args:
+        cell: the cell.
+        tokens: its tokens.
+        begin: where the statement begins.
+        failure: why it can't be read.
+        following: where the next statement begins.
     """
-    if tokens[begin] == "!":
-        line = tokens[begin].line
-        return next((k for k in range(begin, len(tokens)) if tokens[k].line != line), len(tokens))
-    depth = 0
-    for end in range(begin, len(tokens)):
-        depth += opened(tokens, end)
-        if end >= index and depth <= 0 and tokens[end].type in TERMINATORS:
-            return end + 1
-    # A loop or a procedure has no end: its statements are read one by one.
-    return next((k + 1 for k in range(begin, len(tokens)) if tokens[k].type in TERMINATORS), len(tokens))
+    needs_more = failure.place is None and following <= failure.index and bool(tokens[following - 1])
+    if not needs_more or tokens[following - 1].type in TERMINATORS or is_statement(tokens[begin:following]):
+        return mistake(cell, tokens, begin, failure)
+    whole = [*tokens[:following], terminator_after(tokens[following - 1])]
+    return mistake(cell, whole, begin, Failure(following))
 
 
 def _remark(cell: Cell, tokens: Sequence[Token], used: Collection[str]) -> Remark:
