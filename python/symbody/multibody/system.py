@@ -26,7 +26,8 @@ from .oversight import notices
 from .physical_inertia import report_impossible_differences
 from .picture import picture
 from .state import Unknown, all_rates, check_constraints, check_holders, check_kinematics, check_states
-from .variables import Conditions, Coordinates, Variables, check_single, check_substitution
+from .variables import Conditions, Coordinates, Variables, check_substitution
+from .well_posed import check_single
 
 Thing = TypeVar("Thing", Body, Load)
 

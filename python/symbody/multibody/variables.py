@@ -9,28 +9,26 @@ from types import MappingProxyType
 from typing import Annotated, Any, Self, TypeAlias
 
 from symbody.deferred import cached_property
-from symbody.errors import ConstraintError, ModelError
+from symbody.errors import ModelError
 from symbody.geometry.component.triple import Rate, expression
 from symbody.geometry.motion.floating import by_speeds, known_rates, rate_by
 from symbody.symbolic import (
     Expr,
-    are_small,
     free_symbols,
     functions_of_time,
     number,
     substitute,
     time_derivative,
     time_derivatives,
-    truncated,
 )
 from symbody.symbolic.expression.container import Container, contains
 from symbody.symbolic.given.arguments import brief, counted
 
 from .constraint import Condition, Constraint, as_constraint
-from .constraint_fault import Unknowns, fault_of, is_on_velocity
-from .coordinate import check_function_of_time
+from .constraint_fault import Unknowns, is_on_velocity
+from .well_posed import check_constraints, check_inputs, check_multipliers, check_small, check_unknowns
 
-__all__ = ["Conditions", "Coordinates", "Variables", "check_single", "check_substitution"]
+__all__ = ["Conditions", "Coordinates", "Variables", "check_substitution"]
 
 Coordinates: TypeAlias = Annotated[
     Sequence[Expr], "a list of functions of time, such as functions_of_time('x y')"
@@ -107,11 +105,25 @@ class Variables:
             ModelError: a coordinate, speed or input is not a function of time, or is given twice.
             ConstraintError: a constraint is no condition on positions or velocities, or a multiplier is something else.
         """
-        self._check_coordinates()
-        self._check_constraints()
-        self._check_multipliers()
-        self._check_inputs()
-        self._check_small()
+        where, unknowns = self.where, (*self.coordinates, *self.quasi_velocities, *self.multipliers)
+        self._check_freedom()
+        check_unknowns(where, self.coordinates, self.quasi_velocities)
+        check_constraints(where, self.conditions, self.multipliers, self._unknowns)
+        taken = self._names() if self.multipliers else frozenset()
+        check_multipliers(where, self.contents, self.multipliers, self.states, taken)
+        check_inputs(where, self.inputs, unknowns)
+        check_small(where, self._first_order)
+
+    def _check_freedom(self) -> None:
+        if not self.driving and self.coordinates:
+            raise ModelError(
+                f"{self.where}: no speeds, but the rates of all coordinates are given; list the speeds that they hold: "
+                "speeds=[...]"
+            )
+        if not self.driving and not self.joints:
+            raise ModelError(
+                f"{self.where}: no coordinates; give the functions of time that describe the motion, in order"
+            )
 
     @cached_property
     def constraints(self) -> tuple[Expr, ...]:
@@ -293,86 +305,6 @@ class Variables:
             vars(made).pop(name, None)
         return made
 
-    def _check_coordinates(self) -> None:
-        if not self.driving and self.coordinates:
-            raise ModelError(
-                f"{self.where}: no speeds, but the rates of all coordinates are given; list the speeds that they hold: "
-                "speeds=[...]"
-            )
-        if not self.driving and not self.joints:
-            raise ModelError(
-                f"{self.where}: no coordinates; give the functions of time that describe the motion, in order"
-            )
-        for coordinate in self.coordinates:
-            check_function_of_time(coordinate, f"{self.where}: the coordinate")
-        for speed in self.quasi_velocities:
-            check_function_of_time(speed, f"{self.where}: the speed")
-        check_single(self.coordinates, f"{self.where}: the coordinate")
-        check_single(self.quasi_velocities, f"{self.where}: the speed")
-        for speed in self.quasi_velocities:
-            if speed in self.coordinates:
-                raise ModelError(
-                    f"{self.where}: {speed} is both a coordinate and a speed; the rates of coordinates are speeds "
-                    "anyway: leave it out of one of them"
-                )
-
-    def _check_small(self) -> None:
-        """Check that the rates of small coordinates and states are small."""
-        for variable, rate in self._first_order.items():
-            rest = truncated([rate], 0)[0] if are_small([variable]) else number(0)
-            if not rest.is_zero:
-                raise ModelError(
-                    f"{self.where}: {variable} is small, but its rate {brief(rate)} is not: it is {brief(rest)} where "
-                    f"small variables vanish; mark the variables there as small, too, or don't mark {variable}"
-                )
-
-    def _check_inputs(self) -> None:
-        for given in self.inputs:
-            check_function_of_time(given, f"{self.where}: the input")
-            if given in (*self.coordinates, *self.quasi_velocities, *self.multipliers):
-                raise ModelError(
-                    f"{self.where}: {given} is an input and unknown; leave it out of inputs, or of coordinates, "
-                    "speeds and multipliers"
-                )
-
-    def _check_constraints(self) -> None:
-        m = len(self.constraints)
-        for k, (condition, multiplier) in enumerate(
-            zip(self.conditions, self.multipliers, strict=False), start=1
-        ):
-            if condition.multiplier not in (None, multiplier):
-                raise ConstraintError(
-                    f"{self.where}: constraint {k}, {condition}, has the multiplier {condition.multiplier}, and "
-                    f"multipliers=[...] gives it {multiplier}; leave one of them out"
-                )
-        if len(self.multipliers) != m:
-            raise ConstraintError(
-                f"{self.where}: {counted(len(self.multipliers), 'multiplier')} for {counted(m, 'constraint')}; "
-                "give one for each"
-            )
-        unknowns = self._unknowns
-        for k, constraint in enumerate(self.conditions, start=1):
-            fault = fault_of(constraint.condition, unknowns)
-            if fault:
-                raise ConstraintError(f"{self.where}: constraint {k}, {constraint}, {fault}")
-
-    def _check_multipliers(self) -> None:
-        for multiplier in self.multipliers:
-            check_function_of_time(multiplier, f"{self.where}: the multiplier")
-        check_single(self.multipliers, f"{self.where}: the multiplier")
-        taken = self._names() if self.multipliers else frozenset()
-        for multiplier in self.multipliers:
-            if multiplier in self.states:
-                raise ConstraintError(
-                    f"{self.where}: the multiplier {multiplier} is a state, too; expected a function of time of its "
-                    "own, such as functions_of_time('lambda1')"
-                )
-            if multiplier.name in taken:
-                raise ConstraintError(
-                    f"{self.where}: the multiplier {multiplier} is a coordinate, or in {self.contents}; "
-                    "expected a function of time of its own, such as functions_of_time('lambda1')"
-                )
-
     def _default_multipliers(self) -> tuple[Expr, ...]:
         """Return the constraints' own multipliers, or ``lambda1``, ..., without names that the model uses already."""
         given = [each.multiplier for each in self.conditions]
@@ -408,13 +340,6 @@ class Variables:
         if self.constraints:
             parts.append(counted(len(self.constraints), "constraint"))
         return f"Variables({', '.join([self.name, *parts] if self.name else parts)})"
-
-
-def check_single(things: Sequence[object], kind: str) -> None:
-    """Raise an error for a thing that is given twice."""
-    if len(set(things)) < len(things):
-        twice = next(thing for thing in things if things.count(thing) > 1)
-        raise ModelError(f"{kind} {brief(twice)} is given twice; give it once")
 
 
 def check_substitution(variables: Variables, mapping: Mapping[Any, Any]) -> None:

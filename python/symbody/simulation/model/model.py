@@ -6,16 +6,11 @@ from collections.abc import Collection, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
-from typing import Any
 
-from numpy.typing import ArrayLike
-
-from symbody.codegen import CompiledFunction, PreparedCode, Shortcut, lambdify
+from symbody.codegen import PreparedCode, Shortcut, lambdify
 from symbody.dynamics import Equations, ForwardDynamics, forward_dynamics
 from symbody.errors import ModelError
-from symbody.multibody import System, Variables, gravitational_energy, kinetic_energy
-from symbody.multibody.energy import known_potential, potentials
-from symbody.multibody.load import action_power
+from symbody.multibody import System, Variables
 from symbody.simulation.given.given_input import substitute_inputs
 from symbody.simulation.given.parameter import parameters_among, parameters_in
 from symbody.symbolic import (
@@ -31,10 +26,11 @@ from symbody.symbolic import (
     without_idle_symbols,
 )
 from symbody.symbolic import jacobian as jacobian_of
-from symbody.symbolic.numeric.deficiency import noting, report
 
 from .constraint_correction import ConstraintCorrection, constraint_correction
 from .drive import does_uncounted_work, names_of_drives
+from .energy_balance import energies_of, energies_of_bodies, power_of_loads
+from .motion_function import MotionFunction
 
 __all__ = ["DAMPING", "Model", "model_of", "with_equations", "without_stabilization"]
 
@@ -55,8 +51,8 @@ class Model:
     """The functions that all simulations of a system share. Each is derived and compiled on first use.
 
     The state is ``(q, u, z)``: coordinates, speeds, and the states beside the mechanics. Where loads or moving
-    constraints do work, it is followed by that
-    work, whose rate is ``dE/dt``: so the balance of energy can be checked along any motion.
+    constraints do work, it is followed by that work, whose rate is ``dE/dt``: so the balance of energy can be checked
+    along any motion.
 
     Attributes:
         equations: the equations of motion.
@@ -201,29 +197,14 @@ class Model:
         if not self.energies:
             return None
         with derivation():
-            total = self._power_of_loads
+            total = power_of_loads(self.system) if isinstance(self.system, System) else number(0)
         if self.constraints:
             at_rest = dict.fromkeys(self.speeds, number(0))
             drifts = substitute(self.velocity_constraints, at_rest)
             for multiplier, drift in zip(self.multipliers, drifts, strict=True):
                 total -= multiplier * drift
-        (total,) = without_idle_symbols(
-            [total]
-        )  # the equations may not have them, and then they have no values
+        (total,) = without_idle_symbols([total])  # equations that lack them give them no values
         return None if total.is_zero else total
-
-    @property
-    def _power_of_loads(self) -> Expr:
-        """The power of the loads, plus the rate of the potential energy of those that have one."""
-        system = self.system
-        if not isinstance(system, System):
-            return number(0)
-        total = sum(map(action_power, system.actions), start=number(0))
-        stored = potentials(system.loads, system.bodies)
-        if not stored:
-            return total
-        (total,) = system.by_speeds([total])
-        return sum(system.rate(stored), start=total)
 
     @cached_property
     def rates(self) -> tuple[Expr, ...]:
@@ -250,7 +231,7 @@ class Model:
         system = self.system
         if not isinstance(system, System):
             return () if self.equations.energy is None else self.with_inputs([self.equations.energy])
-        return without_idle_symbols(self.with_inputs(_energies(system)))
+        return without_idle_symbols(self.with_inputs(energies_of(system)))
 
     @property
     def prescribed(self) -> list[str]:
@@ -258,7 +239,7 @@ class Model:
         if not isinstance(self.system, System):
             leaves = free_symbols(self.energies)
             return sorted(str(leaf) for leaf in leaves if leaf.depends_on_time and leaf not in self.state)
-        energies = substitute(_energies_of_bodies(self.system), dict(self.inputs))
+        energies = substitute(energies_of_bodies(self.system), dict(self.inputs))
         known = {*self.state, *self.system.kinematics, *self.system.eliminated}
         led = {str(leaf) for leaf in free_symbols(energies) if leaf.depends_on_time and leaf not in known}
         return sorted(led) or (list(names_of_drives(self.system)) if self.is_driven else [])
@@ -404,49 +385,6 @@ class Model:
                 lambdify(arguments, values), tuple(self.equation_names), self.equations_together
             )
         return self._functions[key]
-
-
-@dataclass(frozen=True, eq=False)
-class MotionFunction:
-    """A function along motions that reports deficient linear systems in the words of a model.
-
-    Attributes:
-        function: the compiled function.
-        equation_names: the names of the model's equations.
-        together: what they are called together.
-    """
-
-    function: CompiledFunction
-    equation_names: tuple[str, ...]
-    together: str
-
-    def __call__(self, *values: ArrayLike) -> Any:
-        """Evaluate."""
-        return self._reported(self.function, values)
-
-    def at_points_of(self, points: int, *values: ArrayLike) -> Any:
-        """Evaluate at the points of several motions, to the digits of a call with the points of one."""
-        return self._reported(self.function.as_at(points), values)
-
-    def _reported(self, function: CompiledFunction, values: Sequence[ArrayLike]) -> Any:
-        with noting() as found:
-            result = function(*values)
-        report(found, self.equation_names, "motion", together=self.together)
-        return result
-
-
-def _energies(system: System) -> list[Expr]:
-    """Return the kinetic energy, and the potential energy of loads, and of weight where the height is known."""
-    stored = known_potential(system)
-    return [kinetic_energy(system.bodies), *([] if stored is None else [stored])]
-
-
-def _energies_of_bodies(system: System) -> list[Expr]:
-    """Return the same without loads."""
-    found = [kinetic_energy(system.bodies)]
-    if system.gravity is not None and system.root.carrier is None:
-        found.append(gravitational_energy(system.bodies, system.gravity))
-    return found
 
 
 _WORK = symbols("work_of_loads")
