@@ -188,8 +188,8 @@ def test_a_unit_that_may_be_an_item_is_told() -> None:
     lines = "m := 5; S := {b1, (m) lateral", "b2(t), (s) rate", "b3};"
     cell = Cell(tuple(Line(line, k) for k, line in enumerate(lines, start=1)))
     found = [one for one in statements(cell, names_in_code([cell])) if isinstance(one, Remark)]
-    notice = "taken for a remark: (m) lateral"
-    assert [(one.text, one.notice) for one in found] == [("(m) lateral", notice), ("(s) rate", "")]
+    assert [one.text for one in found] == ["(m) lateral", "(s) rate"]
+    assert [one.notice for one in found] == [f"taken for a remark: {one.text}" for one in found]
 
 
 def test_where_marks_were_kept_the_end_of_a_cell_ends_a_statement() -> None:
