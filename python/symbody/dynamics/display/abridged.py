@@ -49,10 +49,10 @@ def abridged(page: Page, residuals: Sequence[Expr]) -> str:
 def _constraints(page: Page) -> list[tuple[str, list[str]]]:
     """Return the names of the constraints, and the texts of each with the names that it needs."""
     made, reader = list[tuple[str, list[str]]](), reader_of(page.system)
-    for condition, constraint in zip(page.system.conditions, page.constraints, strict=True):
-        shared, (text,) = printed([shorter(constraint, reader)], "text", page.system)
+    for each in page.conditions:
+        shared, (text,) = printed([shorter(each.condition, reader)], "text", page.system)
         texts = [*(f"{name} := {value}" for name, value in shared), f"{text} = 0"]
-        made.append((f"constraint {condition.name}".strip(), texts))
+        made.append((f"constraint {each.name}".strip(), texts))
     return made
 
 

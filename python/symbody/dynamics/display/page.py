@@ -6,8 +6,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from symbody.multibody import Variables
-from symbody.symbolic import Expr, Matrix, cost, listing
+from symbody.multibody import Constraint, Variables
+from symbody.symbolic import Expr, Matrix, cost, free_symbols, listing
 from symbody.symbolic.calculus.reader import Reader
 from symbody.symbolic.expression.latex_layout import ARTICLE, aligned, broken
 from symbody.symbolic.expression.text_layout import LINE, lines
@@ -57,6 +57,26 @@ class Page:
         kinematics = ((rate, value) for rate, value in self.system.known_rates.items() if rate not in states)
         return tuple((rate, self._reader.form(value)) for rate, value in (*kinematics, *self.state_rates))
 
+    @cached_property
+    def conditions(self) -> tuple[Constraint, ...]:
+        """The constraints; of embedded equations, those on positions that give coordinates on which rows depend."""
+        system = self.system
+        own = (each.written(form) for each, form in zip(system.conditions, self.constraints, strict=True))
+        return (*own, *self._kept) if system.eliminated_constraints else tuple(own)
+
+    @property
+    def _kept(self) -> list[Constraint]:
+        """The eliminated constraints with dependent coordinates that occur in rows, or in another of these."""
+        whole = self.system.whole
+        on_positions = {whole.conditions[k]: whole.constraints[k].free_symbols for k in whole.holonomic}
+        values = (value for _, value in (*self.rates, *self.named))
+        dependent = {*self.system.coordinates} - {*self.system.driving}
+        used, kept = dependent & free_symbols([*self._terms, *values]), list[Constraint]()
+        while len(found := [each for each, leaves in on_positions.items() if leaves & used]) > len(kept):
+            kept = found
+            used = used.union(*(dependent & on_positions[each] for each in kept))
+        return kept
+
     def description(self) -> str:
         """Return the equations line by line, after the quantities that have names."""
         return self._description
@@ -65,10 +85,10 @@ class Page:
     def _description(self) -> str:
         definitions, rows = self._named_rows("text")
         sides = [left if right == "" else f"{left} = {right}" for left, right in rows]
-        n, m = len(self.balances), len(self.constraints)
+        n, m = len(self.balances), len(self.conditions)
         texts = [f"{name} := {value}" for name, value in definitions]
         texts += sides[:n]
-        names = (f"constraint {each.name}".strip() for each in self.system.conditions)
+        names = (f"constraint {each.name}".strip() for each in self.conditions)
         texts += [f"{name}: {side}" for name, side in zip(names, sides[n : n + m], strict=True)]
         last = len(sides) - len(self.state_rates)
         texts += [f"kinematics: {side}" for side in sides[n + m : last]]
@@ -80,16 +100,20 @@ class Page:
         """Return the equations in LaTeX, after the quantities that have names; long ones are broken at terms."""
         definitions, rows = self._named_rows("latex")
         made = [row for name, value in definitions for row in broken(f"{name} &= ", value, ARTICLE)]
-        n = len(self.balances) + len(self.constraints)
+        n = len(self.balances) + len(self.conditions)
         made += [row for left, right in rows[:n] for row in broken("&", f"{left} = {right}", ARTICLE)]
         made += [row for left, right in rows[n:] for row in broken(f"{left} &= ", right, ARTICLE)]
         return aligned(made)
 
+    @property
+    def _terms(self) -> list[Expr]:
+        return [term for balance in self.balances for term in (*balance.left, *balance.right)]
+
     @cached_property
     def _pieces(self) -> tuple[Expr, ...]:
-        terms = [term for balance in self.balances for term in (*balance.left, *balance.right)]
+        conditions = (shorter(each.condition, self._reader) for each in self.conditions)
         rates, named = ((side for pair in pairs for side in pair) for pairs in (self.rates, self.named))
-        return (*terms, *(shorter(each, self._reader) for each in self.constraints), *rates, *named)
+        return (*self._terms, *conditions, *rates, *named)
 
     def _named_rows(self, notation: str) -> tuple[list[Definition], list[tuple[str, str]]]:
         """Return named quantities, and the left and right sides of all rows with short names."""
@@ -133,7 +157,7 @@ class Page:
             )
             for balance in self.balances
         ]
-        rows += [(next(remaining), "0") for _ in self.constraints]
+        rows += [(next(remaining), "0") for _ in self.conditions]
         rates = [(next(remaining), next(remaining)) for _ in self.rates]
         named = [(next(remaining), next(remaining)) for _ in self.named]
         is_long = bool(definitions)

@@ -61,11 +61,7 @@ class _Rows:
     def __init__(self, ratios: VelocityRatios, whole: Page) -> None:
         self._ratios, self._whole, self._reader = ratios, whole, ratios.reader
         self._speeds = whole.system.speeds
-        self._moving = {u: ratios.speed(u) for u in ratios.ratios} if self._has_one_speed else {}
-
-    @property
-    def _has_one_speed(self) -> bool:
-        return len(self._ratios.system.speeds) == 1
+        self._moving = {u: ratios.speed(u) for u in ratios.ratios} if ratios.has_one_speed else {}
 
     def page(self, state_rates: Mapping[Expr, Expr]) -> Page:
         """Return the page with these rows."""
@@ -121,15 +117,19 @@ class _Rows:
         return self._sum(self._ratio(u, i) * term for u, balance in rows for term in kind(balance))
 
     def _sum(self, terms: Iterable[Expr]) -> tuple[Expr, ...]:
-        """Return terms together: of one freedom by its speed, those of each power together."""
+        """Return terms together: of one freedom by its speed v, those of each power together.
+
+        A term ``c*v**k`` is c where v is 1; divided by ``v**k``, its form might be 0/0 at rest.
+        """
         moving = [each for each in substitute([*terms], self._moving) if not each.is_zero]
-        if not self._has_one_speed or not moving:
+        if not self._ratios.has_one_speed or not moving:
             return (self._short(moving),) if moving else ()
         (v,) = self._ratios.system.speeds
         powers: dict[int, list[Expr]] = {}
         for term in moving:
             powers.setdefault(_degree(term, v), []).append(term)
-        made = [self._short(term / v**k for term in powers[k]) * v**k for k in sorted(powers, reverse=True)]
+        factors = {k: substitute(terms, {v: number(1)}) if k else terms for k, terms in powers.items()}
+        made = [self._short(factors[k]) * v**k for k in sorted(powers, reverse=True)]
         return tuple(each for each in made if not each.is_zero)
 
     def _short(self, terms: Iterable[Expr]) -> Expr:

@@ -2,7 +2,8 @@
 
 With them the equation of a mechanism of one freedom is Eksergian's: ``J(q) q'' + C(q) q'**2 = Q`` with
 ``J = sum of m_i K_i**2`` and ``C = sum of m_i K_i L_i``. With more freedoms, each dependent speed has a ratio to each
-independent one, and L_i holds the products of speeds.
+independent one, and L_i holds the products of speeds. Where constraints hold the time, ``u_i = sum of K_ij v_j + B_i``
+[Kane & Levinson 1985, sec. 2.13], and L_i holds the rate of B_i.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from symbody.symbolic.calculus.reader import Reader
 
 from .reader_of import reader_of
 
-_RATIOS, _CHANGES = ("K", "kappa", "N"), ("L", "D", "Lambda")
+_RATIOS, _CHANGES, _GIVEN = ("K", "kappa", "N"), ("L", "D", "Lambda"), ("B", "U", "Beta")
 """The letters that are tried: a name must not look like one of the model's."""
 _PLAIN = 7
 """The length up to which a ratio, such as r or tan(q), needs no name."""
@@ -37,6 +38,7 @@ class VelocityRatios:
         ratios: K_i by the dependent speed, one for each independent speed: names, or what is short without.
         changes: L_i by the dependent speed: of one freedom the factor of v**2, else with the products of speeds.
         named: the names, and what they stand for; each uses only those before it.
+        given: B_i by the dependent speed, where constraints hold the time: what it is if the others vanish.
     """
 
     system: Variables
@@ -44,16 +46,21 @@ class VelocityRatios:
     ratios: Mapping[Expr, tuple[Expr, ...]]
     changes: Mapping[Expr, Expr]
     named: tuple[tuple[Expr, Expr], ...]
+    given: Mapping[Expr, Expr]
+
+    @property
+    def has_one_speed(self) -> bool:
+        """Whether all dependent speeds are multiples of one."""
+        return len(self.system.speeds) == 1 and not self.given
 
     @property
     def squares(self) -> Expr:
-        """What a change multiplies: v**2, or 1 with more freedoms."""
-        speeds = self.system.speeds
-        return speeds[0] ** 2 if len(speeds) == 1 else number(1)
+        """What a change multiplies: v**2, or 1 if not all are multiples of one speed v."""
+        return self.system.speeds[0] ** 2 if self.has_one_speed else number(1)
 
     def speed(self, dependent: Expr) -> Expr:
         """Return a dependent speed by the names."""
-        return _product(self.ratios[dependent], self.system.speeds)
+        return _product(self.ratios[dependent], self.system.speeds) + self.given.get(dependent, number(0))
 
     def acceleration(self, dependent: Expr) -> Expr:
         """Return the rate of a dependent speed by the names."""
@@ -69,24 +76,27 @@ class VelocityRatios:
 
 
 def velocity_ratios(system: Variables) -> VelocityRatios | None:
-    """Return the velocity ratios of an embedded system; None if dependent speeds do not vanish with the others.
-
-    None, too, where no ratio needs a name: equations without are short.
-    """
+    """Return the velocity ratios of an embedded system; None where none needs a name: equations without are short."""
     dependent, at_rest = system.eliminated, dict.fromkeys(system.speeds, number(0))
-    if not dependent or any(not rest.is_zero for rest in substitute([*dependent.values()], at_rest)):
+    if not dependent:
         return None
-    ratio, change = _letters(system)
+    rest = dict(zip(dependent, substitute([*dependent.values()], at_rest), strict=True))
+    ratio, change, drift = _letters(system)
     ratios = {u: tuple(_name(ratio, u, v, system) for v in system.speeds) for u in dependent}
-    changes = {u: time_function(f"{change}_{u.name}") for u in dependent}
-    names = [*(each for row in ratios.values() for each in row), *changes.values()]
-    bare = VelocityRatios(system, reader_of(system, further=names), {}, {}, ())
+    changes, drifts = (
+        {u: time_function(f"{letter}_{u.name}") for u in dependent} for letter in (change, drift)
+    )
+    names = [*(each for row in ratios.values() for each in row), *changes.values(), *drifts.values()]
+    bare = VelocityRatios(system, reader_of(system, further=names), {}, {}, (), {})
     bare = _with_ratios(bare, ratios)
     if not bare.named:
         return None
+    if any(not each.is_zero for each in rest.values()):
+        bare = _with_given(bare, drifts, rest)
     made = _with_changes(bare, changes)
-    exact = system.rate([*dependent.values()])
-    return made if made.in_full(map(made.acceleration, dependent)) == exact else None
+    exact = (*dependent.values(), *system.rate([*dependent.values()]))
+    shown = (*map(made.speed, dependent), *map(made.acceleration, dependent))
+    return made if made.in_full(shown) == exact else None
 
 
 def _with_ratios(bare: VelocityRatios, names: Mapping[Expr, tuple[Expr, ...]]) -> VelocityRatios:
@@ -100,7 +110,7 @@ def _with_ratios(bare: VelocityRatios, names: Mapping[Expr, tuple[Expr, ...]]) -
         for j, v in enumerate(system.speeds):
             known = {other: ratios[j] for other, ratios in given.items()}
             known |= {w: number(int(w == v)) for w in system.speeds}
-            columns.append(_solved(loop.conditions, loop.unknowns, known, {}, bare.reader))
+            columns.append(_solved(_of_speeds(loop, system), loop.unknowns, known, {}, bare.reader))
         for i, u in enumerate(loop.unknowns):
             values = [[direct[u][j], *column[i : i + 1]] for j, column in enumerate(columns)]
             given[u] = tuple(
@@ -109,11 +119,31 @@ def _with_ratios(bare: VelocityRatios, names: Mapping[Expr, tuple[Expr, ...]]) -
     return replace(bare, ratios=given, named=tuple(named))
 
 
+def _of_speeds(loop: _Loop, system: Variables) -> list[Expr]:
+    """Return the conditions of a loop without what the time brings."""
+    at_rest = substitute(loop.conditions, dict.fromkeys(system.whole.speeds, number(0)))
+    return [each - rest for each, rest in zip(loop.conditions, at_rest, strict=True)]
+
+
+def _with_given(
+    bare: VelocityRatios, names: Mapping[Expr, Expr], rest: Mapping[Expr, Expr]
+) -> VelocityRatios:
+    """Return the same with what the dependent speeds are if the independent ones vanish."""
+    system = bare.system
+    given, named = dict[Expr, Expr](), [*bare.named]
+    for loop in _loops(system):
+        known = {**given, **dict.fromkeys(system.speeds, number(0))}
+        solved = _solved(loop.conditions, loop.unknowns, known, {}, bare.reader)
+        for i, u in enumerate(loop.unknowns):
+            given[u] = _entered(bare.reader, names[u], [rest[u], *solved[i : i + 1]], named)
+    return replace(bare, given=given, named=tuple(named))
+
+
 def _with_changes(bare: VelocityRatios, names: Mapping[Expr, Expr]) -> VelocityRatios:
     """Return the same with the rates of the dependent speeds where the independent ones are constant."""
     system = bare.system
     moving = dict[Expr, Expr]()
-    if len(system.speeds) == 1:  # the changes are the factors of v**2
+    if bare.has_one_speed:  # the changes are the factors of v**2
         moving = {u: ratio for u, (ratio,) in bare.ratios.items()} | dict.fromkeys(system.speeds, number(1))
     rates = _rates([system.eliminated[u] for u in bare.ratios], system)
     direct = dict(zip(bare.ratios, substitute(rates, moving), strict=True))
@@ -220,10 +250,10 @@ def _name(letter: str, dependent: Expr, independent: Expr, system: Variables) ->
     return time_function(f"{letter}_{dependent.name}{index}")
 
 
-def _letters(system: Variables) -> tuple[str, str]:
+def _letters(system: Variables) -> list[str]:
+    """Return the letters of ratios, changes, and what is given: the first ones that the model doesn't have."""
     taken = {leaf.name.rstrip("0123456789").partition("_")[0] for leaf in system.leaves}
-    ratio, change = (
+    return [
         next((letter for letter in letters if letter not in taken), letters[0] * 2)
-        for letters in (_RATIOS, _CHANGES)
-    )
-    return ratio, change
+        for letters in (_RATIOS, _CHANGES, _GIVEN)
+    ]
