@@ -6,13 +6,13 @@ from math import cos as cosine
 from math import sin as sine
 
 from symbody.errors import ModelError
-from symbody.geometry import Frame, Point, Vector, ground, rotate, translate
-from symbody.multibody import Body, Element, System, air_force, motor, tire_kinematics, torsion_spring
+from symbody.geometry import Frame, Point, Vector, rotate, translate
+from symbody.multibody import Body, Element, air_force, motor, tire_kinematics, torsion_spring
 from symbody.symbolic import Expr, cos, functions_of_time, sin, symbols, time_derivative
 from symbody.symbolic.given.arguments import brief
 
 from .classic_system import ClassicSystem
-from .lagging_tyre import LaggingTyre, TyreLaw, lagging_tyre
+from .lagging_tyre import LaggingTyre, TyreLaw, lagging_tyre, system_on_tyres
 
 _FASTEST = 70.0
 """The highest speed, in m/s: there, the front wheel still has half of its load at rest."""
@@ -130,17 +130,8 @@ def flexible_motorcycle(speed: float = 40.0) -> ClassicSystem:
             span=Vector(frame.frame, 0, 1, 0),
             name="air",
         ),
-        *(load for tyre in tyres for load in tyre.loads),
     ]
-    system = System(
-        [*machine.values()],
-        loads,
-        coordinates,
-        [constraint for tyre in tyres for constraint in tyre.constraints],
-        Vector(ground, 0, 0, -p["g"]),
-        states={state: rate for tyre in tyres for state, rate in tyre.states.items()},
-        name="Flexible motorcycle",
-    )
+    system = system_on_tyres([*machine.values()], loads, coordinates, tyres, p["g"], "Flexible motorcycle")
     numbers = {p[name]: value for name, value in _NUMBERS.items()}
     rolling = {time_derivative(x): speed, time_derivative(coordinates[4]): 0.05}
     return ClassicSystem(

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
-from symbody.multibody import Body, Constraint, Force, Torque
+from symbody.geometry import Vector, ground
+from symbody.multibody import Body, Constraint, Force, System, Torque
 from symbody.multibody.element.tire_kinematics import TireKinematics
+from symbody.multibody.load import Load
 from symbody.symbolic import Expr, number
 
 
@@ -72,3 +75,32 @@ def lagging_tyre(
         Constraint(contact.VS + contact.VR, f"the {name} rolls"),
     )
     return LaggingTyre(loads, states, constraints)
+
+
+def system_on_tyres(
+    bodies: Sequence[Body],
+    loads: Sequence[Load],
+    coordinates: Sequence[Expr],
+    tyres: Sequence[LaggingTyre],
+    g: Expr,
+    name: str,
+) -> System:
+    """Return a vehicle on its tyres, with their loads, states and constraints; its weight is along -z.
+
+    Args:
+        bodies: the bodies, wheels included.
+        loads: the loads, except those of the tyres.
+        coordinates: the coordinates.
+        tyres: the tyres.
+        g: the acceleration of weight.
+        name: what the system is called.
+    """
+    return System(
+        bodies,
+        [*loads, *(load for tyre in tyres for load in tyre.loads)],
+        coordinates,
+        [constraint for tyre in tyres for constraint in tyre.constraints],
+        Vector(ground, 0, 0, -g),
+        states={state: rate for tyre in tyres for state, rate in tyre.states.items()},
+        name=name,
+    )

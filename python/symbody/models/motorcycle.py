@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from symbody.geometry import Point, Vector, ground, rotate, translate
-from symbody.multibody import Body, System, friction, motor, tire_kinematics
+from symbody.geometry import Point, rotate, translate
+from symbody.multibody import Body, friction, motor, tire_kinematics
 from symbody.symbolic import cos, functions_of_time, sin, symbols, time_derivative
 
 from .classic_system import ClassicSystem
-from .lagging_tyre import TyreLaw, lagging_tyre
+from .lagging_tyre import TyreLaw, lagging_tyre, system_on_tyres
 
 _NUMBERS = {
     "mr": 217.45,
@@ -85,15 +85,8 @@ def motorcycle() -> ClassicSystem:
         lagging_tyre(rear, tire_kinematics(rear, Rr, carrier=heading), Yr, TyreLaw(Cr1, Cr2, sigma)),
         lagging_tyre(front, tire_kinematics(front, Rf), Yf, TyreLaw(Cf1, Cf2, sigma)),
     ]
-    system = System(
-        [frame, steered, rear, front],
-        [*drives, *(load for tyre in tyres for load in tyre.loads)],
-        coordinates,
-        [constraint for tyre in tyres for constraint in tyre.constraints],
-        Vector(ground, 0, 0, -g),
-        states={state: rate for tyre in tyres for state, rate in tyre.states.items()},
-        name="Motorcycle",
-    )
+    bodies = [frame, steered, rear, front]
+    system = system_on_tyres(bodies, drives, coordinates, tyres, g, "Motorcycle")
     return ClassicSystem(
         system,
         "Sharp, The stability and control of motorcycles, J. Mechanical Engineering Science 13 (1971), p. 316, with"

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from math import radians
 
-from symbody.geometry import Frame, Point, Vector, ground, rotate, translate
-from symbody.multibody import Body, System, air_force, friction, motor, tire_kinematics, torsion_spring
+from symbody.geometry import Frame, Point, rotate, translate
+from symbody.multibody import Body, air_force, friction, motor, tire_kinematics, torsion_spring
 from symbody.symbolic import Expr, cos, functions_of_time, sin, symbols, time_derivative
 
 from .classic_system import ClassicSystem
-from .lagging_tyre import LaggingTyre, TyreLaw, lagging_tyre
+from .lagging_tyre import LaggingTyre, TyreLaw, lagging_tyre, system_on_tyres
 
 _NUMBERS = {
     "w": 1.448,
@@ -102,17 +102,8 @@ def touring_motorcycle() -> ClassicSystem:
             drag_area=p["CdA"],
             name="drag",
         ),
-        *(load for tyre in tyres for load in tyre.loads),
     ]
-    system = System(
-        [*bodies.values()],
-        loads,
-        coordinates,
-        [constraint for tyre in tyres for constraint in tyre.constraints],
-        Vector(ground, 0, 0, -p["g"]),
-        states={state: rate for tyre in tyres for state, rate in tyre.states.items()},
-        name="Sport tourer",
-    )
+    system = system_on_tyres([*bodies.values()], loads, coordinates, tyres, p["g"], "Sport tourer")
     drag = 0.5 * _NUMBERS["rho"] * _NUMBERS["CdA"] * _SPEED**2
     return ClassicSystem(
         system,

@@ -32,7 +32,7 @@ def dependent_speeds(eqs: Equations, dependent: Speeds) -> dict[Expr, Expr]:
     >>> dependent_speeds(newton_euler(circle), [speed])[speed] == -x * time_derivative(x) / y
     True
     """
-    columns = [_column(eqs, speed) for speed in dependent]
+    columns = [place_of(speed, eqs, "dependent_speeds") for speed in dependent]
     if len(set(columns)) != len(eqs.constraints) or len(columns) != len(eqs.constraints):
         raise ConstraintError(
             f"dependent_speeds: {counted(len(set(columns)), 'speed')}, "
@@ -51,10 +51,11 @@ def dependent_speeds(eqs: Equations, dependent: Speeds) -> dict[Expr, Expr]:
     return dict(zip(dependent, values, strict=True))
 
 
-def _column(eqs: Equations, speed: Expr) -> int:
+def place_of(speed: Expr, eqs: Equations, where: str) -> int:
+    """Return the place of a speed among those of equations; `where` is the function that the user called."""
     if speed not in eqs.speeds:
         raise ConstraintError(
-            f"dependent_speeds: {brief(speed)} is not a speed; expected some of "
+            f"{where}: {brief(speed)} is not a speed; expected some of "
             f"{brief(', '.join(map(str, eqs.speeds)))}"
         )
     return eqs.speeds.index(speed)

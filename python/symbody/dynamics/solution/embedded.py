@@ -24,6 +24,8 @@ from symbody.symbolic import (
 )
 from symbody.symbolic.given.arguments import brief, counted
 
+from .dependent_speeds import place_of
+
 Speeds: TypeAlias = Annotated[Sequence[Expr], "a list of speeds, such as time_derivative(x)"]
 
 
@@ -156,7 +158,7 @@ def _reduced(eqs: Equations, relation: _Relation, dependent: Mapping[Expr, Expr]
 
 def _chosen(eqs: Equations, independent: Speeds | None) -> _Relation:
     A, speeds = eqs.constraint_jacobian, eqs.speeds
-    given = None if independent is None else [_place(eqs, speed) for speed in independent]
+    given = None if independent is None else [place_of(speed, eqs, "embedded") for speed in independent]
     rows, columns = _pivots(A, range(len(speeds)) if given is None else _others(given, len(speeds)), eqs)
     rank = len(rows) if given is None else A.rank()
     if rank == len(speeds):
@@ -214,12 +216,3 @@ def _doubt(pivot: Expr, column: int, eqs: Equations) -> tuple[bool, int, int]:
     """Return what puts pivots in order: those that contain no coordinates, then short ones, then the last."""
     holds = not pivot.free_symbols.isdisjoint(eqs.coordinates)
     return holds, cost([pivot]).total, -column
-
-
-def _place(eqs: Equations, speed: Expr) -> int:
-    if speed not in eqs.speeds:
-        raise ConstraintError(
-            f"embedded: {brief(speed)} is not a speed; expected some of "
-            f"{brief(', '.join(map(str, eqs.speeds)))}"
-        )
-    return eqs.speeds.index(speed)

@@ -30,8 +30,7 @@ def moves_at_rest(system: System, speeds: Sequence[Expr], by_state: Rate) -> boo
         by_state: writes expressions by time, coordinates and speeds.
     """
     with derivation():
-        velocities = by_state(list(_velocities(system)))
-        return not all(each.is_zero for each in substitute(velocities, dict.fromkeys(speeds, number(0))))
+        return bool(_velocities_and_drift(system, speeds, by_state)[1])
 
 
 def does_uncounted_work(system: System, speeds: Sequence[Expr], by_state: Rate) -> bool:
@@ -43,13 +42,21 @@ def does_uncounted_work(system: System, speeds: Sequence[Expr], by_state: Rate) 
         by_state: writes expressions by time, coordinates and speeds.
     """
     with derivation():
-        velocities = by_state(list(_velocities(system)))
-        drift = substitute(velocities, dict.fromkeys(speeds, number(0)))
-        if all(each.is_zero for each in drift):
+        velocities, drift = _velocities_and_drift(system, speeds, by_state)
+        if not drift:
             return False
         partial = jacobian(velocities, speeds)
         both = Matrix([[*partial.row(k), each] for k, each in enumerate(drift)])
         return both.rank() > partial.rank()
+
+
+def _velocities_and_drift(
+    system: System, speeds: Sequence[Expr], by_state: Rate
+) -> tuple[tuple[Expr, ...], tuple[Expr, ...]]:
+    """Return the velocities on which masses and loads depend, and what they are at zero speeds; nothing if all rest."""
+    velocities = by_state(list(_velocities(system)))
+    drift = substitute(velocities, dict.fromkeys(speeds, number(0)))
+    return velocities, () if all(each.is_zero for each in drift) else drift
 
 
 def _velocities(system: System) -> Iterator[Expr]:

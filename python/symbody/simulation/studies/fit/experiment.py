@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,9 +14,10 @@ from symbody.simulation.given.real import is_real
 from symbody.symbolic import Expr, ExprLike
 from symbody.symbolic.given.arguments import brief, comparison_note, counted, described
 
-__all__ = ["Experiment", "Measurement"]
+__all__ = ["Experiment", "Measurement", "one_or_several"]
 
 Array = NDArray[np.float64]
+Kind = TypeVar("Kind")
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,12 +105,8 @@ class Experiment:
 
     def __post_init__(self) -> None:
         given: Any = self.measurements
-        listed = [given] if isinstance(given, Measurement) else given
-        if (
-            not isinstance(listed, list | tuple)
-            or not listed
-            or not all(isinstance(m, Measurement) for m in listed)
-        ):
+        listed = one_or_several(given, Measurement)
+        if not listed:
             raise ArgumentError(
                 f"Experiment: measurements={described(given)}; expected a list of Measurement(expression, t, values)"
             )
@@ -150,3 +147,12 @@ def _deviations(given: ArrayLike, values: Array, place: str) -> Array:
             f"{place}, deviation: {described(given)}; expected a positive number, or one for each value"
         )
     return np.broadcast_to(row, values.shape)
+
+
+def one_or_several(given: object, kind: type[Kind]) -> list[Kind]:
+    """Return what is given as one of a kind, or as a list of such; nothing if it is something else."""
+    listed = [given] if isinstance(given, kind) else given
+    if not isinstance(listed, list | tuple):
+        return []
+    found = [each for each in listed if isinstance(each, kind)]
+    return found if len(found) == len(listed) else []

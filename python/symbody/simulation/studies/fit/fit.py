@@ -16,7 +16,7 @@ from symbody.symbolic import Expr, ExprLike
 from symbody.symbolic.given.arguments import described, with_known_names
 from symbody.symbolic.given.similar_name import did_you_mean
 
-from .experiment import Experiment
+from .experiment import Experiment, one_or_several
 from .fitted import Fit
 from .identifiability import Information, information
 from .residuals import Residuals
@@ -127,12 +127,8 @@ def _search(residuals: Residuals, loss: Loss) -> Any:
 
 
 def _experiments(given: object) -> list[Experiment]:
-    listed = [given] if isinstance(given, Experiment) else given
-    if (
-        not isinstance(listed, list | tuple)
-        or not listed
-        or not all(isinstance(e, Experiment) for e in listed)
-    ):
+    listed = one_or_several(given, Experiment)
+    if not listed:
         raise ArgumentError(
             f"fit: experiments={described(given)}; expected an Experiment([Measurement(x, t, values)]), or several"
         )
@@ -141,7 +137,7 @@ def _experiments(given: object) -> list[Experiment]:
         raise ParameterError(
             "fit: some measurements have a deviation and others have none; give it for all of them, or for none"
         )
-    return list(listed)
+    return listed
 
 
 def _check(
