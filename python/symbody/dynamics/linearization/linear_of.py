@@ -46,23 +46,15 @@ def linear_of(
         keep_ignorable: whether ignorable coordinates stay in the state.
     """
     motion, columns = balance.motion, vary.columns
-    n_x, n_s, width = len(columns.variables), len(columns.coordinates), columns.count - len(columns.speeds)
+    n_s, width = len(columns.coordinates), columns.count - len(columns.speeds)
     of_states = _deviations(eqs, balance, vary, [*eqs.state_rates.values()])
     of_outputs = _deviations(eqs, balance, vary, [*outputs.values()])
     rows = below(vary.rates, -balance.forces, of_states)
     left = _left(columns, balance.forces[:, width:], of_states[:, width:])
     ignorable = ignorable_places(rows, of_outputs, n_s)
-    kept = [k for k in range(n_x) if keep_ignorable or k not in ignorable]
+    kept = [k for k in range(len(columns.variables)) if keep_ignorable or k not in ignorable]
     conditions = check_conditions(motion, _conditions(eqs, balance, columns))
-    recovery = below(vary.q, vary.u)
-    parts = {
-        "E": picked(left, kept, kept),
-        "A0": picked(rows, kept, kept),
-        "B0": picked(rows[:, n_x:width], kept),
-        "C0": picked(of_outputs, None, kept),
-        "C1": picked(columns.spread({"v": of_outputs[:, width:]}, len(outputs)), None, kept),
-        "D0": of_outputs[:, n_x:width],
-    }
+    parts = _matrices(columns, left, rows, of_outputs, kept)
     _check_constant(
         motion,
         parts,
@@ -74,8 +66,10 @@ def linear_of(
     found = second_order(_first_order(vary, balance), unsteady)
     if isinstance(found, SecondOrder):
         parts |= {"M": found.M, "C": found.C, "K": found.K, "F": found.F}
-    parts["recovery"] = picked(recovery, None, kept)
+    parts["recovery"] = picked(below(vary.q, vary.u), None, kept)
     parts = _at_first(motion, parts)
+    if isinstance(found, SecondOrder):
+        found = SecondOrder(found.coordinates, *(parts[name] for name in "MCKF"))
     variables = (*eqs.coordinates, *eqs.speeds)
     known = (*variables, *motion.others)
     values = dict(zip(known, motion.first(motion.at(known)), strict=True))
@@ -90,9 +84,7 @@ def linear_of(
         C0=parts["C0"],
         C1=parts["C1"],
         D0=parts["D0"],
-        second=found
-        if isinstance(found, str)
-        else SecondOrder(found.coordinates, *(parts[name] for name in "MCKF")),
+        second=found,
         variables=variables,
         recovery=parts["recovery"],
         about=values,
@@ -104,6 +96,29 @@ def linear_of(
             sorted(free_symbols([*motion.given.values()]) - {t, *eqs.parameters}, key=str)
         ),
     )
+
+
+def _matrices(
+    columns: Columns, left: Matrix, rows: Matrix, of_outputs: Matrix, kept: Sequence[int]
+) -> dict[str, Matrix]:
+    """Return the matrices of the first order, by the names that `Linear` gives them.
+
+    Args:
+        columns: the columns of the deviations.
+        left: the factor of the rates of the state.
+        rows: the deviations of these rates, times the factor.
+        of_outputs: the deviations of the outputs.
+        kept: the places of the state in all variables.
+    """
+    n_x, width = len(columns.variables), columns.count - len(columns.speeds)
+    return {
+        "E": picked(left, kept, kept),
+        "A0": picked(rows, kept, kept),
+        "B0": picked(rows[:, n_x:width], kept),
+        "C0": picked(of_outputs, None, kept),
+        "C1": picked(columns.spread({"v": of_outputs[:, width:]}, of_outputs.rows), None, kept),
+        "D0": of_outputs[:, n_x:width],
+    }
 
 
 def _deviations(eqs: Equations, balance: Balance, vary: Variation, expressions: Sequence[Expr]) -> Matrix:

@@ -115,12 +115,7 @@ def tire(
     """
     check_bodies(_WHERE, wheel, reaction)
     check_fixed(_WHERE, "road", road, reaction)
-    _check_load(load, stiffness, acts=load_acts)
-    if stiffness is None and not expression(damping).is_zero:
-        raise LoadError(
-            f"{_WHERE}: damping = {brief(damping)} beside a load that is given; expected stiffness=k with it, or the "
-            "damping within the load"
-        )
+    _check_load(load, stiffness, damping, acts=load_acts)
     sizes = not_negative(
         _WHERE,
         load=load,
@@ -145,20 +140,16 @@ def tire(
         found = _rolling(law, contact, vertical.load, slip, expression(least_speed))
         carried = vertical.load if load is None or load_acts else number(0)
         actions = _actions(contact, found, carried, wheel, reaction)
-    quantities = _quantities(contact, found, vertical.load, slip)
     has_slips_at_rest = relaxation is not None or not expression(least_speed).is_zero
-    wheel_radius = None if isinstance(radius, TireShape) else radius
-    sizes |= not_negative(_WHERE, radius=wheel_radius, rolling_radius=rolling_radius)
-    sizes |= _sizes(law, relaxation)
     return Element(
         _WHERE,
         actions,
         potential=vertical.potential,
         states=slip.states,
-        quantities=quantities,
+        quantities=_quantities(contact, found, vertical.load, slip),
         name=name,
         undefined=None if has_slips_at_rest else Undefined(contact.VS, _STANDS),
-        sizes=sizes,
+        sizes=sizes | _sizes(law, radius, rolling_radius, relaxation),
         positive=_POSITIVE,
     )
 
@@ -197,9 +188,13 @@ _POSITIVE = (
 """The sizes by which the kinematics or the law divide."""
 
 
-def _sizes(law: TireLaw, relaxation: Lengths | None) -> dict[str, Expr]:
-    """Return the sizes in the law, and the relaxation lengths: they make no sense below zero."""
-    of_law = law.sizes if isinstance(law, LinearTire | MagicFormula) else {}
+def _sizes(
+    law: TireLaw, radius: Shape, rolling_radius: Scalar | None, relaxation: Lengths | None
+) -> dict[str, Expr]:
+    """Return the radii, the sizes in the law, and the relaxation lengths: they make no sense below zero."""
+    wheel_radius = None if isinstance(radius, TireShape) else radius
+    radii = not_negative(_WHERE, radius=wheel_radius, rolling_radius=rolling_radius)
+    of_law = radii | (law.sizes if isinstance(law, LinearTire | MagicFormula) else {})
     if relaxation is None:
         return of_law
     along, across = relaxation
@@ -290,7 +285,7 @@ class _Vertical(NamedTuple):
     potential: Expr | None
 
 
-def _check_load(load: Scalar | None, stiffness: Scalar | None, *, acts: bool) -> None:
+def _check_load(load: Scalar | None, stiffness: Scalar | None, damping: Scalar, *, acts: bool) -> None:
     if acts and load is None:
         raise LoadError(
             f"{_WHERE}: load_acts without load; expected load=N, or a stiffness, whose load always acts"
@@ -300,6 +295,11 @@ def _check_load(load: Scalar | None, stiffness: Scalar | None, *, acts: bool) ->
         raise LoadError(
             f"{_WHERE}: {given}; expected the vertical load of the tyre, or the stiffness by which it follows from the "
             "deflection"
+        )
+    if stiffness is None and not expression(damping).is_zero:
+        raise LoadError(
+            f"{_WHERE}: damping = {brief(damping)} beside a load that is given; expected stiffness=k with it, or the "
+            "damping within the load"
         )
 
 
