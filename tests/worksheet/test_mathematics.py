@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from symbody.symbolic import Expr, symbol, t
+from symbody.symbolic import Expr, pi, symbol, t
 from symbody.worksheet.interpreter.interpret import Interpreter
 from symbody.worksheet.values.value import Array
 from tests.worksheet.printed_by import printed
@@ -113,3 +113,20 @@ def test_the_last_exception_is_kept() -> None:
 def test_digits_extrema_and_series(sheet: str, expected: list[str]) -> None:
     pytest.importorskip("sympy")
     assert printed(sheet) == expected
+
+
+def test_inverse_functions_of_exact_numbers_are_angles() -> None:
+    for text, angle in (
+        ("arctan(sqrt(3))", math.atan(math.sqrt(3))),
+        ("arctan(-1/sqrt(3))", -math.pi / 6),
+        ("arctan(1-sqrt(2)/2, -sqrt(2)/2)", None),
+        ("arctan(-1, sqrt(3))", math.atan2(-1, math.sqrt(3))),
+        ("arctan(2-sqrt(3))", math.pi / 12),
+        ("arcsin(-sqrt(3)/2)", math.asin(-math.sqrt(3) / 2)),
+        ("arccos(-sqrt(2)/2)", math.acos(-math.sqrt(2) / 2)),
+        ("arccos((sqrt(6)-sqrt(2))/4)", 5 * math.pi / 12),
+        ("arcsin(43/50)", None),
+    ):
+        found = scalar_of(text)
+        assert (found / pi).is_number == (angle is not None), text
+        assert angle is None or found.evaluate({}) == pytest.approx(angle, rel=1e-15)

@@ -2,6 +2,7 @@
 
 import pytest
 
+from symbody.worksheet.interpreter.interpret import Interpreter
 from tests.worksheet.printed_by import failures, printed
 
 CASES = {
@@ -36,6 +37,38 @@ CASES = {
     "roots that become complex": (
         "r := solve(m*z^2+c*z+k=0,z): subs(m=1,c=2,k=10,[r]); m := 1: c := 2: k := 10: r;",
         ["[-1+3*I, -1-3*I]", "-1+3*I, -1-3*I"],
+    ),
+    "expressions as unknowns": (
+        (
+            "solve(a*diff(x(t),t)^2=b,diff(x(t),t)^2); solve({a*cos(p(t))+b=0},{cos(p(t))}); solve(k/(x*y)=3,x*y); "
+            "solve(x^2+3*x*y=4,x*y); solve(a*x^4+b*x^3=c,x^4); solve(x-3*sqrt(x)+2=0,sqrt(x)); solve(a+b+c=3,a+b); "
+            "solve({x^2+y^2=1,x^2=y^2},{x^2,y^2}); solve(2*x*y*z=3,2*x*y);"
+        ),
+        [
+            "b/a",
+            "{cos(p(t)) = -b/a}",
+            "1/3*k",
+            "4/3-1/3*x^2",
+            "(c-b*x^3)/a",
+            "2, 1",
+            "3-c",
+            "{x^2 = 1/2, y^2 = 1/2}",
+            "3/z",
+        ],
+    ),
+    "products": (
+        (
+            "solve(a*sin(x)*cos(x)=0,x); solve(x^2*sin(x)=0,x); solve(exp(x)*(x-1)/(x-2)=0,x); "
+            "solve(sin(x)*cos(x)=sin(x),x); [solve(k*exp(x)=0,x)];"
+        ),
+        ["1/2*Pi, 0", "0", "1", "0", "[]"],
+    ),
+    "polynomials in a function": (
+        (
+            "solve(2*cos(x)^2-cos(x)-1=0,x); solve(exp(2*x)-3*exp(x)+2=0,x); solve(tan(x)^2=3,x); "
+            "solve(2*sin(x)^2+cos(x)-2=0,x);"
+        ),
+        ["0, 2/3*Pi", "0, ln(2)", "1/3*Pi, -1/3*Pi", "1/2*Pi, 1/3*Pi"],
     ),
     "free unknowns": (
         "solve({x+y=1},{x,y});",
@@ -91,6 +124,14 @@ CASES = {
 @pytest.mark.parametrize(("sheet", "expected"), CASES.values(), ids=CASES.keys())
 def test_solving(sheet: str, expected: list[str]) -> None:
     assert printed(sheet) == expected
+
+
+def test_solve_tells_that_an_expression_is_taken_for_a_name() -> None:
+    interpreter = Interpreter()
+    sheet = "solve({x*y=1, x^2=4}, {x*y, x^2}); solve(cos(x)=1, cos(x)); solve(x^2=4, x^2);"
+    printed(sheet, interpreter=interpreter)
+    told = "solved for as a name; other terms in its parts are known"
+    assert interpreter.session.notices == [f"solve: x*y, x^2 are {told}", f"solve: x^2 is {told}"]
 
 
 def test_fsolve_names_values_of_functions_that_have_no_number() -> None:

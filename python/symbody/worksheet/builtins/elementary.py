@@ -36,6 +36,7 @@ from symbody.worksheet.evaluation.arithmetic import called_with, raised, scalar
 from symbody.worksheet.evaluation.at_numbers import calls_functions, value_at
 from symbody.worksheet.evaluation.session import Command, Session, sequence
 from symbody.worksheet.mathematics.closed_roots import root_number
+from symbody.worksheet.mathematics.exact_angle import with_exact_angles
 from symbody.worksheet.mathematics.quadrature import integral_number
 from symbody.worksheet.values.complex_number import as_complex, of_number
 from symbody.worksheet.values.naming import symbol
@@ -65,6 +66,7 @@ def _of_one(function: Callable[[Expr], Expr]) -> Command:
             )
         argument = scalar(session, x)
         found = _of_inverse(function, argument) or function(argument)
+        found = with_exact_angles(found) if found.is_constant else found
         return with_decimals(found, argument, digits=session.options.digits)
 
     return command
@@ -106,10 +108,10 @@ def _reciprocal(name: str, function: Callable[[Expr], Expr]) -> Command:
 def arctan(session: Session, y: Value, x: Value | None = None) -> Value:
     """arctan(y), arctan(y, x): the angle whose tangent is y, or that of the point x, y."""
     a = scalar(session, y)
-    if x is None:
-        return with_decimals(atan(a), a, digits=session.options.digits)
-    b = scalar(session, x)
-    return with_decimals(atan2(a, b), a, b, digits=session.options.digits)
+    given = (a,) if x is None else (a, scalar(session, x))
+    found = atan(a) if x is None else atan2(*given)
+    found = with_exact_angles(found) if found.is_constant else found
+    return with_decimals(found, *given, digits=session.options.digits)
 
 
 def surd(session: Session, x: Value, n: Value) -> Value:

@@ -9,6 +9,7 @@ from symbody.errors import SymbodyError, WorksheetError
 from symbody.symbolic import Expr, expand, factor_terms, t
 from symbody.symbolic.expression.traverse import post_order
 from symbody.symbolic.roots.solutions import solutions as all_solutions
+from symbody.worksheet.builtins.unknowns import names_of_unknowns, with_names
 from symbody.worksheet.evaluation.arithmetic import scalar
 from symbody.worksheet.evaluation.at_numbers import calls_functions, value_at
 from symbody.worksheet.evaluation.current import set_of
@@ -20,6 +21,8 @@ from symbody.worksheet.mathematics.closed_roots import (
     roots_of,
 )
 from symbody.worksheet.mathematics.elimination import eliminated_roots
+from symbody.worksheet.mathematics.exact_angle import with_exact_angles
+from symbody.worksheet.mathematics.factors_of_equation import simpler_equations
 from symbody.worksheet.mathematics.multiplicity import repeated
 from symbody.worksheet.mathematics.root_finding import newton
 from symbody.worksheet.values.complex_number import I, has_i, of_number
@@ -114,16 +117,20 @@ def _of_sign(
 def solutions(session: Session, residuals: list[Expr], unknowns: list[Expr]) -> list[Solution]:
     """Return all solutions that are found; unknowns that stay free are themselves."""
     session.limits.check()
-    unknown = {x: symbol(f"_unknown{k}") for k, x in enumerate(unknowns) if x.kind == "application"}
-    if unknown:  # such as laplace(x(t), t, s), whose arguments are not solved for
+    unknown = names_of_unknowns(session, unknowns)
+    if unknown:  # their parts are not solved for
         names = [unknown.get(x, x) for x in unknowns]
-        renamed = solutions(session, [each.subs(unknown) for each in residuals], names)
+        renamed = solutions(session, [with_names(session, each, unknown) for each in residuals], names)
         back = {name: x for x, name in unknown.items()}
         return [{back.get(x, x): value for x, value in solution.items()} for solution in renamed]
     left = [each for each in residuals if not each.is_zero]
     size = _magnitude(left, unknowns)
     if size is not None:
         return [each for sign in (1, -1) for each in _of_sign(session, left, unknowns, size, sign)]
+    parts = simpler_equations(left[0], unknowns[0]) if len(left) == len(unknowns) == 1 else None
+    if parts is not None:
+        united = [each for part in parts for each in solutions(session, [part], unknowns)]
+        return [each for k, each in enumerate(united) if each not in united[:k]]
     try:
         found = all_solutions(left, unknowns)
     except (SymbodyError, ArithmeticError):
@@ -151,6 +158,7 @@ def _factored(session: Session, value: Expr) -> Value:
     """Return a solution with common factors before its sums, as Maple's solve does: a quotient by one cancels it."""
     if has_i(value):  # the core takes I for a name
         return session.rebuild(value, {I: I})
+    value = with_exact_angles(value)
     return factor_terms(value) if value.kind in ("sum", "product") else value
 
 

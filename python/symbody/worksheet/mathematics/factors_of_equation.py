@@ -1,0 +1,100 @@
+"""Equations in one unknown that fall apart: products, and polynomials in one function of it.
+
+A product is zero where a factor is: ``a*sin(x)*cos(x) = 0``. A polynomial in ``u = f(x)`` is solved for u first:
+``2*cos(x)^2 - cos(x) - 1 = 0``. Squares of sines and cosines of one angle are taken for each other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from symbody.symbolic import Expr, atan, cos, expand, factor_terms, sin
+from symbody.worksheet.mathematics.closed_roots import polynomial_in, roots_of
+from symbody.worksheet.mathematics.polynomial import reduced
+from symbody.worksheet.values.complex_number import has_i
+from symbody.worksheet.values.naming import symbol
+from symbody.worksheet.values.structure import Tree, tree_of, walk
+
+__all__ = ["simpler_equations"]
+
+_VALUE = symbol("_value")
+
+
+def simpler_equations(residual: Expr, unknown: Expr) -> list[Expr] | None:
+    """Return equations whose solutions together are those of an equation; None if it doesn't fall apart."""
+    if polynomial_in(residual, unknown) is not None:
+        return None
+    factors = _factors(residual, unknown)
+    if factors is not None:
+        return factors
+    for form in _forms(residual, unknown):
+        found = _by_function(form, unknown)
+        if found is not None:
+            return found
+    return None
+
+
+def _factors(residual: Expr, unknown: Expr) -> list[Expr] | None:
+    """Return the factors of a product that can be zero, each once; None if one factor alone holds the unknown."""
+    tree = tree_of(factor_terms(residual))
+    parts = [part for part in (tree.parts if tree.kind == "product" else (tree,)) if part.value.has(unknown)]
+    found = [_zero_of(part) for part in parts]
+    if len(parts) == 1 and found[0] == parts[0].value:
+        return None
+    return list(dict.fromkeys(factor for factor in found if factor is not None))
+
+
+def _zero_of(part: Tree) -> Expr | None:
+    """Return what is zero where a factor is; None for one that has no zero."""
+    if part.kind == "power" and part.parts[1].value.is_number:
+        return part.parts[0].value if part.parts[1].value.ratio[0] > 0 else None
+    return None if part.kind == "function" and part.name == "exp" else part.value
+
+
+def _forms(residual: Expr, unknown: Expr) -> Iterator[Expr]:
+    """Return an equation as it stands, and with squares of sines and cosines in the place of each other."""
+    yield residual
+    angles = {node.args[0] for node in _functions(residual, unknown) if node.name in {"sin", "cos"}}
+    if len(angles) == 1:
+        (angle,) = angles
+        c, s = cos(angle), sin(angle)
+        yield reduced(expand(residual), s**2, 1 - c**2, [])
+        yield reduced(expand(residual), c**2, 1 - s**2, [])
+
+
+def _functions(residual: Expr, unknown: Expr) -> list[Expr]:
+    """Return the functions in an equation that depend on the unknown, inner ones first."""
+    nodes = (node.value for node in walk(tree_of(residual)))
+    return list(dict.fromkeys(n for n in nodes if n.kind == "function" and n.has(unknown)))
+
+
+def _by_function(residual: Expr, unknown: Expr) -> list[Expr] | None:
+    """Return ``f(x) - u`` for the roots u of a polynomial in f(x) of degree two or more."""
+    functions = _functions(residual, unknown)
+    for function in functions:
+        by_value = residual.subs(_powers_of(function, functions))
+        known = None if by_value.has(unknown) else polynomial_in(expand(by_value), _VALUE)
+        if known is None or len(known) < 3:
+            continue
+        roots = [root for root in roots_of(known) if isinstance(root, Expr) and not has_i(root)]
+        return (
+            [_equal(function, root) for root in dict.fromkeys(roots)]
+            if len(roots) == len(known) - 1
+            else None
+        )
+    return None
+
+
+def _equal(function: Expr, value: Expr) -> Expr:
+    """Return what is zero where a function has a value: of a tangent, by its angle."""
+    return function.args[0] - atan(value) if function.name == "tan" else function - value
+
+
+def _powers_of(function: Expr, functions: list[Expr]) -> dict[Expr, Expr]:
+    """Return what becomes of a function, and of ``exp(2*x)`` beside ``exp(x)``."""
+    made = {function: _VALUE}
+    for other in functions if function.name == "exp" else ():
+        ratio = other.args[0] / function.args[0]
+        if ratio.is_number and ratio.ratio[1] == 1:
+            made[other] = _VALUE ** ratio.ratio[0]
+    return made
