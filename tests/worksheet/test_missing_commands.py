@@ -20,6 +20,29 @@ def test_a_missing_command_comes_back_with_a_note() -> None:
     assert "eliminate of Maple is not there; it comes back unevaluated" in interpreter.session.notices
 
 
+def test_what_a_package_does_not_have_is_told() -> None:
+    interpreter = Interpreter()
+    printed(
+        "LinearAlgebra:-Detrminant(A); MBSymba_r6[kinetic_enrgy](b); f[1](x); g:-h(x);",
+        interpreter=interpreter,
+    )
+    assert interpreter.session.notices == [
+        "LinearAlgebra[Detrminant] is not known; it comes back unevaluated; did you mean Determinant?",
+        "MBSymba_r6[kinetic_enrgy] is not known; it comes back unevaluated; did you mean kinetic_energy?",
+    ]
+
+
+def test_a_function_of_a_symbol_may_be_a_command() -> None:
+    interpreter = Interpreter()
+    printed(
+        "erf(u); kinetic_enrgy(B); erf(t); kinetic_enrgy(t); force(x); Trace(A);", interpreter=interpreter
+    )
+    assert interpreter.session.notices == [
+        "erf of Maple is not there; it comes back unevaluated",
+        "kinetic_enrgy is not a command; did you mean kinetic_energy?",
+    ]
+
+
 def test_a_command_of_a_package_that_is_not_loaded_is_told() -> None:
     interpreter = Interpreter()
     assert printed("M := diag(a, b);", interpreter=interpreter) == ["M := diag(a,b)"]

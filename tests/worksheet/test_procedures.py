@@ -88,6 +88,25 @@ CASES = {
         "`+`(a,b,c), `*`(op([a,b])), `if`(1<2,a,b);",
         ["a+b+c, a*b, a"],
     ),
+    "a call that stays as it is written": (
+        (
+            "f := proc(x) if type(x,numeric) then x^2 else 'procname(args)' end if end: f(3), 2*f(a); subs(a=2,f(a)); "
+            "g := proc(x) if type(x,numeric) then return x^2 end if; 'g'(x) end: g(a); eval(g(a),a=3); "
+            "h := proc(x) if not type(x,numeric) then return 'procname'(args) end if; x^2 end: b := h(y)+1; y := 2: b;"
+        ),
+        ["9, 2*f(a)", "4", "g(a)", "9", "b := h(y)+1", "5"],
+    ),
+    "parameters in quotes": (
+        (
+            "f := proc(q) 'args', 'nargs', 'F(q)', diff('q',t) end: f(x(t)); "
+            "g := proc(F,x) 'F(x)' end: g(u,2), g(sin,0); k := 7: f := proc() local k; 'k' end: f();"
+        ),
+        ["x(t), 1, F(x(t)), diff(x(t),t)", "u(2), 0", "k"],
+    ),
+    "RETURN, of old releases": (
+        "f := proc(x) if x>0 then RETURN(1, x) fi; RETURN() end: f(a^0), [f(-1)]; g := proc(x) RETURN(x) end: g(5);",
+        ["1, 1, []", "5"],
+    ),
     "an alias hides a parameter": (
         "alias(c=cos): f := proc(x) c(x) end proc: f(0);",
         ["1"],
@@ -113,6 +132,8 @@ def test_too_many_arguments_are_told_where_the_heading_ends() -> None:
 def test_an_error_of_the_sheet_is_told() -> None:
     (message,) = failures('f := proc(n) error "no %1", n end proc: f(3);')
     assert message == "(in f) no 3"
+    (message,) = failures('f := proc(n) ERROR("no such case", n, n^2) end: f(3);')
+    assert message == "(in f) no such case, 3, 9"
 
 
 def test_a_missing_argument_that_is_used_is_told() -> None:

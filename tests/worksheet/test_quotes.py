@@ -29,6 +29,10 @@ CASES = {
         "n := 2: 'a||n';",
         ["a2"],
     ),
+    "a string with more behind it": (
+        'n := 2: "case "||n; "a"||(1..2)||".txt"; a||"b"; cat("res",n,".dat");',
+        ['"case 2"', '"a1.txt", "a2.txt"', "ab", '"res2.dat"'],
+    ),
     "unassign by a quoted name": (
         "x := 3: unassign('x'): x;",
         ["x"],

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import inspect
 from collections.abc import Callable, Iterator
 
@@ -132,10 +133,22 @@ def package_command(session: Session, name: str, indices: tuple[syntax.Expressio
     word = indices[0].body if isinstance(indices[0], syntax.Delayed) else indices[0]
     if not isinstance(word, syntax.Name | syntax.Member):
         return None
-    found, package = member(session, name, [word.name]), _meant_package(session, name)
-    if found is None and package in PACKAGES:
-        session.notice(f"{package}[{word.name}] is not known; it comes back unevaluated")
+    found = member(session, name, [word.name])
+    if found is None:
+        notice_unknown_member(session, name, word.name)
     return found
+
+
+def notice_unknown_member(session: Session, package: str, name: str) -> None:
+    """Tell that a package has no such command; nothing of another name, which may hold a table."""
+    package = _meant_package(session, package)
+    is_mbsymba = package.lower().startswith("mbsymba")
+    if package not in PACKAGES and not is_mbsymba:
+        return
+    known = [*mbsymba.COMMANDS] if is_mbsymba else [*PACKAGES[package]]
+    close = difflib.get_close_matches(name, known, 1, 0.75)
+    hint = f"; did you mean {close[0]}?" if close else ""
+    session.notice(f"{package}[{name}] is not known; it comes back unevaluated{hint}")
 
 
 def member(session: Session, package: str, names: list[str]) -> Value | None:

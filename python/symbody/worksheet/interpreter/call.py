@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 from symbody.errors import WorksheetError
-from symbody.symbolic import Expr, UndefinedFunction
+from symbody.symbolic import Expr, UndefinedFunction, t
 from symbody.worksheet import builtins
 from symbody.worksheet.evaluation import arithmetic
 from symbody.worksheet.evaluation.current import flattened
@@ -15,6 +15,7 @@ from symbody.worksheet.evaluation.entrywise import entrywise
 from symbody.worksheet.evaluation.session import Session
 from symbody.worksheet.interpreter.leaf import named
 from symbody.worksheet.interpreter.procedure import ProcedureCall, call_procedure
+from symbody.worksheet.interpreter.quoted_name import head_in_quotes
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.values.complex_number import normal
 from symbody.worksheet.values.naming import symbol
@@ -35,6 +36,12 @@ from symbody.worksheet.values.value import (
 
 __all__ = ["METHODS", "application", "call"]
 
+#: From which length on a name of a function of a symbol, ``name(x)``, may have been meant for a command.
+_LONG_NAME = 6
+
+#: How much alike a name and that of a command are, from 0 to 1, for the one to have been meant for the other.
+_ALIKE, _NEARLY_THE_SAME = 0.75, 0.9
+
 
 def _call(session: Session, node: syntax.Call) -> Value:
     function = node.function
@@ -42,6 +49,10 @@ def _call(session: Session, node: syntax.Call) -> Value:
         return builtins.elementwise(
             session, session.evaluate(function.function), session.evaluated(node.arguments)
         )
+    if isinstance(function, syntax.Delayed) and isinstance(function.body, syntax.Name | syntax.Concatenation):
+        name = head_in_quotes(session, function.body)
+        if isinstance(session.resolve(symbol(name)), ProcedureValue):
+            return _waiting(session, name, session.evaluated(node.arguments))
     name = function.name if isinstance(function, syntax.Name) else None
     if name is None or _is_local(session, name):
         head = session.evaluate(function)
@@ -201,13 +212,16 @@ def application(session: Session, name: str, arguments: tuple[Value, ...]) -> Va
 
 
 def _notice_unknown(session: Session, name: str, arguments: tuple[Value, ...]) -> None:
-    if len(arguments) == 1 and isinstance(arguments[0], Expr) and arguments[0].kind == "symbol":
-        return  # f(t) and f(x) are functions
+    of_symbol = len(arguments) == 1 and isinstance(arguments[0], Expr) and arguments[0].kind == "symbol"
+    if of_symbol and arguments[0] == t:
+        return  # f(t) is a function
     if f"diff/{name}" in session.names:
         return  # a function of the sheet, by its rule of derivatives
     if name in builtins.MISSING:
         session.notice(f"{name} of Maple is not there; it comes back unevaluated")
         return
+    if of_symbol and len(name) < _LONG_NAME:
+        return  # so is f(x)
     packages = [package for package, commands in builtins.PACKAGES.items() if name in commands]
     if packages:
         session.notice(
@@ -215,7 +229,8 @@ def _notice_unknown(session: Session, name: str, arguments: tuple[Value, ...]) -
             f"with({packages[0]}) before it, or {packages[0]}[{name}]"
         )
         return
-    close = difflib.get_close_matches(name, builtins.known_names(session), 1, 0.75)
+    likeness = _NEARLY_THE_SAME if of_symbol else _ALIKE
+    close = difflib.get_close_matches(name, builtins.known_names(session), 1, likeness)
     if close:
         session.notice(f"{name} is not a command; did you mean {close[0]}?")
 

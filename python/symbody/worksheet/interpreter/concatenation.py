@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable
 from typing import Any
 
@@ -16,29 +17,41 @@ __all__ = ["METHODS", "concatenation"]
 
 def concatenation(session: Session, node: syntax.Expression) -> str:
     """Return the name that ``a || b`` makes; the left side isn't evaluated."""
-    if isinstance(node, syntax.Name):
-        return node.name
-    if isinstance(node, syntax.Text):
-        return node.text
-    if isinstance(node, syntax.Concatenation):
-        return concatenation(session, node.left) + _piece(session, node.right)
-    return _piece(session, node)
+    return ", ".join(_texts(session, node))
 
 
 def _concatenated(session: Session, node: syntax.Concatenation) -> Value:
-    """Return what the name ``a || b`` stands for; ``a || (1..3)`` are several."""
-    if isinstance(node.right, syntax.Infix | syntax.SequenceDisplay):
-        right = session.evaluate(node.right)
-        items = builtins.repeated(session, right)
-        if isinstance(items, Sequence):
-            left = concatenation(session, node.left)
-            return sequence([named(session, left + _bare(session.text(item))) for item in items.items])
-    return named(session, concatenation(session, node))
+    """Return what the name ``a || b`` stands for; ``a || (1..3)`` are several. Behind a string, they are strings."""
+    made = String if _is_of_string(node) else functools.partial(named, session)
+    return sequence([made(text) for text in _texts(session, node)])
 
 
-def _piece(session: Session, node: syntax.Expression) -> str:
+def _texts(session: Session, node: syntax.Expression) -> list[str]:
+    """Return the names that ``a || b`` makes, one for each item of b."""
+    match node:
+        case syntax.Name(name=name):
+            return [name]
+        case syntax.Text(text=text):
+            return [text]
+        case syntax.Concatenation(left=left, right=right):
+            pieces = _pieces(session, right)
+            return [before + piece for before in _texts(session, left) for piece in pieces]
+    return _pieces(session, node)
+
+
+def _is_of_string(node: syntax.Expression) -> bool:
+    """Whether a string begins what is joined: ``"case" || i``."""
+    while isinstance(node, syntax.Concatenation):
+        node = node.left
+    return isinstance(node, syntax.Text)
+
+
+def _pieces(session: Session, node: syntax.Expression) -> list[str]:
     value = session.evaluate(node)
-    return value.text if isinstance(value, String) else _bare(session.text(value))
+    several = isinstance(node, syntax.Infix | syntax.SequenceDisplay)
+    items = builtins.repeated(session, value) if several else value
+    values = items.items if several and isinstance(items, Sequence) else (items,)
+    return [each.text if isinstance(each, String) else _bare(session.text(each)) for each in values]
 
 
 def _bare(text: str) -> str:

@@ -256,6 +256,8 @@ class Interpreter:
         values = self.session.evaluated(node.arguments)
         texts = [each.text if isinstance(each, String) else self.session.text(each) for each in values]
         message = texts[0] if texts else "unspecified error"
+        if "%" not in message:
+            message = ", ".join([message, *texts[1:]])
         for i, text in enumerate(texts[1:], 1):
             message = message.replace(f"%{i}", text)
         raise WorksheetError(message, node.place)

@@ -27,13 +27,17 @@ def _decimal(session: Session, node: syntax.Decimal) -> Value:
     return value if value.is_decimal else number(float(text)) if "." in text or exponent else value
 
 
+#: What has a value in each call of a procedure.
+OF_CALLS = frozenset({"args", "nargs", "procname"})
+
+
 def _name(session: Session, node: syntax.Name) -> Value:
     return named(session, node.name)
 
 
 def named(session: Session, name: str) -> Value:
     """Return what a name stands for, also those that Maple gives a meaning: args, Digits."""
-    if name in ("args", "nargs", "procname") and session.scopes:
+    if name in OF_CALLS and session.scopes:
         scope = session.scopes[-1]
         if name == "procname":
             return symbol(scope.name)

@@ -11,6 +11,7 @@ from symbody.worksheet.evaluation.current import flattened, set_of
 from symbody.worksheet.evaluation.session import Session, sequence
 from symbody.worksheet.interpreter.call import application
 from symbody.worksheet.interpreter.concatenation import concatenation
+from symbody.worksheet.interpreter.quoted_name import at_entry, head_in_quotes
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.value import Listed, Quoted, Value
@@ -21,7 +22,8 @@ __all__ = ["METHODS", "unevaluated"]
 def unevaluated(session: Session, node: syntax.Expression) -> Value:
     """Return what quotes keep: a name, a call of what isn't a command, or code as it is written."""
     if isinstance(node, syntax.Name):
-        return symbol(node.name)
+        given = at_entry(session, node.name)
+        return symbol(node.name) if given is None else given
     if isinstance(node, syntax.Concatenation):
         return symbol(concatenation(session, node))
     if isinstance(node, syntax.Integer | syntax.Decimal | syntax.Text | syntax.Ditto):
@@ -34,11 +36,24 @@ def unevaluated(session: Session, node: syntax.Expression) -> Value:
     if isinstance(node, syntax.Selection) and isinstance(node.whole, syntax.Name):
         return _entry(session, node)
     if isinstance(node, syntax.Call) and isinstance(node.function, syntax.Name | syntax.Concatenation):
-        name = concatenation(session, node.function)
-        arguments = [unevaluated(session, each) for each in node.arguments]
-        if builtins.command(session, name) is None and all(isinstance(each, Expr) for each in arguments):
-            return application(session, name, tuple(arguments))
+        return _kept_call(session, node)
     return Quoted(node)
+
+
+def _kept_call(session: Session, node: syntax.Call) -> Value:
+    name = head_in_quotes(session, node.function)
+    arguments = flattened(unevaluated(session, each) for each in node.arguments)
+    if builtins.command(session, name) is None and all(isinstance(each, Expr) for each in arguments):
+        return application(session, name, tuple(arguments))
+    if _has_given(session, node):  # code as it is written would be read outside of the procedure
+        return session.call(symbol(name), tuple(arguments))
+    return Quoted(node)
+
+
+def _has_given(session: Session, node: syntax.Call) -> bool:
+    """Whether a call holds what a procedure knows alone, as its head or as an argument."""
+    parts = (node.function, *node.arguments)
+    return any(isinstance(each, syntax.Name) and at_entry(session, each.name) is not None for each in parts)
 
 
 def _entry(session: Session, node: syntax.Selection) -> Value:

@@ -43,6 +43,7 @@ def _member(session: Session, node: syntax.Member) -> Value:
         found = builtins.member(session, package.name, names)
         if found is not None:
             return found
+        builtins.notice_unknown_member(session, package.name, node.name)
     return selected(session, session.evaluate(node.package), (symbol(node.name),))
 
 

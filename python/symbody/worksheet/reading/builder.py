@@ -47,6 +47,11 @@ class Builder:
         return bool(parts[0].type == "SEMICOLON")
 
     def evaluation(self, place: Place, parts: Items) -> Statement:
+        match parts[0]:
+            case syntax.Call(function=syntax.Name(name="RETURN"), arguments=values):  # as until Maple 5
+                return syntax.Return(_together(values, place), place=place)
+            case syntax.Call(function=syntax.Name(name="ERROR"), arguments=values):
+                return syntax.Raise(values, place=place)
         return syntax.Evaluation(parts[0], place=place)
 
     def assignment(self, place: Place, parts: Items) -> Statement:
@@ -326,6 +331,13 @@ def _bare(part: Expression) -> Expression:
     while isinstance(part, syntax.SequenceDisplay) and len(part.items) == 1:
         part = part.items[0]
     return part
+
+
+def _together(values: tuple[Expression, ...], place: Place) -> Expression | None:
+    """Return several expressions as one, or nothing."""
+    if len(values) < 2:
+        return values[0] if values else None
+    return syntax.SequenceDisplay(values, place=place)
 
 
 def _target(part: Expression) -> Expression:
