@@ -50,9 +50,9 @@ def _call(session: Session, node: syntax.Call) -> Value:
             session, session.evaluate(function.function), session.evaluated(node.arguments)
         )
     if isinstance(function, syntax.Delayed) and isinstance(function.body, syntax.Name | syntax.Concatenation):
-        name = head_in_quotes(session, function.body)
-        if isinstance(session.resolve(symbol(name)), ProcedureValue):
-            return _waiting(session, name, session.evaluated(node.arguments))
+        head_name = head_in_quotes(session, function.body)
+        if isinstance(session.resolve(symbol(head_name)), ProcedureValue):
+            return _waiting(session, head_name, session.evaluated(node.arguments))
     name = function.name if isinstance(function, syntax.Name) else None
     if name is None or _is_local(session, name):
         head = session.evaluate(function)
