@@ -41,6 +41,7 @@ EQUAL = [
     ("M := Matrix(2, 2, {(1, 1) = 1, (1, 2) = 3, (2, 1) = 2, (2, 2) = 4})", "M := Matrix([[1,3],[2,4]])"),
     ("v := Vector(2, {(1) = 1, (2) = c})", "v := Vector[column]([[1], [c]])"),
     ("M := Matrix(2, 2, {(1, 1) = 1, (2, 2) = 1}, storage = diagonal)", "M := Matrix([[1, 0], [0, 1]])"),
+    ("T := table([b = [1, 2], a = x(t)])", "T := table([a = x(t), b = [1,2]])"),
     # Cut, but something is complete.
     ("TN := matrix([[ux, vx], [uy, vy*cos(...", "TN := matrix([[ux,vx],[uy,vy+1],[0,0]])"),
     (
@@ -74,11 +75,14 @@ DIFFERENT = [
         "[1] [2] the file has 5, the run 4",
     ),
     ("abs(x)", "x^2/2", "the file has abs(x), the run 1/2*x^2"),
-    ("g := x -> x^3", "g := x -> x^2", "[2] the file has argument1^3, the run argument1^2"),
+    ("g := x -> x^3", "g := x -> x^2", "the file has x^3, the run x^2"),
+    ("g := (u,v) -> u*v + u", "g := (x,y) -> x*y", "the file has u*v+u, the run x*y"),
+    ("g := (u,v) -> u", "g := u -> u", "the file has an operator of 2, the run one of 1"),
+    ("table([b = 1, a = 2])", "table([a = 1, b = 1])", "a: the file has 2, the run 1"),
     (
         "p := proc(x) x^3 end proc",
         "p := proc(x) x^2 end proc",
-        "[2] the file has argument1^3, the run argument1^2",
+        "the file has x^3, the run x^2",
     ),
     ("v := Vector[row]([1, 2])", "v := Vector[column]([1, 2])", "the file has a row, the run a column"),
     ("x := 3", "x := matrix([[1, 2]])", "the file has an expression, the run a list"),

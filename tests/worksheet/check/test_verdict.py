@@ -30,6 +30,21 @@ def test_outputs_can_stand_further_down() -> None:
     assert [(one.line, one.kind) for one in check(text)] == [(1, "equal"), (3, "equal")]
 
 
+def test_tables_have_no_order() -> None:
+    text = "> T := table([a=x, b=y]): entries(T), [indices(T, 'nolist')];\n\n[y], [x], [b, a]\n"
+    kinds = [
+        check(text),
+        check(text.replace("[y]", "[z]")),
+        check(text.replace("entries(T), ", "").replace("[y], [x], ", "")),
+    ]
+    order = "in another order, since tables have none"
+    assert [(one.kind, one.reason) for (one,) in kinds] == [
+        ("equal", order),
+        ("differs", "[1] [1] the file has z, the run x"),
+        ("equal", order),
+    ]
+
+
 def test_loops_over_sets_have_no_order() -> None:
     text = "> s := {x^2+1, y-3}:\n> for i to 2 do i, s[i]; od;\n\n1, y-3\n\n2, x^2+1\n"
     (verdict,) = check(text)

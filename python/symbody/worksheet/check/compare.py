@@ -9,7 +9,7 @@ from fractions import Fraction
 from symbody.errors import SymbodyError
 from symbody.symbolic import Expr, free_symbols, number, subs
 from symbody.symbolic.expression.traverse import post_order
-from symbody.worksheet.check.printed import PLACE, NotComparable, functions_in, printed, value_of
+from symbody.worksheet.check.printed import NotComparable, functions_in, place_of, printed, value_of
 from symbody.worksheet.printing.print import text_of
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.values.value import (
@@ -28,11 +28,17 @@ __all__ = ["difference", "same_value"]
 #: Decimals are printed with some 10 digits, fewer if ``Digits`` says so.
 _TOLERANCE = 1e-6
 
+_OPERATORS = frozenset({"->", "proc"})
 _COUNTED = frozenset({"additions", "multiplications", "divisions", "functions", "assignments", "subscripts"})
 
 
-def difference(theirs: str, ours: str) -> str:
+def difference(theirs: str, ours: str, *, in_any_order: bool = False) -> str:
     """Return where a run's output differs from the file's, or "" if it doesn't.
+
+    Args:
+        theirs: the file's output.
+        ours: that of the run.
+        in_any_order: whether the items of lists and sequences may stand in any order.
 
     Raises:
         NotComparable: one can't be read, or was cut before anything complete.
@@ -49,7 +55,8 @@ def difference(theirs: str, ours: str) -> str:
     if file.name and not file.cut and isinstance(left, Expr) != isinstance(right, Expr):
         # Without a name, the output may belong to another statement.
         return f"the file has {_kind(left)}, the run {_kind(right)}"
-    return _Comparison(file.has_decimals or run.has_decimals).values(left, right, cut=file.cut)
+    comparison = _Comparison(file.has_decimals or run.has_decimals, in_any_order=in_any_order)
+    return comparison.values(left, right, cut=file.cut)
 
 
 def same_value(left: Expr, right: Expr) -> bool:
@@ -67,8 +74,9 @@ def _counts(expression: syntax.Expression) -> bool:
 
 
 class _Comparison:
-    def __init__(self, has_decimals: bool) -> None:  # noqa: FBT001 - of a private class
+    def __init__(self, has_decimals: bool, *, in_any_order: bool = False) -> None:  # noqa: FBT001 - of a private class
         self.has_decimals = has_decimals
+        self.in_any_order = in_any_order
 
     def values(self, file: Value, run: Value, *, cut: bool) -> str:
         """Return where two values differ; a value that was cut is compared as far as it goes."""
@@ -82,9 +90,40 @@ class _Comparison:
             case MapleSet(items=left), MapleSet(items=right):
                 return self._sets(left, right, cut=cut)
             case Unevaluated(function=kind, arguments=left), Unevaluated(function=other, arguments=right):
-                named = f"the file has {kind}(..), the run {other}(..)"
-                return named if kind != other else self._fields(left, right, cut=cut)
+                return self._of_kinds(str(kind), left, str(other), right, cut=cut)
         return self._others(file, run, cut=cut)
+
+    def _of_kinds(
+        self, kind: str, file: tuple[Value, ...], other: str, run: tuple[Value, ...], *, cut: bool
+    ) -> str:
+        """Compare objects, tables, operators and calls.
+
+        Args:
+            kind: what the file has: the type of an object, or the name of a function.
+            file: its fields or arguments.
+            other: what the run has.
+            run: its fields or arguments.
+            cut: whether the file's output was cut.
+        """
+        if kind != other:
+            return f"the file has {kind}(..), the run {other}(..)"
+        if kind in _OPERATORS:
+            return self._bodies(file, run)
+        match kind, file, run:
+            case "table", (Listed(items=left),), (Listed(items=right),):
+                return self._fields(left, right, cut=cut)
+        return self._fields(file, run, cut=cut)
+
+    def _bodies(self, file: tuple[Value, ...], run: tuple[Value, ...]) -> str:
+        """Compare what operators give, whatever their parameters are called."""
+        (left, *names), (right, *others) = file, run
+        if len(names) != len(others):
+            return f"the file has an operator of {len(names)}, the run one of {len(others)}"
+        assert isinstance(left, Expr)
+        assert isinstance(right, Expr)
+        if not self._scalars(left, right):
+            return ""
+        return f"the file has {_short(_named(left, names))}, the run {_short(_named(right, others))}"
 
     def _others(self, file: Value, run: Value, *, cut: bool) -> str:
         match file, run:
@@ -104,6 +143,8 @@ class _Comparison:
         return f"the file has {_short(file)}, the run {_short(run)}"
 
     def _items(self, file: tuple[Value, ...], run: tuple[Value, ...], *, cut: bool) -> str:
+        if self.in_any_order and not cut:
+            return self._orders(file, run)
         if not cut and _is_column(file) != _is_column(run):
             file, run = _flat(file), _flat(run)
         if not cut and _is_row_of(file, run):
@@ -124,6 +165,16 @@ class _Comparison:
             return f"the run doesn't have {_short(missing[0])}"
         more = [] if cut else [item for item in run if not self._is_among(item, file)]
         return f"the file doesn't have {_short(more[0])}" if more else ""
+
+    def _orders(self, file: tuple[Value, ...], run: tuple[Value, ...]) -> str:
+        """Return an item of the file that the run doesn't have, each counted as often as it occurs."""
+        left = list(run)
+        for item in file:
+            found = next((k for k, other in enumerate(left) if self._is_equal(item, other)), None)
+            if found is None:
+                return f"the run doesn't have {_short(item)}"
+            del left[found]
+        return f"the file doesn't have {_short(left[0])}" if left else ""
 
     def _is_among(self, item: Value, others: Iterable[Value]) -> bool:
         return any(self._is_equal(item, other) for other in others)
@@ -213,7 +264,11 @@ def _kind(value: Value) -> str:
     return "an expression" if isinstance(value, Expr) else names.get(type(value), "an object")
 
 
+def _named(body: Expr, names: Iterable[Value]) -> Expr:
+    """Return the body of an operator with the names of its parameters."""
+    return subs(body, {place_of(i): name for i, name in enumerate(names) if isinstance(name, Expr)})
+
+
 def _short(value: Value) -> str:
     text = text_of(value) if isinstance(value, Expr) else _kind(value)
-    text = PLACE.sub(r"argument\1", text)
     return text if len(text) <= 60 else text[:57] + "..."

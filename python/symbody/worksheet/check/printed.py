@@ -34,7 +34,7 @@ from symbody.worksheet.values.value import (
     Value,
 )
 
-__all__ = ["PLACE", "NotComparable", "Printed", "functions_in", "is_cut", "printed", "value_of"]
+__all__ = ["NotComparable", "Printed", "functions_in", "is_cut", "place_of", "printed", "value_of"]
 
 
 class NotComparable(Exception):
@@ -50,9 +50,6 @@ class Printed:
     cut: bool
     has_decimals: bool
 
-
-PLACE = re.compile(r"\b_place(\d+)\b")
-"""The name of a parameter in the body of an operator or a procedure."""
 
 _MOST_ENTRIES = 100_000
 _DOTS = re.compile(r"\s*(\.\.\.|…)\s*$")
@@ -100,6 +97,11 @@ def _with_products(tokens: list[Token]) -> list[Token]:
             made.append(Token.new_borrow_pos("TIMES", "*", two))
         made.append(two)
     return made
+
+
+def place_of(index: int) -> Expr:
+    """Return what stands for a parameter, by its place, in the body of an operator or a procedure."""
+    return symbol(f"_place{index}")
 
 
 def is_cut(text: str) -> bool:
@@ -288,8 +290,8 @@ class _Values:
         raise NotComparable("a procedure of several statements, which is written otherwise")
 
     def _operator(self, kind: str, parameters: tuple[syntax.Parameter, ...], body: Expr) -> Value:
-        names = {symbol(each.name): symbol(f"_place{i}") for i, each in enumerate(parameters, start=1)}
-        return Unevaluated(symbol(kind), (symbol(f"_{len(names)}"), sb.subs(body, names)))
+        names = {symbol(each.name): place_of(i) for i, each in enumerate(parameters)}
+        return Unevaluated(symbol(kind), (sb.subs(body, names), *names))
 
     def call(self, node: syntax.Call) -> Value:
         match node:

@@ -15,7 +15,7 @@ from symbody.worksheet.reading.prompts import is_declaration, is_picture
 from symbody.worksheet.reading.two_dimensions import is_layout
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.sheet.outcome import Outcome
-from symbody.worksheet.sheet.printing_statement import prints_code, prints_text
+from symbody.worksheet.sheet.printing_statement import lists_a_table, prints_code, prints_text
 from symbody.worksheet.sheet.source import Cell
 
 __all__ = ["Verdict", "verdicts"]
@@ -137,6 +137,8 @@ def _verdict(block: Block, output: Output, outputs: Sequence[Output]) -> Verdict
         return Verdict(output.line, "not comparable", str(error))
     if not reason:
         return Verdict(output.line, "equal", "as far as it is printed" if is_cut(block.text) else "")
+    if lists_a_table(output.statement) and not difference(block.text, output.text, in_any_order=True):
+        return Verdict(output.line, "equal", "in another order, since tables have none")
     if isinstance(output.statement, syntax.For) and _is_elsewhere(block, output, outputs):
         return Verdict(output.line, "equal", "in another order, since sets have none")
     if _counts_items(output.statement):

@@ -1,4 +1,4 @@
-"""Statements that print texts or programs, and not values; what stands below them in a file is read as such."""
+"""Statements that print texts or programs, and not values; and statements that list a table, in any order."""
 
 from __future__ import annotations
 
@@ -8,10 +8,11 @@ from dataclasses import fields, is_dataclass
 
 from symbody.worksheet.sheet import syntax
 
-__all__ = ["PRINTING", "prints_code", "prints_text"]
+__all__ = ["PRINTING", "lists_a_table", "prints_code", "prints_text"]
 
 _TEXTS = frozenset({"printf"})
 _PROGRAMS = frozenset({"Matlab", "C", "Fortran", "fortran", "Python"})
+_OF_TABLES = frozenset({"entries", "indices"})
 _PACKAGES = frozenset({"codegen", "CodeGeneration"})
 PRINTING = re.compile(r"\b(printf|Matlab|[Ff]ortran)\s*\(|\b(codegen|CodeGeneration)(\[\w+\]|:-\w+)\s*\(")
 """What such a statement looks like in a text."""
@@ -28,6 +29,11 @@ def prints_code(statement: syntax.Statement | None) -> bool:
         case syntax.Evaluation(expression=syntax.Call() as call):
             return _called(call) in _PROGRAMS
     return False
+
+
+def lists_a_table(statement: syntax.Statement | None) -> bool:
+    """Whether a statement takes the entries of a table in a list: Maple's order isn't that of this run."""
+    return any(_called(node) in _OF_TABLES for node in _nodes(statement))
 
 
 def _called(node: object) -> str:
