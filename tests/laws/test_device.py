@@ -151,6 +151,20 @@ def test_random_trees_with_events(seed: int, host: Host) -> None:
     assert set(native.results.status) == {Status.COMPLETED, Status.ENDED_BY_EVENT}
 
 
+def test_excursions_between_the_tenths_of_a_step(host: Host) -> None:
+    """A pendulum comes 1e-6 beyond a stop, or stays before it."""
+    model = models.n_pendulum(1)
+    (q,) = model.system.coordinates
+    starts = {q: -0.5 - 1e-6 * np.linspace(-2, 8, CASES)}
+    events = [Event(q - 0.5, direction=1, terminal=True), Event(q**2 - 0.25)]
+    given = newton_euler(model.system), model.parameters, starts, np.linspace(0, 3, 4)
+    native, on_device = in_both_ways(*given, events=events, rtol=1e-10, atol=1e-12)
+    assert_same(native, on_device, 1e-12)
+    assert [Status(each) for each in native.results.status] == [Status.COMPLETED] * 3 + [
+        Status.ENDED_BY_EVENT
+    ] * (CASES - 3)
+
+
 def wind_model() -> tuple[System, Sequence[Expr]]:
     """A pendulum in a wind whose strength is real until an instant c."""
     theta, (m, l, c) = functions_of_time("theta"), symbols("m l c")

@@ -1,13 +1,15 @@
 //! Events: zeros of functions of time and state, located in the dense output of a step.
 
 use crate::dynamics::{Dynamics, EventKind};
+use crate::excursion::{Point, may_pass, noise, point_beyond, three};
 use crate::failure::Failure;
 use crate::machine_code::BoundCode;
 use crate::projection::Projection;
 use crate::stepper::{Sight, Stepper};
+use crate::tolerances::Tolerances;
 
 /// The number of parts of a step at whose ends signs are compared, because a long step may contain many zeros.
-pub const PARTS: u32 = 10;
+pub const PARTS: usize = 10;
 
 /// An event that happened.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,6 +25,7 @@ pub struct Occurrence {
 /// Looks for events, step by step.
 pub struct Watch<'a> {
     functions: Option<(&'a BoundCode, &'a [EventKind])>,
+    tolerances: Tolerances,
     /// The instant up to which it has looked, and the values there.
     t: f64,
     values: Vec<f64>,
@@ -31,16 +34,19 @@ pub struct Watch<'a> {
     /// The instants and states at the ends of the parts of a step, and the values there, one after another.
     rows: Vec<f64>,
     ends: Vec<f64>,
+    /// The values at the place.
+    at_place: Vec<f64>,
 }
 
 impl<'a> Watch<'a> {
-    pub fn new(dynamics: &'a Dynamics, t: f64, state: &[f64]) -> Self {
+    pub fn new(dynamics: &'a Dynamics, tolerances: Tolerances, t: f64, state: &[f64]) -> Self {
         let functions = dynamics.events.as_ref().map(|(f, kinds)| (f, kinds.as_slice()));
         let values = vec![0.0; functions.map_or(0, |(f, _)| f.outputs())];
-        let parts = if functions.is_some() { PARTS as usize } else { 0 };
+        let parts = if functions.is_some() { PARTS } else { 0 };
+        let at_place = values.clone();
         let place: Vec<f64> = std::iter::once(t).chain(state.iter().copied()).collect();
         let (rows, ends) = (vec![0.0; parts * place.len()], vec![0.0; parts * values.len()]);
-        let mut new = Self { functions, t, values, place, rows, ends };
+        let mut new = Self { functions, tolerances, t, values, place, rows, ends, at_place };
         if let Some((function, _)) = functions {
             function.call_rows(&new.place, &mut new.values);
         }
@@ -86,15 +92,15 @@ impl<'a> Watch<'a> {
                 stepper.read_event_values(&mut self.values, &mut self.ends);
             }
         }
-        let (start, mut found) = (self.t, Vec::<Occurrence>::new());
+        let start = self.t;
+        let mut found = self.excursions((function, kinds), (stepper, projection), end)?;
         for part in 1..=PARTS {
-            let (t, first) = (end_of_part(part, start, end), (part as usize - 1) * self.values.len());
+            let (t, first) = (end_of_part(part, start, end), (part - 1) * self.values.len());
             for (event, kind) in kinds.iter().enumerate() {
                 let after = self.ends[first + event];
                 if crosses(self.values[event], after, kind.direction) {
-                    let bracket = (t, self.values[event], after);
-                    let zero = self.locate(function, (stepper, projection), event, bracket)?;
-                    found.push(Occurrence { event, t: zero, state: self.place[1..].to_vec() });
+                    let bracket = ((self.t, self.values[event]), (t, after));
+                    found.push(self.locate(function, (stepper, projection), event, bracket)?);
                 }
             }
             // A zero at the end of a part belongs to that part: the next part starts with the sign after it.
@@ -120,27 +126,83 @@ impl<'a> Watch<'a> {
         Ok(())
     }
 
-    /// Find a zero between the last checked instant and `t` by Chandrupatla's method: the end of the last bracket, at
-    /// which the function has its sign after the zero. Leave the state there in `self.place`.
+    /// The events of functions that pass zero between two ends of parts and come back.
+    fn excursions(
+        &mut self,
+        (function, kinds): (&BoundCode, &[EventKind]),
+        (stepper, projection): (&mut dyn Stepper, &mut Projection<'_>),
+        end: f64,
+    ) -> Result<Vec<Occurrence>, Failure> {
+        let (mut found, start) = (Vec::new(), self.t);
+        for (event, kind) in kinds.iter().enumerate() {
+            let values = self.course(event);
+            let most = values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+            let noise = noise(most, &self.tolerances);
+            let point = |place: usize| (end_of_part(place, start, end), values[place]);
+            for place in 0..values.len() {
+                let three = three(place);
+                // A zero at the end of a part is an event of that part, and one at the start of the motion is none.
+                let is_event = place > 0 && values[place] == 0.0;
+                if is_event || !may_pass(three.map(|place| values[place]), values[place], noise) {
+                    continue;
+                }
+                let nearest = three.iter().take_while(|other| **other < place).count();
+                let mut value = |t| self.value(function, (&mut *stepper, &mut *projection), event, t);
+                let Some(inside) = point_beyond(three.map(point), nearest, noise, &mut value)? else {
+                    continue;
+                };
+                let ends = (point(place.saturating_sub(1)), point((place + 1).min(PARTS)));
+                for bracket in [(ends.0, inside), (inside, ends.1)] {
+                    if crosses(bracket.0.1, bracket.1.1, kind.direction) {
+                        found.push(self.locate(function, (stepper, projection), event, bracket)?);
+                    }
+                }
+            }
+        }
+        Ok(found)
+    }
+
+    /// The values of a function at the start of the last step and at the ends of its parts.
+    fn course(&self, event: usize) -> [f64; PARTS + 1] {
+        let count = self.values.len();
+        std::array::from_fn(|part| {
+            if part == 0 { self.values[event] } else { self.ends[(part - 1) * count + event] }
+        })
+    }
+
+    /// The value of a function at an instant of the last step; `self.place` has the state there.
+    fn value(
+        &mut self,
+        function: &BoundCode,
+        (stepper, projection): (&mut dyn Stepper, &mut Projection<'_>),
+        event: usize,
+        t: f64,
+    ) -> Result<f64, Failure> {
+        self.place[0] = t;
+        projection.read(stepper, t, &mut self.place[1..])?;
+        function.call_rows(&self.place, &mut self.at_place);
+        Ok(self.at_place[event])
+    }
+
+    /// Find a zero between two points by Chandrupatla's method: the end of the last bracket, at which the function has
+    /// its sign after the zero.
     fn locate(
         &mut self,
         function: &BoundCode,
         (stepper, projection): (&mut dyn Stepper, &mut Projection<'_>),
         event: usize,
-        (t, before, after): (f64, f64, f64),
-    ) -> Result<f64, Failure> {
-        let mut bracket = Bracket::new((self.t, before), (t, after));
-        let mut values = vec![0.0; function.outputs()];
+        (before, after): (Point, Point),
+    ) -> Result<Occurrence, Failure> {
+        let mut bracket = Bracket::new(before, after);
         for _ in 0..EVALUATIONS {
             let Some(instant) = bracket.next() else { break };
-            self.place[0] = instant;
-            projection.read(stepper, instant, &mut self.place[1..])?;
-            function.call_rows(&self.place, &mut values);
-            bracket.put(instant, values[event]);
+            let value = self.value(function, (&mut *stepper, &mut *projection), event, instant)?;
+            bracket.put(instant, value);
         }
-        let zero = bracket.end();
-        projection.read(stepper, zero, &mut self.place[1..])?;
-        Ok(zero)
+        let t = bracket.end();
+        let mut state = vec![0.0; self.place.len() - 1];
+        projection.read(stepper, t, &mut state)?;
+        Ok(Occurrence { event, t, state })
     }
 }
 
@@ -152,17 +214,17 @@ const EVALUATIONS: usize = 100;
 /// T. R. Chandrupatla, A new hybrid quadratic/bisection algorithm for finding the zero of a nonlinear function without
 /// using derivatives, Advances in Engineering Software 28 (1997).
 struct Bracket {
-    newest: (f64, f64),
+    newest: Point,
     /// The point on the other side of the zero.
-    beyond: (f64, f64),
+    beyond: Point,
     /// The point that is left out last.
-    last: (f64, f64),
+    last: Point,
     /// The next point, as a fraction of the way from the newest to the one beyond.
     part: f64,
 }
 
 impl Bracket {
-    fn new(before: (f64, f64), after: (f64, f64)) -> Self {
+    fn new(before: Point, after: Point) -> Self {
         Self { newest: after, beyond: before, last: before, part: 0.5 }
     }
 
@@ -218,8 +280,9 @@ fn until_terminal(mut found: Vec<Occurrence>, kinds: &[EventKind]) -> Vec<Occurr
 }
 
 /// The instant at which a part of a step ends.
-pub fn end_of_part(part: u32, start: f64, end: f64) -> f64 {
-    if part == PARTS { end } else { start + (end - start) * f64::from(part) / f64::from(PARTS) }
+#[allow(clippy::cast_precision_loss, reason = "there are few parts")]
+pub fn end_of_part(part: usize, start: f64, end: f64) -> f64 {
+    if part == PARTS { end } else { start + (end - start) * part as f64 / PARTS as f64 }
 }
 
 /// Whether a function that changes from one value to another passes zero in a direction; a start at zero does not

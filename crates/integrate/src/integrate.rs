@@ -85,7 +85,7 @@ pub fn integrate(
         let mut course = Course {
             trail: Trail::new(record.trail, t, state),
             record,
-            watch: Watch::new(dynamics, t, state),
+            watch: Watch::new(dynamics, tolerances, t, state),
             projection: Projection::new(dynamics),
             branch: Branch::new(method, tolerances),
             balance: Balance::new(dynamics, tolerances, t, state),

@@ -15,6 +15,7 @@ mod diffsol_methods;
 mod dynamics;
 mod energy_balance;
 mod event;
+mod excursion;
 mod failure;
 mod integrate;
 mod lane;

@@ -3,6 +3,8 @@
 
 use crate::dynamics::EventKind;
 use crate::event::{PARTS, crosses, end_of_part};
+use crate::excursion::{may_pass, noise, three};
+use crate::tolerances::Tolerances;
 
 use super::columns::{Columns, Waiting, read};
 use super::dense::Dense;
@@ -13,7 +15,8 @@ use super::vectors::{Loop, blend, in_vectors};
 /// The functions of the events along the steps of all lanes.
 pub(super) struct Crossings<const W: usize> {
     directions: Vec<i32>,
-    /// Whether some function passes zero in the last step of each motion.
+    tolerances: Tolerances,
+    /// Whether some function may pass zero in the last step of each motion.
     pub found: [bool; W],
     /// Whether the values at the end of the last step of each motion are known.
     is_known: [bool; W],
@@ -23,13 +26,14 @@ pub(super) struct Crossings<const W: usize> {
 }
 
 impl<const W: usize> Crossings<W> {
-    pub fn new(kinds: &[EventKind]) -> Self {
+    pub fn new(kinds: &[EventKind], tolerances: Tolerances) -> Self {
         Self {
+            tolerances,
             directions: kinds.iter().map(|kind| kind.direction).collect(),
             found: [false; W],
             is_known: [false; W],
             values: vec![[0.0; W]; kinds.len()],
-            parts: vec![vec![[0.0; W]; kinds.len()]; 1 + PARTS as usize],
+            parts: vec![vec![[0.0; W]; kinds.len()]; 1 + PARTS],
         }
     }
 
@@ -38,7 +42,7 @@ impl<const W: usize> Crossings<W> {
         self.is_known[lane] = false;
     }
 
-    /// Note in which of the accepted steps, which end at these instants, some function passes zero. Return the steps in
+    /// Note in which of the accepted steps, which end at these instants, some function may pass zero. Return the steps in
     /// which all states are on the constraints.
     pub fn find(
         &mut self,
@@ -64,12 +68,11 @@ impl<const W: usize> Crossings<W> {
             }
             function.inputs[0] = instants;
             function.evaluate(&mut Waiting { lanes: accepted, noted: &mut *waiting.noted });
-            let (earlier, later) = self.parts.split_at_mut(part as usize);
-            let (before, after) = (&earlier[part as usize - 1], &mut later[0]);
-            after.copy_from_slice(&function.outputs);
-            in_vectors::<W>(Signs { directions: &self.directions, before, after, found: &mut found });
+            self.parts[part].copy_from_slice(&function.outputs);
         }
-        for (values, last) in self.values.iter_mut().zip(&self.parts[PARTS as usize]) {
+        let Self { directions, tolerances, parts, .. } = self;
+        in_vectors::<W>(Signs { directions, tolerances, parts, found: &mut found });
+        for (values, last) in self.values.iter_mut().zip(&self.parts[PARTS]) {
             blend(values, last, &accepted);
         }
         self.found = std::array::from_fn(|lane| accepted[lane] && found[lane]);
@@ -113,11 +116,11 @@ impl<const W: usize> Crossings<W> {
     }
 }
 
-/// The search for functions that pass zero in their directions.
+/// The search for functions that pass zero in their directions, or that may pass it and come back.
 struct Signs<'a, const W: usize> {
     directions: &'a [i32],
-    before: &'a [[f64; W]],
-    after: &'a [[f64; W]],
+    tolerances: &'a Tolerances,
+    parts: &'a [Vec<[f64; W]>],
     found: &'a mut [bool; W],
 }
 
@@ -125,10 +128,25 @@ impl<const W: usize> Loop for Signs<'_, W> {
     #[allow(clippy::inline_always, reason = "what isn't inlined there isn't compiled for those vectors")]
     #[inline(always)]
     fn run(self) {
-        let Self { directions, before, after, found } = self;
-        for ((before, after), direction) in before.iter().zip(after).zip(directions) {
-            for lane in 0..W {
-                found[lane] |= crosses(before[lane], after[lane], *direction);
+        let Self { directions, tolerances, parts, found } = self;
+        for (event, direction) in directions.iter().enumerate() {
+            let mut most = [0.0_f64; W];
+            for values in parts {
+                for lane in 0..W {
+                    most[lane] = most[lane].max(values[event][lane].abs());
+                }
+            }
+            for two in parts.windows(2) {
+                for lane in 0..W {
+                    found[lane] |= crosses(two[0][event][lane], two[1][event][lane], *direction);
+                }
+            }
+            for (place, here) in parts.iter().enumerate() {
+                let [a, b, c] = three(place).map(|place| &parts[place][event]);
+                for lane in 0..W {
+                    let noise = noise(most[lane], tolerances);
+                    found[lane] |= may_pass([a[lane], b[lane], c[lane]], here[event][lane], noise);
+                }
             }
         }
     }

@@ -34,7 +34,7 @@ impl<const W: usize> Inside<W> {
         Self {
             tableau,
             dense: Dense::new(tableau, entries),
-            crossings: Crossings::new(kinds),
+            crossings: Crossings::new(kinds, tolerances),
             defects: has_own_stages.then(|| Defects::new(tolerances, entries)),
         }
     }

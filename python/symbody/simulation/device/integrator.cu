@@ -402,6 +402,11 @@ static __device__ __noinline__ void read(const Batch *batch, Lane *lane, Dense *
 /* --- events: event.rs ------------------------------------------------------------------------------------------------ */
 
 #if EVENTS
+/* An instant, and the value of an event there. */
+struct Point {
+    double t, value;
+};
+
 static __device__ int crosses(double before, double after, int direction)
 {
     const int rises = before < 0.0 && after >= 0.0, falls = before > 0.0 && after <= 0.0;
@@ -416,25 +421,76 @@ static __device__ double fraction(double x1, double f1, double x2, double f2, do
     return f1/(f2 - f1)*(f3/(f2 - f3)) + (x3 - x1)/(x2 - x1)*(f1/(f3 - f1))*(f2/(f3 - f2));
 }
 
-/* Find the zero of an event between the last checked instant and x1 by Chandrupatla's method; leave the state there in x. */
-static __device__ __noinline__ double locate(
-    const Batch *batch, Lane *lane, Dense *dense, int event, double x1, double f1, double *x)
+/* The value of an event at an instant of the last step; leave the state there in x. */
+static __device__ __noinline__ double event_value(
+    const Batch *batch, Lane *lane, Dense *dense, int event, double t, double *x)
 {
-    double x2 = lane->seen, f2 = lane->values[event], x3 = x2, f3 = f2, part = 0.5, values[EVENTS];
+    double values[EVENTS];
+    read(batch, lane, dense, t, x);
+    events_at(t, x, lane->c, values, &lane->deficient);
+    return values[event];
+}
+
+/* Find the zero of an event between two points by Chandrupatla's method; leave the state there in x. */
+static __device__ __noinline__ double locate(
+    const Batch *batch, Lane *lane, Dense *dense, int event, Point before, Point after, double *x)
+{
+    double x1 = after.t, f1 = after.value, x2 = before.t, f2 = before.value, x3 = x2, f3 = f2, part = 0.5;
     for (int turn = 0; turn < 100; ++turn) {
         const double least = 2.0*DBL_EPSILON*fmax(fabs(x1), fabs(x2))/fabs(x2 - x1);
         if (f1 == 0.0 || !(least <= 0.5)) break;
         const double t = x1 + fmin(fmax(part, least), 1.0 - least)*(x2 - x1);
-        read(batch, lane, dense, t, x);
-        events_at(t, x, lane->c, values, &lane->deficient);
-        if ((values[event] > 0.0) == (f1 > 0.0)) x3 = x1, f3 = f1;
+        const double value = event_value(batch, lane, dense, event, t, x);
+        if ((value > 0.0) == (f1 > 0.0)) x3 = x1, f3 = f1;
         else x3 = x2, f3 = f2, x2 = x1, f2 = f1;
-        x1 = t, f1 = values[event];
+        x1 = t, f1 = value;
         part = fraction(x1, f1, x2, f2, x3, f3);
     }
     const double zero = f1 == 0.0 ? x1 : fmax(x1, x2);
     read(batch, lane, dense, zero, x);
     return zero;
+}
+
+/* Whether a function may pass zero beside the one of three equidistant points at which it has the value `here`. */
+static __device__ int may_pass(double a, double b, double c, double here, double noise)
+{
+    const double below = fmin(fmin(a, b), c), above = fmax(fmax(a, b), c);
+    const double bend = 0.5*(fabs(a) - 2.0*fabs(b) + fabs(c)), least = fmin(fmin(fabs(a), fabs(b)), fabs(c));
+    return (below >= 0.0 || above <= 0.0) && fabs(here) <= least && fabs(here) + noise < bend;
+}
+
+/* Find a point of an event beyond zero, by more than the noise, close to the point number `nearest` of three. */
+static __device__ __noinline__ int find_point_beyond(
+    const Batch *batch, Lane *lane, Dense *dense, int event, const Point *three, int nearest, double noise, Point *found)
+{
+    const double sign = three[0].value + three[1].value + three[2].value < 0.0 ? -1.0 : 1.0;
+    Point before = three[nearest == 2 ? 1 : 0], lowest = three[1], after = three[nearest == 0 ? 1 : 2];
+    double x[WIDTH];
+    if (nearest == 0) lowest.t = before.t + 1e-4*(after.t - before.t);
+    if (nearest == 2) lowest.t = after.t - 1e-4*(after.t - before.t);
+    if (nearest != 1) lowest.value = event_value(batch, lane, dense, event, lowest.t, x);
+    before.value = sign*before.value + noise;
+    lowest.value = sign*lowest.value + noise;
+    after.value = sign*after.value + noise;
+    for (int turn = 0; turn < 60; ++turn) {
+        if (lowest.value < 0.0) {
+            found->t = lowest.t, found->value = sign*(lowest.value - noise);
+            return 1;
+        }
+        const double left = lowest.t - before.t, right = after.t - lowest.t, longer = fmax(left, right);
+        const double fall = (before.value - lowest.value)/left, rise = (after.value - lowest.value)/right;
+        const double curvature = (fall + rise)/(left + right), to_vertex = 0.5*(fall/curvature - left);
+        if (!(fall >= 0.0 && rise >= 0.0 && lowest.value < curvature*longer*longer)) return 0;
+        const int is_far = !(fabs(to_vertex) < 0.1*longer);
+        Point next;
+        next.t = lowest.t + (is_far ? to_vertex : left > right ? -(0.1*longer) : 0.1*longer);
+        next.value = sign*event_value(batch, lane, dense, event, next.t, x) + noise;
+        const int is_before = next.t < lowest.t, is_lower = next.value < lowest.value;
+        if (is_before == is_lower) after = is_lower ? lowest : next;
+        else before = is_lower ? lowest : next;
+        if (is_lower) lowest = next;
+    }
+    return 0;
 }
 
 static __device__ int comes_before(const double *one, const double *other)
@@ -456,27 +512,61 @@ static __device__ __noinline__ void store_event(double *rows, long long first, l
     EACH(i, 2 + WIDTH) rows[place*(2 + WIDTH) + i] = row[i];
 }
 
+/* Find the zero of an event between two points, if it passes there in its direction; return whether there is room. */
+static __device__ int note_crossing(
+    const Batch *batch, Lane *lane, Dense *dense, int event, Point before, Point after, long long first)
+{
+    double *rows = batch->events + lane->number*batch->most_events*(2 + WIDTH), x[WIDTH];
+    if (!crosses(before.value, after.value, EVENT_DIRECTION[event])) return 1;
+    if (lane->happened == batch->most_events) return 0;
+    const double zero = locate(batch, lane, dense, event, before, after, x);
+    store_event(rows, first, lane->happened, event, zero, x);
+    lane->happened += 1;
+    return 1;
+}
+
+/* Note the events of a function between its points in a step: excursions, and changes of sign between two points. */
+static __device__ __noinline__ int note_events(
+    const Batch *batch, Lane *lane, Dense *dense, int event, const Point *points, long long first)
+{
+    double most = 0.0;
+    for (int place = 0; place <= PARTS; ++place) most = fmax(most, fabs(points[place].value));
+    const double noise = batch->absolute + batch->relative*most;
+    for (int place = 0; place <= PARTS; ++place) {
+        const int middle = place == 0 ? 1 : place == PARTS ? PARTS - 1 : place;
+        const Point *three = points + middle - 1;
+        Point inside;
+        if (place > 0 && points[place].value == 0.0) continue;
+        if (!may_pass(three[0].value, three[1].value, three[2].value, points[place].value, noise)) continue;
+        if (!find_point_beyond(batch, lane, dense, event, three, place - middle + 1, noise, &inside)) continue;
+        const Point before = points[place == 0 ? 0 : place - 1], after = points[place == PARTS ? PARTS : place + 1];
+        if (!note_crossing(batch, lane, dense, event, before, inside, first)) return 0;
+        if (!note_crossing(batch, lane, dense, event, inside, after, first)) return 0;
+    }
+    for (int part = 1; part <= PARTS; ++part)
+        if (!note_crossing(batch, lane, dense, event, points[part - 1], points[part], first)) return 0;
+    return 1;
+}
+
 /* Find the events of the last step. Return RUNNING, ENDED_BY_EVENT with the row of the last one, or CROWDED. */
 static __device__ __noinline__ int find_events(const Batch *batch, Lane *lane, Dense *dense, const double **last)
 {
-    double *rows = batch->events + lane->number*batch->most_events*(2 + WIDTH);
+    const double *rows = batch->events + lane->number*batch->most_events*(2 + WIDTH);
     const double start = lane->seen, end = lane->t;
     const long long first = lane->happened;
     double values[EVENTS], x[WIDTH];
+    Point points[EVENTS][PARTS + 1];
+    EACH(event, EVENTS) points[event][0].t = start, points[event][0].value = lane->values[event];
     for (int part = 1; part <= PARTS; ++part) {
         const double t = part == PARTS ? end : start + (end - start)*(double)part/(double)PARTS;
         read(batch, lane, dense, t, x);
         events_at(t, x, lane->c, values, &lane->deficient);
-        for (int event = 0; event < EVENTS; ++event) {
-            if (!crosses(lane->values[event], values[event], EVENT_DIRECTION[event])) continue;
-            if (lane->happened == batch->most_events) return CROWDED;
-            const double zero = locate(batch, lane, dense, event, t, values[event], x);
-            store_event(rows, first, lane->happened, event, zero, x);
-            lane->happened += 1;
-        }
-        EACH(event, EVENTS) lane->values[event] = values[event];
-        lane->seen = t;
+        EACH(event, EVENTS) points[event][part].t = t, points[event][part].value = values[event];
     }
+    for (int event = 0; event < EVENTS; ++event)
+        if (!note_events(batch, lane, dense, event, points[event], first)) return CROWDED;
+    EACH(event, EVENTS) lane->values[event] = values[event];
+    lane->seen = end;
     for (long long place = first; place < lane->happened; ++place) {
         *last = rows + place*(2 + WIDTH);
         if (EVENT_IS_TERMINAL[(int)(*last)[0]]) {

@@ -16,7 +16,6 @@ from symbody.simulation.given.values import parameter_values
 from symbody.simulation.integrate.diagnosis import diagnosis
 from symbody.simulation.integrate.initial_state import initial_slopes, initial_state
 from symbody.simulation.integrate.integrated import Integrated, run_motions
-from symbody.simulation.integrate.missed_stop import step_to_missed_stop
 from symbody.simulation.integrate.notices import findings_of, notices_of_motion
 from symbody.simulation.integrate.outcome import FailureKind, with_deficiencies
 from symbody.simulation.integrate.stopped_start import stopped_start
@@ -131,10 +130,6 @@ def simulate(
             state = beside_sensitivities(state, slopes, task.variation, given)
         _ = task.integrate  # compiled now: Ctrl-C interrupts, as there is no motion yet to keep
     motion = _run_one(task, given, state, is_shown=progress)
-    step = step_to_missed_stop(motion) if task.events else None
-    if step is not None:
-        shorter = replace(task.options, max_step=min(step, task.options.max_step))
-        motion = _run_one(replace(task, options=shorter), given, state, is_shown=progress)
     return _report(replace(motion, outcome=with_deficiencies(motion.outcome, met)))
 
 
