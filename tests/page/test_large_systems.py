@@ -8,6 +8,7 @@ from itertools import pairwise
 from symbody import (
     Body,
     Force,
+    Point,
     System,
     Vector,
     describe,
@@ -18,14 +19,16 @@ from symbody import (
     latex,
     linearize,
     newton_euler,
+    origin,
     parse,
     rotate,
+    spring,
     symbols,
     translate,
 )
 from symbody.models import rattleback
 
-g, m, M, l = symbols("g m M l")
+c, g, k, m, M, l = symbols("c g k m M l")
 DOWN = Vector(ground, 0, -g, 0)
 
 
@@ -56,6 +59,23 @@ def test_equations_of_large_systems_have_the_form_of_small_ones() -> None:
         shown.append(equations.equation_of(swings[1]).description())
     assert shown[0] == shown[1]
     assert shown[0].endswith("l*m*cos(th1)*x1'' + m*l**2*th1'' + g*l*m*sin(th1) = 0")
+
+
+def test_springs_of_large_systems_have_the_names_of_small_ones() -> None:
+    """From 1000 operations on, they were written out: `k*(x2 - x1 + l0*(x1 - x2)/sqrt((x1 - x2)**2 + ...`."""
+    shown = []
+    for count in (5, 40):
+        places = functions_of_time(" ".join(f"{axis}{i + 1}" for i in range(count) for axis in "xyz"))
+        joints = [origin(ground), *(Point(ground, *places[k : k + 3]) for k in range(0, len(places), 3))]
+        masses = [Body(joint, m) for joint in joints[1:]]
+        springs = [
+            spring(second, first, k, free_length=l, damping=c, on=mass, reaction=before)
+            for first, second, before, mass in zip(joints, joints[1:], [None, *masses], masses, strict=False)
+        ]
+        equations = newton_euler(System(masses, springs, [*places], gravity=DOWN))
+        shown.append(equations.equation_of(places[3]).description())
+    assert shown[0] == shown[1]
+    assert shown[0].endswith("m*x2'' + F2*(x2 - x1)/d2 + F3*(x2 - x3)/d3 = 0")
 
 
 def test_the_rest_of_what_is_shown_of_a_train_is_short() -> None:

@@ -16,7 +16,7 @@ from symbody.symbolic.given.arguments import brief, counted
 from .abridged import PAGES, abridged, pages_of
 from .balance import Balance, balances
 from .equation_page import EquationPage
-from .line_page import with_lines_if_shorter
+from .line_page import row_with_lines_if_shorter, with_lines_if_shorter
 from .matrix_form import MatrixForm, matrix_form, with_names
 from .page import Page
 from .ratio_page import better_page, page_of_ratios
@@ -161,7 +161,7 @@ class Display:
         Raises:
             ModelError: it is none of these.
         """
-        shown, system = self.shown, self.system
+        system = self.system
         places = {each: k for known in (system.driving, system.speeds) for k, each in enumerate(known)}
         if speed not in places:
             known = ", ".join(map(str, system.driving))
@@ -169,14 +169,19 @@ class Display:
         k = places[speed]
         if self._has_page:
             return pages_of(self._printed_page)[k]
-        rows, _ = balances(
-            system, shown.residuals, shown.mass_matrix, shown.bias, shown.constraint_jacobian, places=[k]
-        )
+        return self._row(k)
+
+    def _row(self, k: int) -> EquationPage:
+        """Return the equation of a speed of a large system by its place."""
+        shown, system = self.shown, self.system
+        given = (shown.residuals, shown.bias, shown.constraint_jacobian)
+        rows, _ = balances(system, given[0], shown.mass_matrix, *given[1:], places=[k])
         page = EquationPage(system, system.driving[k], rows[0])
+        page = row_with_lines_if_shorter(page, k, shown.mass_matrix, *given)
         if len(page.description()) <= _WALL:
             return page
-        whole = Balance(velocities=(readable(shown.residuals[k]),))
-        return min(page, replace(page, balance=whole), key=lambda each: len(each.description()))
+        whole = replace(page, balance=Balance(velocities=(readable(shown.residuals[k]),)), named=())
+        return min(page, whole, key=lambda each: len(each.description()))
 
     def matrix_form(self, *, christoffel: bool) -> MatrixForm:
         """Return the matrices of the equations, each entry in its form for the reader.

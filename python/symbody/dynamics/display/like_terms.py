@@ -7,8 +7,8 @@ from fractions import Fraction
 from itertools import product
 
 from symbody.symbolic import Expr, number
+from symbody.symbolic.calculus.quadratic_form import QuadraticForm
 from symbody.symbolic.calculus.reader import Reader
-from symbody.symbolic.calculus.squares import with_squares
 
 from .degree import Product
 
@@ -38,7 +38,8 @@ def joined(products: Iterable[Product], reader: Reader, *, by_sign_only: bool = 
         else:
             groups.append((coefficient, [(number(1), factor)]))
     terms = [_joined(common, members) for common, members in groups]
-    return [reader(common) * _short(total, reader) for common, total in _with_sums_squared(terms, reader)]
+    found = _with_sums_squared(terms, reader, {})
+    return [reader(common) * _short(total, reader) for common, total in found]
 
 
 def _joined(common: Expr, members: list[Product]) -> Product:
@@ -62,24 +63,37 @@ def _short(total: Expr, reader: Reader) -> Expr:
     return form if shorter < (1 if is_difference else _SQUARE) else total
 
 
-def _with_sums_squared(terms: list[Product], reader: Reader) -> list[Product]:
+def _with_sums_squared(
+    terms: list[Product], reader: Reader, known: dict[Expr, QuadraticForm | None]
+) -> list[Product]:
     """Return ``(A - B)*u**2 + B*(u + v)**2`` for ``A*u**2 + B*(2*u*v + v**2)`` where it is shorter.
 
     The sums are the rates of the angles to which several relative angles add up.
+
+    Args:
+        terms: coefficients, and the sums of products of speeds that they multiply.
+        reader: which finds their forms.
+        known: the quadratic forms of sums that were found before.
     """
+    known |= {total: QuadraticForm.of(total) for _, total in terms if total not in known}
+    forms = [known[total] for _, total in terms]
     squares = [place for place, (_, total) in enumerate(terms) if total.kind == "power"]
     sums = [place for place, (_, total) in enumerate(terms) if total.kind == "sum"]
     for first, second in product(squares, sums):
         (a, square), (b, rest) = terms[first], terms[second]
+        one, other = forms[first], forms[second]
+        if one is None or other is None:
+            continue
         for sign in (1, -1):
-            whole = with_squares(square + sign * rest)
-            if whole.kind == "power":
+            root = one.root_with(other, sign)
+            if root is not None:
                 before = [(a, square), (b, rest)]
-                after = [(a - sign * b, square), (sign * b, whole)]
+                after = [(a - sign * b, square), (sign * b, root**2)]
                 if _length(after, reader) < _length(before, reader):
                     changed = dict(zip((first, second), after, strict=True))
                     made = [changed.get(place, term) for place, term in enumerate(terms)]
-                    return _with_sums_squared([each for each in made if not each[0].is_zero], reader)
+                    kept = [each for each in made if not each[0].is_zero]
+                    return _with_sums_squared(kept, reader, known)
     return terms
 
 

@@ -6,15 +6,17 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from itertools import chain
+from typing import NamedTuple
 
 from symbody.deferred import cached_property
-from symbody.multibody import Action, System
+from symbody.multibody import Action, System, Variables
 from symbody.symbolic import Expr, Matrix, number
 from symbody.symbolic.calculus.reader import Reader
 
 from .balance import Balance, balances
 from .causes import generalized_forces
 from .degree import by_christoffel, without
+from .equation_page import EquationPage
 from .line import NamedLine, named_lines
 from .line_terms import ByForce, ByLength, InFull, LineTerms, has_root
 from .page import Page
@@ -39,16 +41,49 @@ def with_lines_if_shorter(
         bias: the residuals at zero accelerations and multipliers.
         jacobian: phi_q, m x n.
     """
-    equations = _Equations(page, residuals, bias, jacobian)
+    equations = _Equations(page.system, page.balances, page.mass_matrix, residuals, bias, jacobian)
     size = partial(_size, reader=reader_of(page.system))
     is_long = len(page.description()) >= LONG
     if not is_long:
-        by_law = equations.written(InFull)
+        by_law = _rewritten(page, equations.written(InFull))
         page = by_law if size(by_law) <= _EQUAL * size(page) else page
-    named = min((equations.written(way) for way in (ByForce, ByLength)), key=size)
+    named = min((_rewritten(page, equations.written(way)) for way in (ByForce, ByLength)), key=size)
     if is_long:
         return min(page, named, key=lambda each: len(each.description()))
     return named if size(named) <= (_WORTH if equations.has_one_line else _OF_SEVERAL) * size(page) else page
+
+
+def row_with_lines_if_shorter(
+    page: EquationPage,
+    place: int,
+    mass_matrix: Matrix,
+    residuals: Sequence[Expr],
+    bias: Sequence[Expr],
+    jacobian: Matrix,
+) -> EquationPage:
+    """Return the page of one equation of a large system likewise.
+
+    Args:
+        page: the page on which these forces are written as other loads are.
+        place: the place of the equation.
+        mass_matrix: M, n x n.
+        residuals: the equations, expressions that are zero.
+        bias: the residuals at zero accelerations and multipliers.
+        jacobian: phi_q, m x n.
+    """
+    given = (page.balance,)
+    equations = _Equations(page.system, given, mass_matrix, residuals, bias, jacobian, [place])
+    written = equations.written(ByForce)  # as in whole pages, where a force stands in several rows
+    if not written.named:
+        return page
+    named = replace(page, balance=written.balances[0], named=written.named)
+    return min(page, named, key=lambda each: len(each.description()))
+
+
+def _rewritten(page: Page, written: _Written) -> Page:
+    if written.balances is page.balances:
+        return page
+    return replace(page, balances=written.balances, mass_matrix=written.mass_matrix, named=written.named)
 
 
 _EQUAL = 1.1
@@ -68,35 +103,54 @@ _DEFINED = "     := "
 """What stands around a name where it is defined, with the end of the line."""
 
 
+class _Written(NamedTuple):
+    """Equations in which forces along lines are written in a way, their mass matrix, and the names in them."""
+
+    balances: tuple[Balance, ...]
+    mass_matrix: Matrix
+    named: tuple[tuple[Expr, Expr], ...] = ()
+
+
 @dataclass(frozen=True)
 class _Equations:
-    """Equations, and the page on which forces along lines are written as other loads are.
+    """Equations in which forces along lines are written as other loads are.
 
     Attributes:
-        page: the page.
+        system: the system to which they belong.
+        given: the rows.
+        mass_matrix: M, n x n.
         residuals: the equations, expressions that are zero.
         bias: the residuals at zero accelerations and multipliers.
         jacobian: phi_q, m x n.
+        places: the rows that are wanted, of large systems; by default all.
     """
 
-    page: Page
+    system: Variables
+    given: tuple[Balance, ...]
+    mass_matrix: Matrix
     residuals: Sequence[Expr]
     bias: Sequence[Expr]
     jacobian: Matrix
+    places: Sequence[int] | None = None
 
-    def written(self, way: type[LineTerms]) -> Page:
-        """Return the page with forces along lines in a way; the given page if it doesn't tell them apart."""
-        system, reader = self.page.system, self._reader
+    def written(self, way: type[LineTerms]) -> _Written:
+        """Return the equations with forces along lines in a way; as given if these can't be told apart."""
+        system, reader = self.system, self._reader
         lines, rest = self._with_roots if way is InFull else self._all
         if rest is None or not isinstance(system, System):
-            return self.page
+            return _Written(self.given, self.mass_matrix)
         (rows, matrix), slopes, writer = rest, [line.slopes(system) for line in lines], way(system, reader)
         written = []
-        for i, row in enumerate(rows):
+        for i, row in zip(self._chosen, rows, strict=True):
             terms = [writer.terms(line, slope[i]) for line, slope in zip(lines, slopes, strict=True)]
             written.append(replace(row, loads=(*row.loads, *chain.from_iterable(terms))))
-        named = tuple(pair for line in lines for pair in writer.definitions(line))
-        return replace(self.page, balances=tuple(written), mass_matrix=matrix, named=named)
+        return _Written(
+            tuple(written), matrix, tuple(pair for line in lines for pair in writer.definitions(line))
+        )
+
+    @property
+    def _chosen(self) -> Sequence[int]:
+        return range(len(self.bias)) if self.places is None else self.places
 
     @property
     def has_one_line(self) -> bool:
@@ -105,12 +159,12 @@ class _Equations:
 
     @cached_property
     def _reader(self) -> Reader:
-        return reader_of(self.page.system)
+        return reader_of(self.system)
 
     @cached_property
     def _all(self) -> tuple[Lines, Rest | None]:
         """All forces along lines, and what is left without them."""
-        system = self.page.system
+        system = self.system
         lines = named_lines(system) if isinstance(system, System) else ()
         return lines, self._without(lines)
 
@@ -125,18 +179,18 @@ class _Equations:
 
     def _without(self, lines: Lines) -> Rest | None:
         """Return the rows without forces along lines, and M; None if there are none, or they can't be told apart."""
-        system, matrix = self.page.system, self.page.mass_matrix
+        system, matrix = self.system, self.mass_matrix
         if not isinstance(system, System) or not lines:
             return None
         slopes = [line.slopes(system) for line in lines]
         pulls = [_pull(lines, [slope[i] for slope in slopes]) for i in range(len(self.bias))]
         rest = [entry - pull for entry, pull in zip(self.bias, pulls, strict=True)]
         actions = _other_actions(system, lines)
-        short = _short_bias(system, matrix, rest, lines, actions)
+        short = _short_bias(system, matrix, rest, lines, actions, self._chosen)
         if short is None:
             return None
         others = [residual - pull for residual, pull in zip(self.residuals, pulls, strict=True)]
-        return balances(system, others, matrix, short, self.jacobian, actions)
+        return balances(system, others, matrix, short, self.jacobian, actions, self.places)
 
 
 def _pull(lines: Sequence[NamedLine], slopes: Sequence[Expr]) -> Expr:
@@ -159,6 +213,7 @@ def _short_bias(
     rest: Sequence[Expr],
     lines: Sequence[NamedLine],
     actions: Sequence[Action],
+    places: Sequence[int],
 ) -> Sequence[Expr] | None:
     """Return the bias without lines in a form in which these don't cancel; None if neither way gives its value.
 
@@ -170,16 +225,18 @@ def _short_bias(
         rest: the bias without lines.
         lines: the forces along lines.
         actions: those of the other loads.
+        places: the rows that are wanted; the others are as they are.
     """
     forces = generalized_forces(system, actions)
     totals = [
         sum(each, start=number(0)) for each in zip(forces.weight, forces.moving, forces.given, strict=True)
     ]
-    inertia = [entry + total for entry, total in zip(rest, totals, strict=True)]
-    found = by_christoffel(inertia, matrix, system)
-    made = [known.total - total for known, total in zip(found, totals, strict=True) if known is not None]
-    if len(made) == len(rest):
-        return made
-    laws = {value for line in lines for value in line.element.law.values() if value.kind == "symbol"}
-    others = [without(entry, sorted(laws, key=str)) for entry in rest]
-    return others if others == [*rest] else None
+    inertia = [rest[i] + totals[i] for i in places]
+    found = by_christoffel(inertia, matrix, system, places)
+    made = {i: known.total - totals[i] for i, known in zip(places, found, strict=True) if known is not None}
+    if len(made) < len(places):
+        laws = {value for line in lines for value in line.element.law.values() if value.kind == "symbol"}
+        made = {i: without(rest[i], sorted(laws, key=str)) for i in places}
+    if any(made[i] != rest[i] for i in places):
+        return None
+    return [made.get(i, entry) for i, entry in enumerate(rest)]

@@ -55,6 +55,7 @@ class Reader:
         self._inertias = sorted(map(names.standard, inertias), key=str)
         self._differences = tuple(map(names.standard, differences))
         self._known: dict[Expr, Expr] = {}
+        self._lengths: dict[int, int] = {}
         self._distances: set[Expr] = set()
         self._read = 0
 
@@ -64,7 +65,10 @@ class Reader:
 
     def length(self, expression: Expr) -> int:
         """Return the length of an expression in standard names."""
-        return _length(self._names.standard(expression))
+        known = self._lengths.get(expression.id)  # expressions of one value may have several forms
+        if known is None:
+            known = self._lengths[expression.id] = _length(self._names.standard(expression))
+        return known
 
     def form(self, expression: Expr) -> Expr:
         """Return the form for the reader of an expression by itself, which is read however long it is."""
