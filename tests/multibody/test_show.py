@@ -193,3 +193,24 @@ def test_a_system_of_a_hundred_bodies_is_shown_by_the_coordinates_of_its_frames(
     assert "q9, q10, q11" in text
     assert "operations)" in text
     assert describe(bodies[3]).startswith("BODY(frame = [[")
+
+
+@pytest.mark.parametrize(("count", "is_long"), [(14, False), (40, True)])
+def test_a_system_of_many_parts_is_shown_by_counts_with_the_way_to_each(count: int, is_long: bool) -> None:
+    """Of eighty bodies, 55 000 characters were printed."""
+    places = functions_of_time(" ".join(f"x{k}" for k in range(count)))
+    bodies = [Body(translate(place, 0, 0), m, name=f"wagon {k}") for k, place in enumerate(places)]
+    loads = [Force(ground, F, 0, 0, at=each.center_of_mass, on=each) for each in bodies]
+    train = System(bodies, loads, places, constraints=[places[0] - a * t], name="train")
+    head, *lines = describe(train).splitlines()
+    shown = sum(line.startswith(("    wagon", "    body")) for line in lines)
+    if not is_long:
+        assert head == "train = SYSTEM"
+        assert shown == count
+        return
+    assert head == "train = SYSTEM: 40 bodies, 40 loads, 1 constraint"
+    assert shown == 8
+    assert "    ... 32 more bodies: show(system.bodies[4])" in lines
+    assert "    ... 32 more loads: show(system.loads[4])" in lines
+    assert f"    constraint: x0 - a*t = 0, multiplier {train.multipliers[0]}" in lines
+    assert describe(train.bodies[4]).startswith("wagon 4 = BODY")

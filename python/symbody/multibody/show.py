@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from math import inf
 from textwrap import wrap
@@ -16,10 +16,11 @@ from symbody.symbolic import Expr, Matrix, cost, free_symbols, time_derivative
 from symbody.symbolic.calculus.reader import Reader
 from symbody.symbolic.calculus.shown_form import shown_form
 from symbody.symbolic.expression.container import text_of
-from symbody.symbolic.expression.text_layout import hanging, listed
+from symbody.symbolic.expression.text_layout import ends, hanging, listed
 from symbody.symbolic.given.arguments import brief, counted
 
 from .body import Body
+from .constraint import Constraint
 from .load import Action, Load
 from .system import System
 
@@ -207,26 +208,104 @@ def _value(value: object, style: _Style) -> str:
 def _system(system: System, style: _Style) -> str:
     """Return the parts of a system, with sizes of long expressions and the coordinates on which a long frame depends.
 
-    Lines are broken between words; `show` of a body or a load prints all of it.
+    Of a system of many parts, the first and the last of each kind are shown, and how to see the others. Lines are
+    broken between words; `show` of a body or a load prints all of it.
     """
     style = replace(style, longest=_LONGEST)
-    lines = ["SYSTEM" if not system.name else f"{system.name} = SYSTEM"]
-    lines.append(f"coordinates: {', '.join(map(str, system.coordinates))}")
+    kinds = _kinds(system, style)
+    is_long = sum(len(kind.parts) for kind in kinds) > _MANY
+    counts = (counted(len(kind.parts), kind.noun) for kind in kinds if kind.parts and is_long)
+    head = "SYSTEM" if not system.name else f"{system.name} = SYSTEM"
+    lines = [f"coordinates: {_names(system.coordinates)}"]
     if system.quasi_velocities:
         kind = "momenta" if system.momenta else "quasi-velocities"
-        lines.append(f"{kind}: {', '.join(map(str, system.quasi_velocities))}")
-    written = system.coordinates if system.momenta else system.chosen
-    chosen = ((time_derivative(q), system.coordinate_rates[q]) for q in written)
-    lines += [f"kinematics: {rate} = {style.text(by_speeds)}" for rate, by_speeds in chosen]
-    lines += [f"state: {rate} = {style.text(value)}" for rate, value in system.state_rates.items()]
-    lines += [f"body: {_described(body, style)}" for body in system.bodies]
-    lines += [f"load: {_described(load, style)}" for load in system.loads]
+        lines.append(f"{kind}: {_names(system.quasi_velocities)}")
+    *others, constraints = (kind.lines(is_long=is_long) for kind in kinds)
+    lines += [line for each in others for line in each]
     if system.gravity is not None:
         lines.append(f"gravity: {_described(system.gravity, style)}")
-    for multiplier, constraint in zip(system.multipliers, system.conditions, strict=True):
-        name = f"constraint {constraint.name}" if constraint.name else "constraint"
-        lines.append(f"{name}: {style.text(constraint.condition)} = 0, multiplier {multiplier}")
-    return "\n".join([lines[0], *(row for line in lines[1:] for row in _broken(line))])
+    lines += constraints
+    first = f"{head}: {', '.join(counts)}" if is_long else head
+    return "\n".join([first, *(row for line in lines for row in _broken(line))])
+
+
+@dataclass(frozen=True)
+class _Kind:
+    """The parts of a kind that a system has.
+
+    Attributes:
+        noun: the kind in the singular.
+        parts: the parts.
+        line: which writes one of them.
+        advice: how to see one of them, with a place for its number.
+    """
+
+    noun: str
+    parts: Sequence[Any]
+    line: Callable[[Any], str]
+    advice: str
+
+    def lines(self, *, is_long: bool) -> list[str]:
+        """Return a line for each part; of many the first and the last, and one for those between."""
+        shown = ends(self.parts) if is_long else self.parts
+        return [self._between(len(shown) - 1) if part is None else self.line(part) for part in shown]
+
+    def _between(self, written: int) -> str:
+        left = counted(len(self.parts) - written, f"more {self.noun}")
+        return f"... {left}: {self.advice.format(written // 2)}"
+
+
+def _kinds(system: System, style: _Style) -> list[_Kind]:
+    """Return the parts of a system by kind, in the order in which they are shown: constraints last."""
+    written = system.coordinates if system.momenta else system.chosen
+    rates = [(time_derivative(q), system.coordinate_rates[q]) for q in written]
+    conditions = [*zip(system.multipliers, system.conditions, strict=True)]
+    return [
+        _Kind(
+            "kinematic rate",
+            rates,
+            lambda pair: f"kinematics: {pair[0]} = {style.text(pair[1])}",
+            "show(system.kinematics)",
+        ),
+        _Kind(
+            "state",
+            [*system.state_rates.items()],
+            lambda pair: f"state: {pair[0]} = {style.text(pair[1])}",
+            "show(system.state_rates)",
+        ),
+        _Kind(
+            "body",
+            system.bodies,
+            lambda body: f"body: {_described(body, style)}",
+            "show(system.bodies[{}])",
+        ),
+        _Kind(
+            "load",
+            system.loads,
+            lambda load: f"load: {_described(load, style)}",
+            "show(system.loads[{}])",
+        ),
+        _Kind(
+            "constraint",
+            conditions,
+            lambda pair: _condition(pair[0], pair[1], style),
+            "show(system.constraints[{}])",
+        ),
+    ]
+
+
+def _condition(multiplier: Expr, constraint: Constraint, style: _Style) -> str:
+    name = f"constraint {constraint.name}" if constraint.name else "constraint"
+    return f"{name}: {style.text(constraint.condition)} = 0, multiplier {multiplier}"
+
+
+def _names(names: Sequence[Expr]) -> str:
+    """Return names; of very many the first and the last."""
+    return ", ".join("..." if name is None else str(name) for name in ends(names, _MOST_NAMES))
+
+
+_MANY, _MOST_NAMES = 30, 100
+"""The parts of a system, and the names of one kind, up to which all are shown."""
 
 
 def _broken(line: str) -> list[str]:

@@ -11,13 +11,13 @@ from symbody.symbolic import Expr, cost, latex, symbol
 from symbody.symbolic.calculus.reader import Reader
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.expression.latex_layout import ARTICLE, aligned, broken, in_pages
+from symbody.symbolic.expression.text_layout import ends
 from symbody.symbolic.given.arguments import counted
 
 from .determinant import over_determinant, printed_rows
 from .page import indented, shorter
 from .reader_of import reader_of
 from .short_names import Definition, shortened
-from .summary import ends
 
 _ADVICE = "Too long to be read at once. One of them: readable(canonical.rates[time_derivative(canonical.momenta[0])])."
 

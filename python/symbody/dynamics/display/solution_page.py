@@ -9,13 +9,14 @@ from functools import cached_property
 from symbody.multibody import Variables
 from symbody.symbolic import Expr, cost, latex, substitute
 from symbody.symbolic.expression.latex_layout import ARTICLE, aligned, broken, in_pages
+from symbody.symbolic.expression.text_layout import ends
 from symbody.symbolic.given.arguments import counted
 
 from .determinant import over_determinant, printed_rows
 from .page import indented
 from .reader_of import reader_of
 from .short_names import Definition, shortened
-from .summary import READABLE, ends
+from .summary import READABLE
 
 _MOST = 30
 """The values up to which they are written out."""

@@ -3,20 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TypeVar
 
 from symbody.multibody import Variables
 from symbody.symbolic import Expr, cost, latex
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.expression.latex_layout import aligned
+from symbody.symbolic.expression.text_layout import ends
 from symbody.symbolic.given.arguments import counted
-
-Item = TypeVar("Item")
 
 READABLE = 1000
 """Operations up to which equations are written out."""
-_SHOWN = 4
-"""The first and the last equations, so many each, whose sizes are listed."""
 
 
 def is_readable(residuals: Sequence[Expr]) -> bool:
@@ -61,15 +57,6 @@ def total(system: Variables, residuals: Sequence[Expr]) -> str:
     """Return the numbers of equations, constraints and operations in words."""
     sizes = f"{counted(len(residuals), 'speed')}, {counted(len(system.constraints), 'constraint')}"
     return f"{sizes}: {counted(cost(residuals).total, 'operation')} in all"
-
-
-def ends(items: Sequence[Item], most: int = 2 * _SHOWN) -> list[Item | None]:
-    """Return items; of more than so many the first and the last, with None between them.
-
-    >>> ends(range(20))
-    [0, 1, 2, 3, None, 16, 17, 18, 19]
-    """
-    return [*items] if len(items) <= most else [*items[:_SHOWN], None, *items[-_SHOWN:]]
 
 
 def sizes_by_speed(system: Variables, residuals: Sequence[Expr]) -> list[tuple[Expr, int] | None]:

@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from symbody.dynamics.display.summary import ends
 from symbody.symbolic import Expr, Matrix, cost, latex, readable, time_derivative
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.expression.latex_layout import aligned, bmatrix
-from symbody.symbolic.expression.text_layout import LINE, row_lines
+from symbody.symbolic.expression.text_layout import LINE, ends, row_lines
 from symbody.symbolic.given.arguments import counted
 
 from .second_order import SecondOrder

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
+from typing import TypeVar
 
 from .line_break import Role, Token, rows
 
-__all__ = ["LINE", "hanging", "lines", "listed", "matrix_text", "named", "row_lines"]
+__all__ = ["LINE", "ends", "hanging", "lines", "listed", "matrix_text", "named", "row_lines"]
 
 LINE = 110
 """The most characters of a line of text."""
@@ -16,6 +17,19 @@ _TOKEN = re.compile(
     r"(?P<equals> = )|(?P<sign> [+-] )|(?P<kept>\*\*\(|\[)|(?P<factor>[*/]\()|(?P<argument>(?<=\w)[(\[])|(?P<open>\()"
     r"|(?P<close>[)\]])|[^\s()\[\]*/]+|."
 )
+_SHOWN = 4
+"""The first and the last of many things, so many each, that are listed."""
+
+Item = TypeVar("Item")
+
+
+def ends(items: Sequence[Item], most: int = 2 * _SHOWN) -> list[Item | None]:
+    """Return items; of more than so many the first and the last, with None between them.
+
+    >>> ends(range(20))
+    [0, 1, 2, 3, None, 16, 17, 18, 19]
+    """
+    return [*items] if len(items) <= most else [*items[:_SHOWN], None, *items[-_SHOWN:]]
 
 
 def lines(text: str, line: int = LINE) -> list[str]:
