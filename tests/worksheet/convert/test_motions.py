@@ -37,6 +37,16 @@ def test_problems_are_unions_and_substitutions(problem: str) -> None:
     assert found["s"][found["p"]][-1] == pytest.approx(COSINE, abs=1e-5)  # type: ignore[index]
 
 
+def test_a_problem_is_one_equation_and_begins_at_any_time() -> None:
+    found = values(
+        "eq := diff(x(t),t,t)+k*x(t)=0: s := dsolve({subs([k=4],eq), x(1)=1, D(x)(1)=0}, numeric): "
+        "r := dsolve({subs(k=4,eq), x(0.5)=1, D(x)(0.5)=0}, numeric, range=0.5..2):"
+    )
+    x = found["x"]
+    assert found["s"][x][-1] == pytest.approx(np.cos(2 * 10), abs=1e-4)  # type: ignore[index]
+    assert found["r"][x][-1] == pytest.approx(COSINE, abs=1e-5)  # type: ignore[index]
+
+
 def test_multipliers_stay_multipliers() -> None:
     found = values(
         "eqs := [2*diff(x(t),t,t)+lam(t)*x(t), 2*diff(z(t),t,t)+lam(t)*z(t)-2*g]: "

@@ -12,6 +12,7 @@ from symbody.symbolic import Expr, Matrix
 from symbody.worksheet.convert.expressions import PythonText
 from symbody.worksheet.convert.linear_models import linear_lines
 from symbody.worksheet.convert.modes import mode_lines
+from symbody.worksheet.convert.name_text import joined_name
 from symbody.worksheet.convert.names import NoText, identifier
 from symbody.worksheet.convert.operations import grouped
 from symbody.worksheet.convert.selections import index, key
@@ -122,6 +123,8 @@ def target_text(text: PythonText, target: syntax.Expression) -> str:
     match target:
         case syntax.Name(name=name):
             return identifier(name)
+        case syntax.Concatenation():
+            return identifier(joined_name(text, target))
         case syntax.Selection(whole=syntax.Name(name=name), indices=indices):
             whole = identifier(name)
             found = text.names.values.get(whole)

@@ -78,4 +78,5 @@ def by_rules(names: Names, code: Sequence[str]) -> Iterator[list[str]]:
 
 def shown_by_rules(names: Names, shown: Sequence[str]) -> list[str]:
     """Return expressions that are shown with the rates put into them."""
-    return [f"sb.subs({each}, {names.rules})" for each in shown] if names.rules else []
+    is_plain = bool(names.rules) and not any(each.startswith("*") for each in shown)
+    return [f"sb.subs({each}, {names.rules})" for each in shown] if is_plain else []

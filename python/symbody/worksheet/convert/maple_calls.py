@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 from collections.abc import Callable, Mapping
 from dataclasses import fields, replace
 from typing import Any, TypeAlias
@@ -123,7 +124,9 @@ def _summed(text: Writer, arguments: Arguments) -> str:
     body, span = arguments
     while isinstance(body, syntax.Delayed):
         body = body.body
-    return f"sum({comprehension(text, body, span)[1:-1]})"
+    terms = comprehension(text, body, span)
+    is_generated = isinstance(ast.parse(terms, mode="eval").body, ast.ListComp)
+    return f"sum({terms[1:-1] if is_generated else terms})"
 
 
 def _part(text: Writer, arguments: Arguments) -> str:

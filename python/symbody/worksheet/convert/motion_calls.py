@@ -23,11 +23,12 @@ def _motion(text: Writer, arguments: Arguments) -> str:
     }
     if "numeric" not in options or options & {"output", "parameters"}:
         raise NoText("dsolve")
-    equations, starts = [], []
+    equations, starts, begins = [], [], set()
     for each in _items(text, arguments[0]):
         initial = _initial(text, each)
         if initial:
             starts.append(initial)
+            begins.add(_instant(text, each))
         else:
             equations.append(_residual_item(text, each))
     found = text.value(f"[{', '.join(equations)}]")
@@ -44,7 +45,7 @@ def _motion(text: Writer, arguments: Arguments) -> str:
     listed = ", ".join(each if each.startswith("*") else grouped(each, SUM) for each in equations)
     return (
         f"sb.simulate(sb.equations_from_differential([{listed}], [{unknowns}]), "
-        f"initial={{{', '.join(starts)}}}, t={_times(text, arguments)})"
+        f"initial={{{', '.join(starts)}}}, t={_times(text, arguments, begins)})"
     )
 
 
@@ -59,6 +60,8 @@ def _items(text: Writer, node: syntax.Expression) -> Iterator[syntax.Expression]
             yield from _items(text, right)
         case syntax.Name(name=name) if name in text.names.sets:
             yield from _items(text, text.names.sets[name])
+        case syntax.Name() if isinstance(text.value(text.text(node)), Expr):
+            yield node
         case syntax.Name():
             yield syntax.Call(replace(node, name="op"), (node,), place=node.place)
         case syntax.Call(function=syntax.Name(name="op"), arguments=(syntax.Name(name=name),)) if (
@@ -97,7 +100,7 @@ def _put_in(
 def _starts(node: syntax.Expression) -> bool:
     """Whether a left side is that of an initial value, ``x(0)`` or ``D(x)(0)``."""
     match node:
-        case syntax.Call(arguments=(syntax.Integer(value=0),)):
+        case syntax.Call(arguments=(syntax.Integer() | syntax.Decimal(),)):
             return True
     return False
 
@@ -110,8 +113,8 @@ def _residual_item(text: Writer, node: syntax.Expression) -> str:
     return residual_text(text, node)
 
 
-def _times(text: Writer, arguments: Arguments) -> str:
-    """Return the times of a motion: those of the option ``range``, or ten units."""
+def _times(text: Writer, arguments: Arguments, begins: set[str]) -> str:
+    """Return the times of a motion: those of the option ``range``, or ten units from its beginning."""
     for argument in arguments:
         match argument:
             case syntax.Infix(
@@ -119,8 +122,21 @@ def _times(text: Writer, arguments: Arguments) -> str:
                 left=syntax.Name(name="range"),
                 right=syntax.Infix(operator="..", left=first, right=last),
             ):
-                return f"({number_text(text, first)}, {number_text(text, last)})"
-    return "(0, 10)"
+                begin, end = number_text(text, first), number_text(text, last)
+                if {text.value(each) for each in begins} - {text.value(begin)}:
+                    raise NoText("dsolve")
+                return f"({begin}, {end})"
+    if len(begins) > 1:
+        raise NoText("dsolve")
+    (begin,) = begins or {"0"}
+    return f"({begin}, {text.value(begin) + 10})"
+
+
+def _instant(text: Writer, node: syntax.Expression) -> str:
+    """Return the time of an initial value, ``x(1) = 2``."""
+    assert isinstance(node, syntax.Infix)
+    assert isinstance(node.left, syntax.Call)
+    return number_text(text, node.left.arguments[0])
 
 
 _TIME = syntax.Name("t", place=syntax.Place(1, 1, 1, 1))
@@ -131,7 +147,9 @@ def _initial(text: Writer, node: syntax.Expression) -> str:
     match node:
         case syntax.Infix(
             operator="=",
-            left=syntax.Call(function=syntax.Name() as name, arguments=(syntax.Integer(value=0),)),
+            left=syntax.Call(
+                function=syntax.Name() as name, arguments=(syntax.Integer() | syntax.Decimal(),)
+            ),
             right=right,
         ):
             return f"{text.text(_of_time(name))}: {number_text(text, right)}"
@@ -139,7 +157,7 @@ def _initial(text: Writer, node: syntax.Expression) -> str:
             operator="=",
             left=syntax.Call(
                 function=syntax.Call(function=syntax.Name(name="D"), arguments=(syntax.Name() as name,)),
-                arguments=(syntax.Integer(value=0),),
+                arguments=(syntax.Integer() | syntax.Decimal(),),
             ),
             right=right,
         ):

@@ -8,7 +8,7 @@ from symbody.worksheet.convert.selections import word_of
 from symbody.worksheet.convert.writer import Writer
 from symbody.worksheet.sheet import syntax
 
-__all__ = ["concatenation", "name_text"]
+__all__ = ["concatenation", "joined_name", "name_text"]
 
 _CONSTANTS = {"Pi": "sb.pi", "t": "sb.t", "true": "True", "false": "False", "I": "1j"}
 
@@ -42,3 +42,11 @@ def concatenation(to: Writer, node: syntax.Concatenation, *, is_function: bool =
         raise NoText("||")
     maker = "sb.functions_of_time" if name in to.names.functions else "sb.symbols"
     return f'{maker}(f"{left}{{{right}}}")'
+
+
+def joined_name(to: Writer, node: syntax.Concatenation) -> str:
+    """Return the name that pieces make where they are numbers and words: ``crank||2``."""
+    right = to.text(node.right)
+    if not right.isdigit():
+        raise NoText("target")
+    return f"{joined_name(to, node.left) if isinstance(node.left, syntax.Concatenation) else word_of(node.left)}{right}"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,7 @@ from symbody.worksheet.convert.frames import components
 from symbody.worksheet.convert.names import NoText, identifier
 from symbody.worksheet.convert.operations import SUM, grouped
 from symbody.worksheet.convert.selections import word_of
+from symbody.worksheet.convert.unrolled import at_values, mentions_joined_names
 from symbody.worksheet.convert.writer import Writer
 from symbody.worksheet.sheet import syntax
 
@@ -62,6 +64,17 @@ def listed(to: Writer, nodes: tuple[syntax.Expression, ...]) -> str:
 
 def comprehension(to: Writer, each: syntax.Expression, span: syntax.Expression) -> str:
     """Return ``[each for i in range(a, b + 1)]``, or over the items of a list."""
+    match span:
+        case syntax.Infix(
+            operator="=", left=variable, right=syntax.Infix(operator="..", left=a, right=b)
+        ) if mentions_joined_names(each):
+            with contextlib.suppress(NoText):
+                return _comprehension(to, each, span)
+            return f"[{items(to, tuple(at_values(to, each, word_of(variable), a, b)))}]"
+    return _comprehension(to, each, span)
+
+
+def _comprehension(to: Writer, each: syntax.Expression, span: syntax.Expression) -> str:
     name, over, first = _span(to, span)
     inner = to.names.inner()
     inner.values[name] = first

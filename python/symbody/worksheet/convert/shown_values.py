@@ -14,6 +14,7 @@ from symbody.worksheet.convert.code_calls import is_code
 from symbody.worksheet.convert.expressions import PythonText
 from symbody.worksheet.convert.modes import mode_lines
 from symbody.worksheet.convert.names import NoText
+from symbody.worksheet.convert.sequences import item as opened
 from symbody.worksheet.convert.sequences import items
 from symbody.worksheet.convert.statement_kinds import acts, mentions
 from symbody.worksheet.sheet import syntax
@@ -31,7 +32,7 @@ def value_lines(text: PythonText, node: syntax.Expression, *, shown: bool, keeps
     items = node.items if isinstance(node, syntax.SequenceDisplay) else (node,)
     needed = [keeps or mentions(items[k + 1 :], syntax.Ditto) for k in range(len(items))]
     if len(items) > 1 and not any(needed) and not any(_is_display(item) or acts(item) for item in items):
-        written = [text.text(item) for item in items]
+        written = [opened(text, each) for each in items]
         text.shown += written
         return [f"print({', '.join(written)})"] if shown else []
     found: list[str] = []

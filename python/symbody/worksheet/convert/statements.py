@@ -15,6 +15,7 @@ from symbody.worksheet.convert.names import Names, NoText, identifier
 from symbody.worksheet.convert.operators import condition
 from symbody.worksheet.convert.sequences import items
 from symbody.worksheet.convert.shown_values import value_lines
+from symbody.worksheet.convert.unrolled import at_values, mentions_joined_names
 from symbody.worksheet.sheet import syntax
 
 __all__ = ["INDENT", "block", "branch_words", "lines_of"]
@@ -39,7 +40,7 @@ def lines_of(statement: syntax.Statement, text: PythonText, *, keeps: bool = Tru
         case syntax.Evaluation(expression=expression):
             return value_lines(text, expression, shown=statement.shown, keeps=keeps)
         case syntax.For():
-            return _for(text, statement)
+            return _loop(text, statement)
         case syntax.If():
             return _if(text, statement)
         case syntax.Use(body=body):
@@ -101,6 +102,25 @@ def _try_out(lines: list[str], values: dict[str, Any]) -> None:
     quiet: dict[str, Any] = {"print": lambda *items, **options: None}
     with contextlib.suppress(Exception):
         exec("\n".join(lines), values | quiet, values)
+
+
+def _loop(text: PythonText, loop: syntax.For) -> list[str]:
+    """Return a loop, or its statements for each value of its index where it is in names: ``crank||n := ..``."""
+    is_counted = (
+        loop.variable is not None and loop.items is None and loop.step is None and loop.condition is None
+    )
+    if not is_counted or not mentions_joined_names(loop.body):
+        return _for(text, loop)
+    before = dict(text.names.values)
+    with contextlib.suppress(NoText):
+        return _for(text, loop)
+    text.names.values.clear()
+    text.names.values.update(before)
+    assert loop.variable is not None
+    lines: list[str] = []
+    for body in at_values(text, loop.body, loop.variable, loop.start, loop.stop):
+        lines += (line.removeprefix(INDENT) for line in block(body, text, shown=loop.shown))
+    return lines
 
 
 def _for(text: PythonText, loop: syntax.For) -> list[str]:

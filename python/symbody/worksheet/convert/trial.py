@@ -120,7 +120,11 @@ def _shows_the_same(program: Draft, expression: syntax.Expression) -> bool:
     session, value = program.interpreter.session, program.interpreter.session.last[0]
     with contextlib.chdir(program.folder):
         *texts, last = program.text.shown
-        made = [program.names.value(text) for text in (*texts, "last" if program.keeps else last)]
+        made = [
+            value
+            for text in (*texts, "last" if program.keeps else last)
+            for value in (program.names.value(f"[{text}]") or [None])
+        ]
     if same(session, made[-1], value, program.names.small):
         return True
     items = value.items if isinstance(value, Values) else ()
