@@ -9,6 +9,13 @@ CASES = {
     "through a chain of names": ("a := b: b := c: c := 7: a; c := 8: a;", ["7", "8"]),
     "a name that loses its value": ("a := b+1: b := 2: a; b := 'b': a;", ["3", "b+1"]),
     "a list and an equation": ("L := [p, q = p]: p := 5: L; L[1];", ["[5, q = 5]", "5"]),
+    "a part of a list": (
+        (
+            "L := [a*x, b, a*y]: a := u(t): subs(u(t)=V,L[2..3]); diff(L[1..1],t); has(L[1..2],u(t)); "
+            "map(diff,[L[]],t); subs(u(t)=V,L[[1,3]]);"
+        ),
+        ["[b, V*y]", "[x*diff(u(t),t)]", "true", "[x*diff(u(t),t), 0, y*diff(u(t),t)]", "[V*x, V*y]"],
+    ),
     "an entry of a table": ("T[1] := 2*p: p := 5: T[1];", ["10"]),
     "an entry of a matrix": ("A := matrix(1,1,[[p]]): p := 5: A[1,1]; evalm(A);", ["5", "matrix([[5]])"]),
     "inside a loop": (

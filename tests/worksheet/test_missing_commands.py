@@ -29,6 +29,7 @@ def test_what_a_package_does_not_have_is_told() -> None:
     assert interpreter.session.notices == [
         "LinearAlgebra[Detrminant] is not known; it comes back unevaluated; did you mean Determinant?",
         "MBSymba_r6[kinetic_enrgy] is not known; it comes back unevaluated; did you mean kinetic_energy?",
+        "the package g is not known; g:-h comes back unevaluated",
     ]
 
 

@@ -139,11 +139,20 @@ def package_command(session: Session, name: str, indices: tuple[syntax.Expressio
     return found
 
 
-def notice_unknown_member(session: Session, package: str, name: str) -> None:
-    """Tell that a package has no such command; nothing of another name, which may hold a table."""
+def notice_unknown_member(session: Session, package: str, name: str, *, is_package: bool = False) -> None:
+    """Tell that a package has no such command; nothing of another name, which may hold a table.
+
+    Args:
+        session: the session.
+        package: what stands before the command.
+        name: the command.
+        is_package: whether a name without a value is a package, ``package:-name``.
+    """
     package = _meant_package(session, package)
     is_mbsymba = package.lower().startswith("mbsymba")
     if package not in PACKAGES and not is_mbsymba:
+        if package and is_package:
+            session.notice(f"the package {package} is not known; {package}:-{name} comes back unevaluated")
         return
     known = [*mbsymba.COMMANDS] if is_mbsymba else [*PACKAGES[package]]
     close = difflib.get_close_matches(name, known, 1, 0.75)

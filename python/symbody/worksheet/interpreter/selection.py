@@ -11,7 +11,7 @@ from symbody.worksheet.evaluation.session import Session
 from symbody.worksheet.interpreter.leaf import named
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.values.naming import symbol
-from symbody.worksheet.values.value import Listed, Value
+from symbody.worksheet.values.value import Listed, Sequence, Value
 
 __all__ = ["METHODS"]
 
@@ -24,7 +24,8 @@ def _selection(session: Session, node: syntax.Selection) -> Value:
         whole = _whole(session, node.whole.name)
     else:
         whole = session.evaluate(node.whole)
-    return selected(session, whole, session.evaluated(node.indices))
+    found = selected(session, whole, session.evaluated(node.indices))
+    return session.current(found) if isinstance(found, Listed | Sequence) else found
 
 
 def _whole(session: Session, name: str) -> Value:
@@ -43,7 +44,7 @@ def _member(session: Session, node: syntax.Member) -> Value:
         found = builtins.member(session, package.name, names)
         if found is not None:
             return found
-        builtins.notice_unknown_member(session, package.name, node.name)
+        builtins.notice_unknown_member(session, package.name, node.name, is_package=True)
     return selected(session, session.evaluate(node.package), (symbol(node.name),))
 
 
