@@ -42,6 +42,7 @@ from symbody import (
     time_derivative,
     translate,
 )
+from symbody.codegen import source
 from symbody.codegen.straight_line.sample import Sample
 from symbody.symbolic import Argument, Expr, Matrix, Program, Result, Routine, t
 from tests.dynamics.state_models import motor_pendulum, sensed_pendulum
@@ -249,10 +250,17 @@ PROGRAMS = {
 }
 
 
+@cache
+def texts(program: str, target: str) -> dict[str, str]:
+    """The files of a program in a language: most tests read the same, and writing them takes as long as a test."""
+    return source(PROGRAMS[program](), target)
+
+
 REFERENCES = ("double_pendulum", "furuta", "gimbal_gyro", "panda_7dof", "solo12_floating")
 """Robots of which Pinocchio and MuJoCo have computed the dynamics."""
 
 
+@cache
 def at_reference_state(name: str) -> tuple[Program, Sample]:
     """The routines of which other programs have computed the values, and these values: nothing of ours is in them."""
     program, model = robot_program(name), robot(name)

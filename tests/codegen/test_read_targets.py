@@ -6,25 +6,24 @@ import pytest
 import tree_sitter_julia
 from tree_sitter import Language, Parser
 
-from symbody.codegen import source
 from symbody.codegen.layout.arrange import module_of
 from symbody.codegen.sources.generate import TARGETS
 from tests.codegen.modelica_reader import Package
-from tests.codegen.programs import PROGRAMS, REFERENCES, at_reference_state
+from tests.codegen.programs import PROGRAMS, REFERENCES, at_reference_state, texts
 
 JULIA = Parser(Language(tree_sitter_julia.language()))
 
 
 @pytest.mark.parametrize("program", PROGRAMS)
 def test_julia_is_julia(program: str) -> None:
-    for text in source(PROGRAMS[program](), "julia").values():
+    for text in texts(program, "julia").values():
         assert not JULIA.parse(text.encode()).root_node.has_error
         assert JULIA.parse("".join(text.rsplit(")", 1)).encode()).root_node.has_error
 
 
 @pytest.mark.parametrize("program", PROGRAMS)
 def test_modelica_gives_the_values_of_the_evaluator(program: str) -> None:
-    text = next(iter(source(PROGRAMS[program](), "modelica").values()))
+    text = next(iter(texts(program, "modelica").values()))
     assert Package(text).call("self_check")
 
 
@@ -37,5 +36,5 @@ def test_modelica_gives_the_values_of_other_programs(robot: str) -> None:
 
 
 def test_a_mistake_in_modelica_is_found() -> None:
-    text = next(iter(source(PROGRAMS["double_pendulum"](), "modelica").values()))
+    text = next(iter(texts("double_pendulum", "modelica").values()))
     assert not Package(text.replace("cos(", "sin(")).call("self_check")

@@ -19,9 +19,9 @@ import pytest
 
 from symbody.codegen.layout.arrange import module_name, module_of
 from symbody.codegen.sources.generate import TARGETS, source
-from symbody.codegen.sources.toolchain import check, check_files
+from symbody.codegen.sources.toolchain import check_files
 from symbody.errors import CodegenError
-from tests.codegen.programs import PROGRAMS, REFERENCES, at_reference_state, double_pendulum, pendulum
+from tests.codegen.programs import PROGRAMS, REFERENCES, at_reference_state, double_pendulum, pendulum, texts
 from tests.codegen.running import run_of, run_of_each
 
 ROOT = Path(__file__).parents[2]
@@ -49,7 +49,8 @@ def test_against_the_evaluator(program: str, target: str, monkeypatch: pytest.Mo
     """JAX compiles the trifilar pendulum here and robots in the next test, and runs other long programs uncompiled."""
     if target == "jax" and program in ("long", *REFERENCES):
         monkeypatch.setenv("JAX_DISABLE_JIT", "1")
-    report = check(PROGRAMS[program](), target)
+    name = module_name(PROGRAMS[program]().name, TARGETS[target].language)
+    report = check_files(TARGETS[target], name, texts(program, target))
     results = [result for routine in PROGRAMS[program]().routines for result in routine.results]
     assert report.count("  ok") == len(results)
 
@@ -87,7 +88,7 @@ def digest() -> str:
     sums = hashlib.sha256()
     for program in ("everything", "double_pendulum", "trifilar", "panda_7dof"):
         for name in TARGETS:
-            for file, text in source(PROGRAMS[program](), name).items():
+            for file, text in texts(program, name).items():
                 sums.update(f"{file}\n{text}".encode())
     return sums.hexdigest()
 
@@ -105,8 +106,8 @@ def test_same_bytes_in_every_process(seed: str) -> None:
 @pytest.mark.parametrize("name", TARGETS)
 def test_lines_have_an_end(name: str) -> None:
     """A person reads it: no lines of more than 124 columns, no tabs but in Makefiles, no blanks at the ends."""
-    for make in PROGRAMS.values():
-        for file, text in source(make(), name).items():
+    for program in PROGRAMS:
+        for file, text in texts(program, name).items():
             for line in text.splitlines():
                 assert len(line) <= 124, (file, line)
                 assert line == line.rstrip(), (file, line)
