@@ -9,7 +9,7 @@ import inspect
 from collections.abc import Callable
 from pathlib import Path
 
-from symbody import cost, forward_dynamics, newton_euler, number, simulate
+from symbody import Equations, cost, forward_dynamics, newton_euler, number, simulate
 from symbody.models import MODELS, ClassicSystem
 from symbody.view.sketch import sketch
 from symbody.view.svg import sketch_svg
@@ -76,18 +76,18 @@ def size(model: ClassicSystem) -> tuple[int, int]:
 
 def page() -> str:
     """Return the text of the page."""
-    models = [(make, make()) for make in MODELS]
+    models = [(make, model, size(model)) for make in MODELS for model in [make()]]
     return _HEAD + "".join(_row(*each) for each in models) + "".join(_section(*each) for each in models)
 
 
-def _row(make: Make, model: ClassicSystem) -> str:
-    system, (residuals, accelerations) = model.system, size(model)
+def _row(make: Make, model: ClassicSystem, operations: tuple[int, int]) -> str:
+    system, (residuals, accelerations) = model.system, operations
     name = f"[`{make.__name__}`](#{make.__name__})"
     sizes = len(system.coordinates or system.speeds), len(system.constraints), residuals, accelerations
     return f"| {name} | " + " | ".join(map(str, sizes)) + " |\n"
 
 
-def _section(make: Make, model: ClassicSystem) -> str:
+def _section(make: Make, model: ClassicSystem, operations: tuple[int, int]) -> str:
     """Return what the docstring of a function says, one line of code that uses it, its source and its picture."""
     described = (inspect.getdoc(make) or "").partition("\n\n>>>")[0].removeprefix("Return ")
     text = described[0].upper() + described[1:]
@@ -95,24 +95,23 @@ def _section(make: Make, model: ClassicSystem) -> str:
     call = f"{make.__name__}({', '.join(f'{p.name}={p.default}' for p in signature.parameters.values())})"
     return (
         f"\n## {make.__name__}\n\n{text}\n\n"
-        f"```python\nprint(size(models.{call}))  # {size(model)}\n```\n\n"
+        f"```python\nprint(size(models.{call}))  # {operations}\n```\n\n"
         f"Source: {model.source}.\n\n"
         f"![{model.system.name}](pictures/models/{make.__name__}.svg)\n"
     )
 
 
-def picture(make: Make) -> str:
+def picture(name: str, model: ClassicSystem, equations: Equations) -> str:
     """Return a model at the first instant of its motion, as SVG."""
-    model = make()
     motion = simulate(
-        newton_euler(model.system),
+        equations,
         model.parameters,
         model.initial,
         (0, _duration(model)),
         inputs=model.inputs,
         guess=model.guess,
     )
-    return sketch_svg(sketch(motion, options=drawing_of(make.__name__, model)))
+    return sketch_svg(sketch(motion, options=drawing_of(name, model)))
 
 
 def _duration(model: ClassicSystem) -> float:
@@ -125,5 +124,7 @@ if __name__ == "__main__":
     PAGE.write_text(page(), encoding="utf-8")
     PICTURES.mkdir(parents=True, exist_ok=True)
     for each in MODELS:
-        (PICTURES / f"{each.__name__}.svg").write_text(picture(each), encoding="utf-8")
+        made = each()
+        drawn = picture(each.__name__, made, newton_euler(made.system))
+        (PICTURES / f"{each.__name__}.svg").write_text(drawn, encoding="utf-8")
     print(f"{PAGE}: {len(MODELS)} models")

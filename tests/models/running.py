@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
-from functools import cached_property
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from functools import cache, cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +13,7 @@ from symbody import (
     Equations,
     Expr,
     SteadyMotion,
+    System,
     forward_dynamics,
     jacobian,
     lambdify,
@@ -20,9 +21,15 @@ from symbody import (
     steady,
     time_derivative,
 )
-from symbody.models import ClassicSystem
+from symbody.models import ClassicSystem, flexible_motorcycle
 
 Array = NDArray[np.float64]
+
+
+@cache
+def derived(system: System) -> Equations:
+    """Return the equations of a system, which machines at other speeds share with their machine code."""
+    return newton_euler(system)
 
 
 @dataclass(frozen=True)
@@ -39,7 +46,7 @@ class Motorcycle:
 
     @cached_property
     def equations(self) -> Equations:
-        return newton_euler(self.model.system)
+        return derived(self.model.system)
 
     def number(self, name: str) -> float:
         return float(self.model.parameters[self.model[name]])
@@ -87,20 +94,9 @@ class Motorcycle:
         n = len(q)
         return np.vstack([np.eye(n, 2 * n + len(states), n), motion, lag])
 
-    @cached_property
-    def _rates(self) -> object:
-        """The machine code of the rates of the whole state."""
-        eqs, solved = self.equations, forward_dynamics(self.equations)
-        states = list(eqs.system.states)
-        state = [*eqs.coordinates, *eqs.speeds, *states]
-        written = dict(zip(eqs.multipliers, solved.multipliers, strict=True))
-        rates = [eqs.state_rates[time_derivative(each)].subs(written) for each in states]
-        others = [*eqs.parameters, *eqs.inputs]
-        return others, lambdify([*state, *others], [*eqs.speeds, *solved.accelerations, *rates])
-
     def by_differences(self, straight: SteadyMotion) -> Array:
         """Return A of the small motions in the whole state, by central differences of machine code."""
-        others, f = self._rates  # type: ignore[misc]
+        others, f = rates_of(self.equations)
         values = straight.parameters | straight.solved
         constants = [float(values[each]) for each in others]
         at = np.array([*straight.state.values()])
@@ -110,3 +106,26 @@ class Motorcycle:
             up, down = (at + sign * h * np.eye(len(at))[k] for sign in (1, -1))
             columns.append((f(*up, *constants) - f(*down, *constants)) / (2 * h))
         return np.column_stack(columns)
+
+
+@cache
+def rates_of(eqs: Equations) -> tuple[list[Expr], Callable[..., Array]]:
+    """Return the constants of the rates of the whole state, and their machine code."""
+    solved, states = forward_dynamics(eqs), list(eqs.system.states)
+    state = [*eqs.coordinates, *eqs.speeds, *states]
+    written = dict(zip(eqs.multipliers, solved.multipliers, strict=True))
+    rates = [eqs.state_rates[time_derivative(each)].subs(written) for each in states]
+    others = [*eqs.parameters, *eqs.inputs]
+    return others, lambdify([*state, *others], [*eqs.speeds, *solved.accelerations, *rates])
+
+
+LATERAL = ("y", "psi", "phi", "lamda", "gamma", "v", "delta", "zeta")
+"""The lateral coordinates of the flexible motorcycle."""
+
+
+@cache
+def flexible(speed: float) -> Motorcycle:
+    """Return the flexible motorcycle with the tyres at a speed; in symbols, it is one system at all speeds."""
+    model = flexible_motorcycle(speed)
+    first = model if speed == 40.0 else flexible(40.0).model
+    return Motorcycle(replace(model, system=first.system), LATERAL)

@@ -10,8 +10,8 @@ from numpy.testing import assert_allclose
 from numpy.typing import NDArray
 
 from symbody import Expr, models, newton_euler
-from symbody.models import ClassicSystem, flexible_motorcycle
-from tests.models.running import Motorcycle
+from symbody.models import ClassicSystem
+from tests.models.running import LATERAL, Motorcycle, flexible
 from tests.models.test_published import frequencies, linear
 from tests.reference.mechanisms.problem import reference
 
@@ -92,10 +92,9 @@ def stiffened(speed: float) -> Motorcycle:
     given |= {"Irx": rigid["Irx"] - 2.0, "Ipx": 1.0, "irwx": 1.0}  # rider and arm have a part of the frame's
     given |= {f"C{wheel}{k}": 0.0 for wheel in "rf" for k in (3, 4, 5)}
     given |= dict.fromkeys(("kv", "klambda", "kgamma", "kzeta"), 1e10)
-    model = flexible_motorcycle(speed)
+    model = flexible(speed).model
     parameters: dict[Expr, float] = model.parameters | {model[name]: each for name, each in given.items()}
-    lateral = ("y", "psi", "phi", "lamda", "gamma", "v", "delta", "zeta")
-    return Motorcycle(replace(model, parameters=parameters), lateral)
+    return Motorcycle(replace(model, parameters=parameters), LATERAL)
 
 
 @pytest.mark.parametrize("row", [1, 3, 5, 7])

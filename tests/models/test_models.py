@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import inspect
 import re
+import xml.etree.ElementTree as ET
 from collections.abc import Callable
+from typing import NamedTuple
 
 import pytest
 
+from scripts.gallery import PICTURES, picture
 from symbody import (
+    Equations,
     embedded,
     lagrange_equations,
     models,
@@ -24,17 +28,28 @@ Make = Callable[[], ClassicSystem]
 each = pytest.mark.parametrize("make", MODELS, ids=lambda make: make.__name__)
 
 
-@each
-def test_two_derivations_give_the_same_equations(make: Make) -> None:
-    system = make().system
-    assert newton_euler(system).residuals == lagrange_equations(system).residuals
+class Derived(NamedTuple):
+    """A model and its equations."""
+
+    make: Make
+    model: ClassicSystem
+    equations: Equations
 
 
-@each
-def test_it_moves_with_its_numbers(make: Make) -> None:
+@pytest.fixture(scope="module", params=MODELS, ids=lambda make: make.__name__)
+def derived(request: pytest.FixtureRequest) -> Derived:
+    """One model after the other: its tests share the equations and their machine code."""
+    model = request.param()
+    return Derived(request.param, model, newton_euler(model.system))
+
+
+def test_two_derivations_give_the_same_equations(derived: Derived) -> None:
+    assert derived.equations.residuals == lagrange_equations(derived.model.system).residuals
+
+
+def test_it_moves_with_its_numbers(derived: Derived) -> None:
     """A value that is missing or not used is an error or a notice, which fails here."""
-    model = make()
-    equations = newton_euler(model.system)
+    make, model, equations = derived
     assert set(equations.inputs) == set(model.inputs)
     motion = simulate(
         equations, model.parameters, model.initial, (0, 0.5), inputs=model.inputs, guess=model.guess
@@ -42,6 +57,17 @@ def test_it_moves_with_its_numbers(make: Make) -> None:
     assert motion.constraint_drift < 1e-9
     if make is not models.single_track_car:  # a drive without a name keeps its speed
         assert motion.energy_drift < 1e-6
+
+
+def test_pictures_show_the_bodies(derived: Derived) -> None:
+    name = derived.make.__name__
+    drawn = ET.fromstring(picture(name, derived.model, derived.equations))
+    stored = ET.fromstring((PICTURES / f"{name}.svg").read_text(encoding="utf-8"))
+    labels = [
+        [text.text for text in each.iter("{http://www.w3.org/2000/svg}text")] for each in (drawn, stored)
+    ]
+    assert labels[0] == labels[1]
+    assert {body.name for body in derived.model.system.bodies} <= {*labels[0]}
 
 
 @each

@@ -12,7 +12,7 @@ from scipy.optimize import brentq
 
 from symbody import SteadyMotion, ground, origin, project, resultant, simulate, time_derivative
 from symbody.models import flexible_motorcycle, motorcycle, touring_motorcycle
-from tests.models.running import Array, Motorcycle
+from tests.models.running import Array, Motorcycle, flexible
 from tests.reference.mechanisms.problem import reference
 
 SHARP = Motorcycle(motorcycle(), ("y", "psi", "phi", "delta"))
@@ -101,10 +101,6 @@ def test_numbers_of_the_motorcycle_are_those_of_sharp() -> None:
     straight = SHARP.moving(15.0)
     load = straight[SHARP.equations.multipliers[2]]
     assert load == pytest.approx(PUBLISHED["front_load_lbf"] * PUBLISHED["units"]["lbf"], rel=1e-2)
-
-
-def flexible(speed: float) -> Motorcycle:
-    return Motorcycle(flexible_motorcycle(speed), ("y", "psi", "phi", "lamda", "gamma", "v", "delta", "zeta"))
 
 
 MACHINES: dict[str, Callable[[float], Motorcycle]] = {
