@@ -112,3 +112,33 @@ def test_a_wall_has_names_of_its_sums_by_what_they_are() -> None:
         elif not row.startswith("constraint"):
             shown.append(parse(left, names) - parse(right, names))
     assert shown == [*equations.residuals]
+
+
+def test_short_entries_of_a_long_chain_are_read_and_long_ones_counted() -> None:
+    """Relative angles: large entries used up the work first, and the matrices filled eleven pages."""
+    angles = functions_of_time(" ".join(f"q{i}" for i in range(1, 10)))
+    frame, bodies = ground, []
+    for angle in angles:
+        frame = frame * rotate("Z", angle) * translate(0, -l, 0)
+        bodies.append(Body(frame, m))
+    form = newton_euler(System(bodies, [], angles, gravity=DOWN)).matrix_form()
+    text = form.description()
+    assert "    M69 = M96 = m*l**2*(1 + cos(q7 + q8 + q9) + cos(q8 + q9) + cos(q9))" in text
+    assert re.search(r"longer entries, with their lines: M11 \(\d+\), ", text)
+    assert "cos(q1)*" not in text  # of weight, found part by part
+    assert text.count("\n") < 70
+    assert form._repr_latex_() is None
+    assert form.description(whole=True).count("\n") > 200
+
+
+def test_weight_of_a_long_chain_has_sums_of_angles() -> None:
+    """It stood in rotations inside each other, of 140 operations and more."""
+    angles = functions_of_time(" ".join(f"q{i}" for i in range(1, 9)))
+    frame, bodies = ground, []
+    for angle in angles:
+        frame = frame * rotate("Z", angle) * translate(0, -l, 0)
+        bodies.append(Body(frame, m))
+    first = newton_euler(System(bodies, [], angles, gravity=DOWN)).display.page.balances[0]
+    weight = str(first.gravity[0])
+    assert weight.startswith("g*l*m*(8*sin(q1) + 7*sin(q1 + q2) + 6*sin(q1 + q2 + q3) + ")
+    assert weight.endswith(" + sin(q1 + q2 + q3 + q4 + q5 + q6 + q7 + q8))")

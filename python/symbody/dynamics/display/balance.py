@@ -198,11 +198,11 @@ def _gravity(
 ) -> list[tuple[Expr, ...]]:
     """Return the terms of weight, which are read by themselves, as inertia may use up all of a reader's work."""
     reader = reader_of(system, expressions)
-    return [_terms(part.gravity, reader) for part in parts]
+    return [() if part.gravity.is_zero else (reader.form_of_large(part.gravity),) for part in parts]
 
 
 def _read(matrix: Matrix, reader: Reader) -> Matrix:
-    n, entries = matrix.shape[1], [reader(entry) for entry in matrix.entries]
+    n, entries = matrix.shape[1], reader.all_of(matrix.entries)
     return Matrix([entries[start : start + n] for start in range(0, len(entries), n)])
 
 

@@ -8,7 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from textwrap import wrap
 
+from symbody.deferred import cached_property
 from symbody.errors import notify
 from symbody.multibody import System, Variables
 from symbody.symbolic import Expr, Matrix, diff, free_symbols, latex, number, zeros
@@ -16,6 +18,7 @@ from symbody.symbolic.expression.latex_layout import aligned, bmatrix, displayed
 from symbody.symbolic.expression.text_layout import LINE, lines
 from symbody.symbolic.given.arguments import brief
 
+from .abridged import PAGES
 from .balance import Balance
 from .causes import generalized_forces
 from .page import Page
@@ -23,6 +26,11 @@ from .reader_of import reader_of
 from .row import printed
 from .short_names import Definition, in_order_of_use, shortened
 
+_FEW = 3
+"""The lines of an entry up to which it is written out among many."""
+_ADVICE = """\
+Too long to be read at once. One entry: form.mass_matrix[0, 0], or form.coriolis[0, 0];
+all of the {count} lines: print(form.description(whole=True))."""
 _TWO_DIGITS = 10
 """Speeds from which on indices have two digits."""
 _NAMED = 3
@@ -67,15 +75,43 @@ class MatrixForm:
     named: tuple[tuple[Expr, Expr], ...] = ()
     named_loads: Matrix | None = None
 
-    def description(self) -> str:
+    def description(self, *, whole: bool = False) -> str:
         """Return the equation of matrices, and their entries other than zero line by line.
 
         Equal entries of M and of C stand on one line, and an opposite of an entry above is written as such. A matrix of
         whose name the model has a parameter is written with its arguments, ``M(q)``. Loads that have names are listed.
+        If all this fills more than two pages, short entries are returned, and how many lines the others have.
+
+        Args:
+            whole: whether all entries are written out, however many pages they fill.
         """
+        text = self._description
+        return text if whole or text.count("\n") <= PAGES else self._abridged(text.count("\n"))
+
+    @cached_property
+    def _description(self) -> str:
         definitions, rows = shortened(*self._rows())
         made = [*self._named_causes(), *(f"{name} := {value}" for name, value in definitions), *rows]
         return "\n".join([self._equation(), *(line for text in made for line in _indented(text))])
+
+    def _abridged(self, count: int) -> str:
+        """Return the entries that take few lines, the sizes of the others, and how to see these."""
+        value_of, shown, long = dict(self._labelled()), [*self._named_causes()], list[str]()
+        shown += [f"{name} := {value}" for name, value in self._printed([], "text")[0]]
+        for equal, right in self._entries():
+            row = f"{' = '.join(equal)} = "
+            known, texts = (
+                printed([value_of[right]], "text", self.system) if right in value_of else ([], [right])
+            )
+            size = sum(len(_indented(each)) for each in (*(value for _, value in known), row + texts[0]))
+            if known or size > _FEW:
+                long.append(f"{equal[0]} ({size})")
+            else:
+                shown.append(row + texts[0])
+        lines = [line for text in shown for line in _indented(text)]
+        others = wrap(f"longer entries, with their lines: {', '.join(long)}", LINE - 8)
+        advice = _ADVICE.format(count=count).splitlines()
+        return "\n".join([self._equation(), *lines, *(f"    {line}" for line in (*others, *advice))])
 
     def __repr__(self) -> str:
         return f"MatrixForm({self._equation()}, coordinates {brief(', '.join(map(str, self.system.coordinates)))})"
@@ -114,8 +150,8 @@ class MatrixForm:
             rows.append(f"{_bold(name)} &= {bmatrix(entries, matrix.shape[1])}")
         return aligned(rows)
 
-    def _repr_latex_(self) -> str:
-        return displayed(self.latex())
+    def _repr_latex_(self) -> str | None:
+        return displayed(self.latex()) if self._description.count("\n") <= PAGES else None
 
     def _matrices(self) -> list[tuple[str, Matrix]]:
         name = "C" if self.is_christoffel else "c"

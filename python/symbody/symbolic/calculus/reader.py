@@ -15,17 +15,21 @@ from .derivative import substitute
 from .difference import by_differences, with_differences
 from .fractions_outside import with_fractions_outside
 from .reading import is_divisor, levels, multiples_of_angles, nodes_of, parts_of, reading
-from .rewrite import factor_terms, simplify, textbook_form
+from .rewrite import factor_terms, short_form, simplify, textbook_form
 from .squares import squared_sums, with_squares
 from .standard_names import AS_GIVEN, StandardNames
 
 _LARGE = 100
 """Operations from which on an expression stays as it is: nobody reads it."""
+_PART_BY_PART = 400
+"""Operations up to which it is shortened part by part."""
 _TOTAL = 1800
 """Operations of all expressions together, after which only small ones are rewritten."""
 _SMALL = 20
 _EXPANDED = 40
 """Operations up to which `textbook_form` looks for the form from the expanded expression, too."""
+_LONGER = 2
+"""The length of a form of more operations than this, at most, in relation to that of the expression."""
 _OF_BODIES, _SHORT = 60, 35
 """Operations up to which, and characters from which on, a form with a term for each body is looked for."""
 _DIVIDED, _SAME = 0.95, 1.2
@@ -59,6 +63,14 @@ class Reader:
         self._distances: set[Expr] = set()
         self._read = 0
 
+    def all_of(self, expressions: Sequence[Expr]) -> list[Expr]:
+        """Return the forms of expressions; if they are more work than is done, short ones are read first."""
+        sizes = [cost(each).total for each in expressions]
+        order = range(len(expressions))
+        for k in sorted(order, key=sizes.__getitem__) if sum(sizes) > _TOTAL else order:
+            self(expressions[k])
+        return [self(each) for each in expressions]
+
     def __call__(self, expression: Expr) -> Expr:
         """Return the form for the reader."""
         return self._names.original(self._read_standard(self._names.standard(expression)))
@@ -73,6 +85,16 @@ class Reader:
     def form(self, expression: Expr) -> Expr:
         """Return the form for the reader of an expression by itself, which is read however long it is."""
         return self._names.original(textbook_form(self._names.standard(expression)))
+
+    def form_of_large(self, expression: Expr) -> Expr:
+        """Return the form for the reader; one that is too large to be read is at least shortened part by part.
+
+        So the sum of many angles is found in the weight of a long chain, whose rotations stand inside each other.
+        """
+        operations = cost(expression).total
+        if not _LARGE < operations <= _PART_BY_PART:
+            return self(expression)
+        return self._names.original(short_form(self._names.standard(expression)))
 
     def simplest_form(self, expression: Expr) -> Expr:
         """Return the same of its simplest form."""
@@ -99,6 +121,8 @@ class Reader:
             return expression
         self._read += operations
         form = textbook_form(expression)
+        if operations > _EXPANDED and _length(form) > _LONGER * _length(expression):
+            return short_form(expression)
         if operations > _EXPANDED >= cost(form).total:
             form = textbook_form(form)  # which is short enough now for all rules
         form = _with_factor_outside(self._by_bodies(expression, _by_signs(form), operations))
