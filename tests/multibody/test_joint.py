@@ -455,6 +455,40 @@ def test_an_expression_given_to_a_joint_that_closes_a_loop_is_none_of_its_coordi
             made.system([pushed])
 
 
+def test_the_parameter_of_a_curve_may_be_driven() -> None:
+    """On a parabola, by the acceleration (s'', 2 (s'^2 + s s'')) of the bead."""
+    s, bead = 0.1 * sin(t), Link("bead", 2)
+    wire = point_on_curve("W", ground, bead, curve=lambda s: (s, s**2, 0), axes="", coordinates=(s,))
+    system = assemble([wire]).system(gravity=Vector(ground, 0, -9.81, 0))
+    expected = (2 * s.diff(t, 2), 2 * ((s**2).diff(t, 2) + 9.81), 0)
+    assert all(
+        abs(float(subs(one - other, {t: 0.7}))) < 1e-12
+        for one, other in zip(reaction(system, "W").force.projected(ground).components, expected, strict=True)
+    )
+    doubled = point_on_curve("W", ground, bead, curve=lambda s: (s, s**2, 0), axes="", coordinates=(2 * x,))
+    assert assemble([doubled]).point(bead, 0, 0, 0).projected(ground).coordinates == (2 * x, 4 * x**2, 0)
+
+
+def test_a_driven_parameter_drives_the_loop_that_its_curve_closes() -> None:
+    """A Scotch yoke whose pin is driven along the slot: sin(phi) is the place of the pin over the crank."""
+    crank, yoke = Link("crank", 1, Iz=0.02), Link("yoke", 1)
+    slot = point_on_curve(
+        "W",
+        yoke,
+        crank,
+        curve=lambda s: (0, s, 0),
+        to=(0.2, 0, 0),
+        axes="Z",
+        coordinates=(0.1 * sin(t), x),
+        loop=True,
+    )
+    with pytest.warns(ModelNotice, match="so that its x is no coordinate of the mechanism; leave"):
+        made = assemble([revolute("A", ground, crank), prismatic("S", ground, yoke), slot])
+    phi, _ = made.coordinates
+    motion = simulate(newton_euler(made.system()), {}, {}, t=(0, 3), guess={made.coordinates[1]: 0.2})
+    assert motion[phi] == pytest.approx(np.arcsin(np.sin(motion.t) / 2), abs=1e-7)
+
+
 def test_a_plane_mechanism_in_an_inclined_plane_closes_by_two_conditions() -> None:
     tilted = rotate("X", alpha) * rotate("Y", 1)
     crank, rod, rocker = (Link(name, 1) for name in ("crank", "rod", "rocker"))

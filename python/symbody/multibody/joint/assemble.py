@@ -214,9 +214,10 @@ def _functions_in(coordinate: Expr) -> list[Expr]:
 
 
 def _report_idle_coordinates(joint: Joint) -> None:
-    if joint.are_given:
-        listed = ", ".join(map(str, joint.coordinates))
-        drives = [q for q in joint.coordinates if q.depends_on_time and not _functions_in(q)]
+    idle = [q for q in joint.coordinates if q not in joint.pair.keeps]
+    if joint.are_given and idle:
+        listed = ", ".join(map(str, idle))
+        drives = [q for q in idle if q.depends_on_time and not _functions_in(q)]
         driven = ", which doesn't drive it" if drives else ""
         notify(
             f"assemble: {joint} closes a loop, so that its {listed} is no coordinate of the mechanism{driven}; leave "

@@ -11,7 +11,7 @@ from symbody.errors import ExpressionError, JointError, ParameterError
 from symbody.geometry import Frame, Scalar, Vector, rotate, translate
 from symbody.geometry.component.triple import NULL, Triple, triple
 from symbody.geometry.given.argument import checked
-from symbody.symbolic import Expr, diff, dot3
+from symbody.symbolic import Expr, diff, dot3, subs, symbols
 from symbody.symbolic.given.arguments import brief, described
 
 from .axis import Axes
@@ -76,20 +76,24 @@ def point_on_curve(
     mounting = mounted("point_on_curve", name, (parent, child), at, to, loop=loop)
     joint = joined("point_on_curve", mounting, Track(letters), coordinates, limits)
     parameter = joint.coordinates[0]
+    variable = parameter if parameter.is_variable else symbols(f"s_{name}")
     given: object = curve
-    place = _point_of(where, given, parameter) if callable(given) else given
+    place = _point_of(where, given, variable) if callable(given) else given
     if not callable(given) or not isinstance(place, Sequence) or len(place) != 3:
         found = f"the curve gives {brief(place)}" if callable(given) else f"curve = {described(place)}"
         raise JointError(
             f"{where}: {found}; expected a function from the parameter to three coordinates, such as "
             "lambda s: (s, a*s**2, 0)"
         )
-    track = Track(letters, triple(*place), parameter)
-    if all(diff(each, parameter).is_zero for each in track.place):
+    place = triple(*place)
+    slope = tuple(diff(each, variable) for each in place)
+    if all(each.is_zero for each in slope):
         raise JointError(
-            f"{where}: the curve {brief(place)} doesn't depend on its parameter {parameter}; expected a function of "
+            f"{where}: the curve {brief(place)} doesn't depend on its parameter {variable}; expected a function of "
             "it, such as lambda s: (s, a*s**2, 0)"
         )
+    at_parameter = {variable: parameter}
+    track = Track(letters, subs(place, at_parameter), subs(slope, at_parameter), parameter)
     return replace(joint, pair=track)
 
 
@@ -113,8 +117,10 @@ def _point_of(where: str, curve: Callable[..., object], parameter: Expr) -> obje
 class Track(Pair):
     """A displacement along a curve, and rotations."""
 
-    def __init__(self, turns: str, place: Triple = NULL, parameter: Expr | None = None) -> None:
-        self.turns, self.place = turns, place
+    def __init__(
+        self, turns: str, place: Triple = NULL, slope: Triple = NULL, parameter: Expr | None = None
+    ) -> None:
+        self.turns, self.place, self.slope = turns, place, slope
         self.names = ("s", *ANGLES[len(turns)])
         self.keeps = () if parameter is None else (parameter,)
 
@@ -135,11 +141,8 @@ class Track(Pair):
 
     def _along(self, sides: Sides) -> Vector:
         """Return the vector whose product with the velocity of the point is s': the tangent r', by its square."""
-        (parameter,) = self.keeps
-        x, y, z = (diff(each, parameter) for each in self.place)
-        tangent = x, y, z
-        square = dot3(tangent, tangent)
-        axes = (sides.of_parent(k) * (each / square) for k, each in enumerate(tangent))
+        square = dot3(self.slope, self.slope)
+        axes = (sides.of_parent(k) * (each / square) for k, each in enumerate(self.slope))
         return sum(axes, start=sides.of_parent(0) * 0)
 
     def closures(self, sides: Sides) -> tuple[Closure, ...]:
