@@ -31,9 +31,11 @@ from symbody import (
     kane,
     lagrange_equations,
     newton_euler,
+    prismatic,
     project,
     revolute,
     rotate,
+    screw,
     simulate,
     simulate_many,
     sin,
@@ -594,3 +596,22 @@ def test_choices_are_those_apart_from_singular_positions() -> None:
     assert ", best 2, 4 or 6; not 1" in beside.choices
     for row, ratio in beside.ratios.items():
         assert ratio / 3 < flat.ratios[row] < 3 * ratio
+
+
+@pytest.mark.filterwarnings("ignore:System. constraint .* depends on constraint 1")
+@pytest.mark.parametrize("place", [(0.1, 0, 0), (0, 0.1, 0)])
+def test_conditions_whose_gradients_vanish_are_left_out(place: tuple[float, ...]) -> None:
+    """A nut on a differential screw is guided beside its axis: one of two offsets is least where it is closed.
+
+    With the pitches h, k of spindle and nut: ``(I + M h^2 + N (h - k)^2) phi'' = torque - (M h + N (h - k)) g``.
+    """
+    spindle, nut = Link("spindle", 1, 1e-3, 1e-3, 1e-3), Link("nut", 2, 1e-2, 1e-2, 1e-2)
+    turn = screw("S", ground, spindle, pitch=0.02)
+    guide = prismatic("P", ground, nut, axis="Z", at=place, to=place)
+    mechanism = assemble([turn, screw("N", spindle, nut, pitch=0.015), guide])
+    torque = Torque(ground, 0, 0, 0.3, on=mechanism.body(spindle))
+    equations = newton_euler(mechanism.system([torque], gravity=Vector(ground, 0, 0, -9.81)))
+    with pytest.warns(ModelNotice, match="P.about z.* wherever it moves, and are left out"):
+        motion = simulate(equations, {}, {}, t=(0, 1))
+    inertia, weight = 1e-3 + 0.02**2 + 2 * 0.005**2, (0.02 + 2 * 0.005) * 9.81
+    assert motion[turn.coordinate][-1] == pytest.approx((0.3 - weight) / inertia / 2, rel=1e-8)

@@ -294,7 +294,12 @@ def _least(places: Sequence[Array], removed: Sequence[int], count: int) -> float
 
 
 def _ratio(J: Array, count: int) -> float:
-    """Return the ratio of singular values, without as many of the smallest as there are redundant rows."""
+    """Return the ratio of singular values, without as many of the smallest as there are redundant rows.
+
+    It is zero of rows that vanish, such as those of conditions that are stationary wherever they are met.
+    """
     rank = len(J) - count
+    if not rank:
+        return 1.0
     s = np.linalg.svd(J, compute_uv=False)
-    return float(s[rank - 1] / s[0]) if rank else 1.0
+    return float(s[rank - 1] / s[0]) if s[0] > 0 else 0.0
