@@ -721,7 +721,7 @@ MISTAKES: list[Mistake] = [
         lambda: inverse_dynamics(cart(F**2), {x: time}, {m: 1}, (0, 1), unknowns=[F]),
         (
             "inverse_dynamics, unknowns: the equations of motion aren't linear in F; expected loads that are, "
-            "such as a force or its amplitude, and motors without a limit"
+            "such as a force, its amplitude or the effort of a motor"
         ),
     ),
     (

@@ -86,7 +86,7 @@ def point_on_curve(
             "lambda s: (s, a*s**2, 0)"
         )
     place = triple(*place)
-    slope = tuple(diff(each, variable) for each in place)
+    slope = triple(*(diff(each, variable) for each in place))
     if all(each.is_zero for each in slope):
         raise JointError(
             f"{where}: the curve {brief(place)} doesn't depend on its parameter {variable}; expected a function of "

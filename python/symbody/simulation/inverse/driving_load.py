@@ -18,6 +18,7 @@ from symbody.simulation.given.parameter import parameters_among
 from symbody.symbolic import Expr, Matrix, free_symbols, jacobian, number, substitute, t, time_derivative
 
 from .kinematic_analysis import Trajectory
+from .limited_drive import limited_drives
 
 __all__ = ["DrivingLoads", "driving_loads"]
 
@@ -59,8 +60,13 @@ class DrivingLoads:
 
     @cached_property
     def residuals(self) -> tuple[Expr, ...]:
-        """The residuals of the equations of motion, of time, coordinates, speeds and accelerations."""
-        return substitute_inputs(self.equations.system, self.given, self.equations.residuals)
+        """The residuals of the equations of motion, of time, coordinates, speeds and accelerations.
+
+        Efforts that are solved for are not cut off at the limits of their motors.
+        """
+        asked = {drive.given: drive.asked for drive in limited_drives(self.equations.system, self.loads)}
+        residuals = substitute(self.equations.residuals, asked) if asked else self.equations.residuals
+        return substitute_inputs(self.equations.system, self.given, residuals)
 
     @cached_property
     def parameters(self) -> tuple[Expr, ...]:
@@ -108,7 +114,7 @@ class DrivingLoads:
         if curved:
             raise ModelError(
                 f"{self.where}, unknowns: the equations of motion aren't linear in {', '.join(curved)}; expected "
-                "loads that are, such as a force or its amplitude, and motors without a limit"
+                "loads that are, such as a force, its amplitude or the effort of a motor"
             )
 
     def solution(

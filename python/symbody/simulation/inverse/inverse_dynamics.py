@@ -32,6 +32,7 @@ from symbody.symbolic.numeric.deficiency import reporting
 
 from .driven_motion import prescribed_motion, simulated_motion
 from .driving_load import driving_loads
+from .limited_drive import limited_drives, tell_passed_efforts
 from .states_along import Beside, StateRates, state_rates
 
 __all__ = ["InverseDynamics", "inverse_dynamics"]
@@ -194,7 +195,8 @@ def inverse_dynamics(
         unknowns: the symbols or functions of time in the loads that are solved for. By default, a generalised force
             along each prescribed coordinate, or each speed of a simulated motion, acts in addition to the loads. With
             an empty list, the multipliers alone balance the loads, as along a motion of `embedded` equations. A state
-            that is solved for does not follow its rate.
+            that is solved for does not follow its rate. The effort of a motor with a limit is found as if it had none,
+            and a notice tells where it passes the limit.
         inputs: expressions of time and state for the input functions of time.
         guess: coordinates near the first position, if they are not prescribed.
         initial: the values of states at the first instant, zero by default; a simulated motion has its own.
@@ -239,7 +241,7 @@ def inverse_dynamics(
     if not isinstance(motion, Motion):  # a simulation has told it
         known = {**driven.parameters, **positions, symbolic_time: driven.instants}
         tell_passed_limits(eqs.system, known, given, _WHERE)
-    return InverseDynamics(
+    found = InverseDynamics(
         eqs.system,
         driven.instants,
         driven.trajectory.coordinates,
@@ -251,6 +253,8 @@ def inverse_dynamics(
         given,
         dict(zip(rates.states, driven.trajectory.states.T, strict=True)),
     )
+    tell_passed_efforts(limited_drives(eqs.system, loads), found.t, found.evaluate, _WHERE)
+    return found
 
 
 def _beside(
