@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.worksheet.printed_by import printed
+from tests.worksheet.printed_by import failures, printed
 
 CASES = {
     "displays": (
@@ -100,6 +100,50 @@ CASES = {
         "Matrix(2); Vector(2); Matrix(1,2,[[a]]); vector([a,b]);",
         ["Matrix([[0, 0], [0, 0]])", "Vector[column]([[0], [0]])", "Matrix([[a, 0]])", "vector([a, b])"],
     ),
+    "shapes": (
+        (
+            "Matrix(3,shape=diagonal,[a,b,c]); Matrix(<a,b>,shape=diagonal); Matrix(2,2,[a,b],scan=diagonal); "
+            "Matrix(2,{(1,1)=a,(1,2)=b},shape=symmetric); Matrix(2,{(1,2)=b},shape=antisymmetric); "
+            "Matrix(2,(i,j)->i+j,shape=triangular[upper]); array(identity,1..2,1..2); "
+            "array(symmetric,1..2,1..2,[(1,2)=b]);"
+        ),
+        [
+            "Matrix([[a, 0, 0], [0, b, 0], [0, 0, c]])",
+            "Matrix([[a, 0], [0, b]])",
+            "Matrix([[a, 0], [0, b]])",
+            "Matrix([[a, b], [b, 0]])",
+            "Matrix([[0, b], [-b, 0]])",
+            "Matrix([[2, 3], [0, 4]])",
+            "matrix([[1, 0], [0, 1]])",
+            "matrix([[?[1,1], b], [b, ?[2,2]]])",
+        ],
+    ),
+    "blocks": (
+        (
+            "A := <<a|b>,<c|d>>: v := <x,y>: Matrix([[A,v],[<0|0>,1]]); Matrix([v,A]); Matrix([<1|2>,<3|4>]); "
+            "<<A|v>,<v[1]|0|1>>;"
+        ),
+        [
+            "Matrix([[a, b, x], [c, d, y], [0, 0, 1]])",
+            "Matrix([[x, a, b], [y, c, d]])",
+            "Matrix([[1, 2], [3, 4]])",
+            "Matrix([[a, b, x], [c, d, y], [x, 0, 1]])",
+        ],
+    ),
+    "sizes, places and directions": (
+        (
+            "Matrix(2,[a,b]); Vector[row](3,i->i^2); Vector(2,[a,b],orientation=row); Vector(3,{2=a}); "
+            "Vector(2,[(1)=a]); convert([a,b],Vector[row]);"
+        ),
+        [
+            "Matrix([[a, b], [0, 0]])",
+            "Vector[row]([1, 4, 9])",
+            "Vector[row]([a, b])",
+            "Vector[column]([[0], [a], [0]])",
+            "Vector[column]([[a], [0]])",
+            "Vector[row]([a, b])",
+        ],
+    ),
     "sums with scalars": (
         "2*<a,b>+<c,d>; <a,b>/2;",
         ["Vector[column]([[2*a+c], [2*b+d]])", "Vector[column]([[1/2*a], [1/2*b]])"],
@@ -110,3 +154,12 @@ CASES = {
 @pytest.mark.parametrize(("sheet", "expected"), CASES.values(), ids=CASES.keys())
 def test_matrices(sheet: str, expected: list[str]) -> None:
     assert printed(sheet) == expected
+
+
+def test_parts_that_do_not_fit_are_told() -> None:
+    assert failures("<<1,2>|<3,4,5>>; <<1|2>,<3|4|5>>; Vector(2,{3=a}); Vector(2,{a});") == [
+        "Matrix: parts of 2 and 3 rows side by side; expected as many rows in each",
+        "Matrix: parts of 2 and 3 columns below each other; expected as many columns in each",
+        "Vector: the place 3 is outside of 1 .. 2",
+        "Vector: the entry a; expected one such as (1) = a",
+    ]

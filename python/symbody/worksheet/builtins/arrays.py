@@ -1,4 +1,4 @@
-"""Matrices and vectors that are made: of displays, of lists, of functions, of both kinds."""
+"""Matrices and vectors that are made: of lists, of functions, of both kinds."""
 
 from __future__ import annotations
 
@@ -6,6 +6,8 @@ from dataclasses import replace
 
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, number
+from symbody.worksheet.builtins.blocks import of_blocks
+from symbody.worksheet.builtins.shapes import on_diagonal, shaped
 from symbody.worksheet.evaluation.session import Command, Session
 from symbody.worksheet.values.numeric import as_integer
 from symbody.worksheet.values.value import (
@@ -19,7 +21,7 @@ from symbody.worksheet.values.value import (
     Value,
 )
 
-__all__ = ["COMMANDS", "array_of", "filled", "from_columns", "from_rows"]
+__all__ = ["COMMANDS", "array_of", "filled"]
 
 
 def array_of(session: Session, value: Value, where: str) -> Array:
@@ -43,41 +45,6 @@ def _of_rows(session: Session, value: Listed, kind: str) -> Array:
     return Array(len(rows), columns, entries, kind)
 
 
-# --- displays ---------------------------------------------------------------------------------------------------------
-
-
-def from_columns(session: Session, items: tuple[Value, ...]) -> Value:
-    """Return ``<a, b>``: a column; of rows, a matrix."""
-    parts = [session.resolve(each) for each in items]
-    if any(isinstance(each, Array) for each in parts):
-        arrays = [each if isinstance(each, Array) else Array(1, 1, [each]) for each in parts]
-        columns = arrays[0].columns
-        entries = [session.current(entry) for each in arrays for entry in each.entries]
-        rows = len(entries) // columns if columns else 0
-        return Array(rows, columns, entries, "Vector" if columns == 1 else "Matrix")
-    flat = [
-        each for part in parts for each in (part.items if isinstance(part, Listed | Sequence) else (part,))
-    ]
-    flat = [items[i] for i in range(len(items))] if len(flat) == len(items) else flat
-    return Array(len(flat), 1, list(flat), "Vector")
-
-
-def from_rows(session: Session, items: tuple[Value, ...]) -> Value:
-    """Return ``<a | b>``: a row; of columns, a matrix."""
-    parts = [session.resolve(each) for each in items]
-    if not any(isinstance(each, Array) for each in parts):
-        return Array(1, len(items), list(items), "RowVector")
-    arrays = [each if isinstance(each, Array) else Array(1, 1, [each]) for each in parts]
-    rows = arrays[0].rows
-    entries = [
-        session.current(each.entries[i * each.columns + j])
-        for i in range(rows)
-        for each in arrays
-        for j in range(each.columns)
-    ]
-    return Array(rows, sum(each.columns for each in arrays), entries, "Matrix")
-
-
 # --- constructors -----------------------------------------------------------------------------------------------------
 
 
@@ -86,6 +53,7 @@ def _matrix_command(kind: str) -> Command:
         settings = [each for each in arguments if isinstance(each, Relation) and each.operator == "="]
         attributes = _attributes(settings)
         shape = next((_word(each.right) for each in settings if _option(each) == "shape"), "")
+        scan = next((_word(each.right) for each in settings if _option(each) == "scan"), "")
         if shape not in ("", "identity", "diagonal", "rectangular"):
             session.notices.append(
                 f"{kind}: the shape {shape} is not kept; each entry holds what is assigned to it"
@@ -103,8 +71,11 @@ def _matrix_command(kind: str) -> Command:
             columns = sizes[1] if len(sizes) > 1 else rows
             made = filled(session, rows, columns, None, kind)
             made = made if fill is None else replace(made, entries=[fill] * len(made.entries))
-            return _shaped(made, shape, fill)
-        made = _shaped(_from_content(session, sizes, rest[0], kind), shape, fill)
+            return shaped(made, shape, fill)
+        content = on_diagonal(session, rest[0], kind) if "diagonal" in (shape, scan) else None
+        made = shaped(
+            _from_content(session, sizes, rest[0] if content is None else content, kind), shape, fill
+        )
         return replace(made, attributes=attributes) if attributes else made
 
     return command
@@ -112,21 +83,6 @@ def _matrix_command(kind: str) -> Command:
 
 def _word(value: Value) -> str:
     return getattr(value, "name", "") if isinstance(value, Expr | Reference) else ""
-
-
-def _shaped(array: Array, shape: str, fill: Value | None) -> Array:
-    """Return a matrix of shape ``identity`` or ``diagonal``; other shapes only tell how Maple stores it."""
-    if shape not in ("identity", "diagonal"):
-        return array
-    diagonal = number(1) if shape == "identity" else fill
-    entries = list(array.entries)
-    for place in range(len(entries)):
-        row, column = divmod(place, array.columns)
-        if row != column:
-            entries[place] = number(0)
-        elif diagonal is not None:
-            entries[place] = diagonal
-    return replace(array, entries=entries)
 
 
 def _placed(session: Session, sizes: list[int], content: MapleSet, kind: str) -> Array:
@@ -171,6 +127,9 @@ def _from_content(session: Session, sizes: list[int], content: Value, kind: str)
     found = session.resolve(content)
     if isinstance(found, MapleSet):
         return _placed(session, sizes, found, kind)
+    blocks = of_blocks(session, found) if isinstance(found, Listed) and kind == "Matrix" else None
+    if blocks is not None:
+        return _sized(replace(blocks, kind=kind), sizes, kind)
     if isinstance(found, Listed) and any(isinstance(each, Listed) for each in found.items):
         return _sized(_of_rows(session, found, kind), sizes, kind)
     if isinstance(found, Array):
@@ -182,11 +141,9 @@ def _from_content(session: Session, sizes: list[int], content: Value, kind: str)
             _check_count(kind, len(found.items), sizes)
             entries = list(found.items) + [number(0)] * (sizes[0] * sizes[1] - len(found.items))
             return Array(sizes[0], sizes[1], entries[: sizes[0] * sizes[1]], kind)
-        return (
-            Array(1, len(found.items), list(found.items), kind)
-            if kind == "Matrix"
-            else _of_rows(session, found, kind)
-        )
+        if kind != "Matrix":
+            return _of_rows(session, found, kind)
+        return _sized(Array(1, len(found.items), list(found.items), kind), sizes, kind)
     rows = sizes[0] if sizes else 1
     return filled(session, rows, sizes[1] if len(sizes) > 1 else rows, content, kind)
 
@@ -248,10 +205,13 @@ def filled(
 def _vector_command(kind: str) -> Command:
     def command(session: Session, *arguments: Value) -> Value:
         items: list[Value] | None = None
+        placed: Value | None = None
         size, content, shape = None, None, kind
         for argument in arguments:
             found = session.resolve(argument)
-            if isinstance(found, Listed | Sequence | MapleSet):
+            if isinstance(found, MapleSet) or _are_placed(found):
+                placed = found
+            elif isinstance(found, Listed | Sequence):
                 items = list(found.items)
             elif isinstance(found, Array):
                 items = [session.current(each) for each in found.entries]
@@ -263,10 +223,14 @@ def _vector_command(kind: str) -> Command:
                 and argument.name in ("row", "column")
             ):
                 shape = "RowVector" if argument.name == "row" else kind
+            elif isinstance(argument, Relation) and _option(argument) == "orientation":
+                shape = "RowVector" if _word(argument.right) == "row" else kind
             elif isinstance(argument, Relation):
                 content = _content_of_option(session, argument, content)
             else:
                 content = argument
+        if isinstance(placed, MapleSet | Listed):
+            items = _at_places(session, placed.items, size or 0, kind)
         if items is None:
             made = filled(session, size or 0, 1, content, shape)
             items = list(made.entries)
@@ -278,6 +242,29 @@ def _vector_command(kind: str) -> Command:
         )
 
     return command
+
+
+def _are_placed(value: Value) -> bool:
+    """Whether a list names the places of entries: ``[(1) = a]``."""
+    items = value.items if isinstance(value, Listed) else ()
+    return bool(items) and all(
+        isinstance(each, Relation) and each.operator == "=" and as_integer(each.left) is not None
+        for each in items
+    )
+
+
+def _at_places(session: Session, items: tuple[Value, ...], size: int, kind: str) -> list[Value]:
+    """Return zeros and the entries that equations name: ``{(1) = a, (2) = b}``."""
+    session.limits.check_items(size)
+    entries: list[Value] = [number(0)] * size
+    for each in items:
+        place = as_integer(each.left) if isinstance(each, Relation) else None
+        if not isinstance(each, Relation) or place is None:
+            raise WorksheetError(f"{kind}: the entry {session.text(each)}; expected one such as (1) = a")
+        if not 1 <= place <= size:
+            raise WorksheetError(f"{kind}: the place {place} is outside of 1 .. {size}")
+        entries[place - 1] = each.right
+    return entries
 
 
 def _content_of_option(session: Session, option: Relation, content: Value | None) -> Value | None:

@@ -7,6 +7,7 @@ from dataclasses import replace
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, number
 from symbody.worksheet.builtins.arrays import filled
+from symbody.worksheet.builtins.shapes import shaped
 from symbody.worksheet.evaluation.session import Command, Session
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.numeric import as_integer
@@ -24,6 +25,7 @@ from symbody.worksheet.values.value import (
 
 __all__ = ["COMMANDS"]
 
+_SHAPES = frozenset({"sparse", "identity", "diagonal", "symmetric", "antisymmetric"})
 _IGNORED = frozenset({"datatype", "order", "storage", "attributes", "readonly", "sparse"})
 
 
@@ -56,7 +58,9 @@ def _made(session: Session, where: str, arguments: tuple[Value, ...]) -> Value:
         return Table()
     if len(bounds) > 2:
         return _of_many_indices(session, where, bounds, content, default)
-    return _with_bounds(session, where, bounds, content, default)
+    made = _with_bounds(session, where, bounds, content, default)
+    shape = next((str(each) for each in rest if isinstance(each, Expr) and str(each) in _SHAPES), "")
+    return shaped(made, shape, None)
 
 
 def _bounds(session: Session, where: str, given: Range) -> tuple[int, int]:
@@ -78,12 +82,8 @@ def _content(session: Session, where: str, rest: list[Value]) -> tuple[Value | N
                 default = each.right
             elif name not in _IGNORED:
                 raise WorksheetError(f"{where}: the option {name}; expected fill = .., or datatype = ..")
-        elif (
-            isinstance(each, Expr)
-            and each.kind == "symbol"
-            and each.name in ("sparse", "identity", "symmetric")
-        ):
-            default = number(0) if each.name == "sparse" else default
+        elif isinstance(each, Expr) and each.kind == "symbol" and each.name in _SHAPES:
+            default = default if each.name == "symmetric" else number(0)
         else:
             content = each
     return content, default

@@ -135,6 +135,8 @@ def _to_name(session: Session, value: Value, *options: Value) -> Value:
 def _to_matrix(kind: str) -> Command:
     def conversion(session: Session, value: Value, *options: Value) -> Value:
         array = array_of(session, value, "convert")
+        if kind == "RowVector":
+            return Array(1, len(array.entries), array.entries, kind)
         if "ector" in kind:
             return Array(len(array.entries), 1, array.entries, kind)
         return replace(array, kind=kind)
@@ -233,6 +235,8 @@ _CONVERSIONS: dict[str, Command] = {
     "Matrix": _to_matrix("Matrix"),
     "matrix": _to_matrix("matrix"),
     "Vector": _to_matrix("Vector"),
+    "Vector[column]": _to_matrix("Vector"),
+    "Vector[row]": _to_matrix("RowVector"),
     "vector": _to_matrix("vector"),
     "array": _to_matrix("matrix"),
     "table": _to_table,

@@ -8,7 +8,8 @@ from dataclasses import replace
 from symbody.errors import WorksheetError
 from symbody.symbolic import Abs, Expr, Matrix, jacobian, number, sqrt
 from symbody.worksheet.builtins import arrays
-from symbody.worksheet.builtins.arrays import array_of, filled, from_columns, from_rows
+from symbody.worksheet.builtins.arrays import array_of, filled
+from symbody.worksheet.builtins.blocks import from_columns, from_rows
 from symbody.worksheet.builtins.row_echelon import solved
 from symbody.worksheet.evaluation.arithmetic import (
     binary,

@@ -169,6 +169,9 @@ def _named_call(session: Session, name: str, arguments: tuple[Value, ...]) -> Va
     if name.startswith("evalf["):
         base, (digits,) = session.indexed[name]
         return session.call(symbol(base), (*arguments, digits))
+    if name.startswith("Vector["):
+        base, (kind,) = session.indexed[name]
+        return session.call(symbol(base), (kind, *arguments))
     if name.startswith("log[") and len(arguments) == 1:
         above, below = (session.call(symbol("ln"), (each,)) for each in (arguments[0], _base(session, name)))
         return arithmetic.binary(session, "/", above, below)

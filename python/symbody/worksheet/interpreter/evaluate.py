@@ -8,7 +8,7 @@ from typing import Any
 
 from symbody.errors import SymbodyError, WorksheetError
 from symbody.symbolic import Expr
-from symbody.worksheet.builtins.arrays import from_columns, from_rows
+from symbody.worksheet.builtins.blocks import from_columns, from_rows
 from symbody.worksheet.evaluation import arithmetic
 from symbody.worksheet.evaluation.assumptions import under
 from symbody.worksheet.evaluation.current import set_of
