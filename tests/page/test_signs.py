@@ -10,6 +10,7 @@ import pytest
 from symbody import (
     Body,
     Expr,
+    Force,
     Matrix,
     System,
     Vector,
@@ -88,3 +89,12 @@ FIXED = [a * b**2 / 2 + b**2 / r**2 + m, a * sin(u) * cos(k) + a * cos(u) * sin(
 def test_what_is_readable_stays_as_it_is(given: Expr) -> None:
     form = readable(given)
     assert str(readable(form)) == str(form)
+
+
+def test_positive_factors_stand_outside_of_absolute_values() -> None:
+    """`Abs(a*b*x)/b**2` stood for `a*Abs(x)/b`."""
+    (a, b), c, x = symbols("a b", positive=True), symbols("c"), functions_of_time("x")
+    slider = Body(translate(x, 0, 0), 1)
+    drag = Force(ground, -abs(c * a / b * x), 0, 0, at=slider.center_of_mass, on=slider)
+    shown = describe(newton_euler(System([slider], [drag], [x])))
+    assert shown.splitlines()[1].strip() == "x'' + a*Abs(c*x)/b = 0"

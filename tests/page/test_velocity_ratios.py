@@ -192,6 +192,29 @@ def test_conditions_that_no_row_needs_are_not_shown() -> None:
     ]
 
 
+def test_a_mechanism_without_quotients_is_written_out() -> None:
+    """A Scotch yoke has no dead centre: ``K_s = -r sin(phi)`` needs no name."""
+    angle, slide = functions_of_time("phi s")
+    crank, yoke = Body(rotate("Z", angle), 0, Iz=J), Body(translate(slide, 0, 0), m)
+    system = System([crank, yoke], coordinates=[angle, slide], constraints=[slide - r * cos(angle)])
+    assert rows(embedded(newton_euler(system), [time_derivative(angle)])) == [
+        "(J + m*r**2*sin(phi)**2)*phi'' + m*r**2*sin(phi)*cos(phi)*phi'**2 = 0",
+        "kinematics: s' = -r*sin(phi)*phi'",
+    ]
+
+
+def test_divisors_of_names_are_short() -> None:
+    """The slotted lever of a shaper: L was divided by ``s*sin(phi)**2 + s*cos(phi)**2``, which is s."""
+    crank, lever, slide = functions_of_time("theta phi s")
+    bodies = [Body(rotate("Z", crank), 0, Iz=I), Body(rotate("Z", lever), 0, Iz=J)]
+    closed = [r * cos(crank) - slide * cos(lever), r * sin(crank) + b - slide * sin(lever)]
+    shaper = System(bodies, coordinates=[crank, lever, slide], constraints=closed)
+    equations = embedded(newton_euler(shaper), [time_derivative(crank)])
+    assert rows(equations)[0] == "K_phi := r*cos(theta - phi)/s"
+    assert "L_phi := -(2*K_phi*K_s + r*sin(theta - phi))/s" in rows(equations)
+    assert residuals(equations) == [*equations.residuals]
+
+
 def test_short_equations_have_none() -> None:
     """As of a bead whose height its place gives: `m*(1 + x**2/y**2)*x''` needs no name."""
     place, height = functions_of_time("x y")

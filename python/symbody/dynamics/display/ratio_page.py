@@ -7,6 +7,7 @@ from itertools import product
 
 from symbody.multibody import Variables
 from symbody.symbolic import Expr, Matrix, diff, number, substitute, time_derivative
+from symbody.symbolic.calculus.reading import is_divisor, nodes_of
 
 from .balance import Balance
 from .page import Page
@@ -14,7 +15,8 @@ from .reader_of import reader_of
 from .velocity_ratio import VelocityRatios, velocity_ratios
 
 _LONGER = 1.25
-"""The length with velocity ratios, at most, in relation to that without, of mechanisms; wheels and blades have less."""
+"""The length with velocity ratios, at most, in relation to that without, of mechanisms that may come to a dead centre;
+those without quotients, wheels and blades have less."""
 _SHORTER = 0.8
 """The length of the form of a sum, at most, in relation to its terms, each with the mass of a body."""
 _DEFINED = len("     := ")
@@ -45,9 +47,10 @@ def page_of_ratios(
 def better_page(page: Page, by_ratios: Page) -> Page:
     """Return the page by velocity ratios unless that without is much shorter, as it has quotients in quotients."""
     system = by_ratios.system
-    most = _LONGER if system.eliminated_constraints else 1
+    is_mechanism = system.eliminated_constraints and any(map(_is_quotient, dict(by_ratios.named).values()))
+    most, order = (_LONGER, 1) if is_mechanism else (1, 2)
     length = reader_of(system, further=[name for name, _ in by_ratios.named]).length
-    return by_ratios if _size(by_ratios, length) < most * _size(page, length) else page
+    return by_ratios if _size(by_ratios, length, order) < most * _size(page, length, order) else page
 
 
 class _Rows:
@@ -163,12 +166,14 @@ def _degree(term: Expr, v: Expr) -> int:
     return 0
 
 
-def _size(page: Page, length: Callable[[Expr], int]) -> int:
-    """Return the characters of the rows, of what names stand for, and of the kinematics on the level of speeds."""
+def _size(page: Page, length: Callable[[Expr], int], order: int) -> int:
+    """Return the characters of the rows, of what names stand for, and of rates up to an order: speeds have 1."""
     rows = [term for balance in page.balances for term in (*balance.left, *balance.right)]
-    pairs = [*page.named, *(pair for pair in page.rates if pair[0].order < _SECOND)]
+    pairs = [*page.named, *(pair for pair in page.rates if pair[0].order <= order)]
     return sum(map(length, rows)) + sum(length(name) + _DEFINED + length(value) for name, value in pairs)
 
 
-_SECOND = 2
-"""The order of accelerations."""
+def _is_quotient(form: Expr) -> bool:
+    """Return whether something that moves stands in a divisor."""
+    divisors = (node.args[0] for node in nodes_of(form) if is_divisor(node))
+    return any(leaf.kind == "time_function" for each in divisors for leaf in each.free_symbols)

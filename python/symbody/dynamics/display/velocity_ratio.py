@@ -233,7 +233,8 @@ def _rates(expressions: Sequence[Expr], system: Variables) -> tuple[Expr, ...]:
 def _entered(reader: Reader, name: Expr, values: Iterable[Expr], named: list[tuple[Expr, Expr]]) -> Expr:
     """Return a name for the shortest form of a value, and enter it; the form itself if it is short or constant."""
     forms = [form for each in values for form in (each, reader(each))]
-    value = min(forms, key=reader.length)
+    # In standard names, a divisor such as s*sin(q)**2 + s*cos(q)**2 is s: of equal lengths, the shorter text is taken.
+    value = min(forms, key=lambda form: (reader.length(form), len(str(form))))
     most = _PLAIN if any(leaf.kind == "time_function" for leaf in value.free_symbols) else _CONSTANT
     if reader.length(value) <= most:
         return value

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
 from symbody.symbolic._core import Expr, number
-from symbody.symbolic.expression.functions import sign
+from symbody.symbolic.expression.functions import Abs, sign
 from symbody.symbolic.expression.traverse import post_order
 
 from .by_parameters import by_lengths, by_parameters
@@ -125,7 +125,9 @@ class Reader:
             return short_form(expression)
         if operations > _EXPANDED >= cost(form).total:
             form = textbook_form(form)  # which is short enough now for all rules
-        form = _with_factor_outside(self._by_bodies(expression, _by_signs(form), operations))
+        form = _with_factor_outside(
+            self._by_bodies(expression, _by_signs(_with_positive_outside(form)), operations)
+        )
         shorter, used = by_differences(expression, self._differences)
         if used:
             other = with_differences(textbook_form(shorter), used)
@@ -208,6 +210,31 @@ def _by_signs(form: Expr) -> Expr:
     (found,) = substitute([form], {size: sign(size.args[0]) * size.args[0] for size in sizes})
     found = textbook_form(found)
     return found if found == form and _length(found) < _length(form) else form
+
+
+def _with_positive_outside(form: Expr) -> Expr:
+    """Return a form with positive factors outside of absolute values: ``a*Abs(x)/b`` for ``Abs(a*b*x)/b**2``."""
+    nodes = post_order([form], lambda node: node.args, lambda node: node.id)
+    sizes = {node: node.args[0] for node in nodes if node.kind == "function" and node.name == "Abs"}
+    apart = {
+        size: _apart(parts_of(inner, "product")) for size, inner in sizes.items() if inner.kind == "product"
+    }
+    if not apart:
+        return form
+    (found,) = substitute([form], apart)
+    return found if found == form and _length(found) < _length(form) else form
+
+
+def _apart(factors: Sequence[Expr]) -> Expr:
+    """Return the absolute value of a product, with positive parameters outside."""
+    outside, within = number(1), number(1)
+    for factor in factors:
+        base = factor.args[0] if factor.kind == "power" else factor
+        if base.kind == "symbol" and base.assumption == "positive":
+            outside *= factor
+        else:
+            within *= factor
+    return outside * Abs(within)
 
 
 def _length(form: Expr) -> int:
