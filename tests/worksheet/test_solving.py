@@ -70,6 +70,10 @@ CASES = {
         ),
         ["0, 2/3*Pi", "0, ln(2)", "1/3*Pi, -1/3*Pi", "1/2*Pi, 1/3*Pi"],
     ),
+    "a loop without sines of its angle": (
+        "s := [solve({x-l*cos(p)-r*cos(q), l*sin(p)-r*sin(q)},{x,p})]: subs(s[1],x), subs(s[2],x);",
+        ["r*cos(q)+l*(1-r^2*sin(q)^2/l^2)^(1/2), r*cos(q)-l*(1-r^2*sin(q)^2/l^2)^(1/2)"],
+    ),
     "free unknowns": (
         "solve({x+y=1},{x,y});",
         ["{x = 1-y, y = y}"],

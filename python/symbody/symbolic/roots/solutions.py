@@ -126,13 +126,24 @@ def _holds(e: Expr, x: Expr) -> bool:
 def _continued(equations: Sequence[Expr], unknowns: Sequence[Expr], values: Solution) -> list[Solution]:
     """Return the solutions of further equations with some unknowns known."""
     held = frozenset(unknowns)
-    rest = [numerator(each, held) for each in substitute(tuple(equations), values)]
+    rest = [numerator(each, held) for each in substitute(tuple(equations), _with_directions(values))]
     others = [x for x in unknowns if x not in values]
     result = []
     for found in _solved(rest, others):
-        known = {x: substitute((value,), found)[0] for x, value in values.items()}
+        known = {x: substitute((value,), _with_directions(found))[0] for x, value in values.items()}
         result.append({**known, **found})
     return result
+
+
+def _with_directions(values: Solution) -> Solution:
+    """Return values with the sines and cosines of the angles among them: no ``cos(atan2(s, c))`` is to be undone."""
+    found = dict(values)
+    for x, value in values.items():
+        if value.kind == "function" and value.name == "atan2":
+            s, c = value.args
+            if (s**2 + c**2 - 1).is_zero:
+                found |= {sin(x): s, cos(x): c}
+    return found
 
 
 def _one_unknown(
