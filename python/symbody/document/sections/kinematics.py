@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from symbody.document.document import Block, Heading, prose
 from symbody.document.formula import equalities, listed
 from symbody.document.subject import Subject
 from symbody.dynamics.display.page import shorter
 from symbody.dynamics.display.reader_of import reader_of
-from symbody.symbolic import latex
+from symbody.symbolic import Expr, latex
 from symbody.symbolic.given.arguments import counted
 
 
@@ -28,18 +30,25 @@ def kinematics(subject: Subject) -> list[Block]:
     if rates:
         lead = prose(f"The rates of the coordinates, by the {'momenta' if system.momenta else 'speeds'}, are")
         values = [*rates.values()]
-        if system.eliminated and not subject.is_large:  # what constraints give is as long as their solution
-            reader = reader_of(system)
-            values = [shorter(each, reader) for each in values]
-        blocks += equalities(lead, [*map(latex, rates)], values)
+        if system.eliminated:  # what constraints give is as long as their solution
+            values = _shortest(values, subject)
+        blocks += equalities(lead, [*map(latex, rates)], values, system if system.eliminated else None)
     if system.constraints:
-        multipliers = listed(system.multipliers)
-        lead = prose("The constraints, whose multipliers are ", *multipliers, ", are")
-        reader = reader_of(system)
-        constraints = [each if subject.is_large else shorter(each, reader) for each in system.constraints]
-        blocks += equalities(lead, ["0"] * len(constraints), constraints, system)
+        lead = prose("The constraints, whose multipliers are ", *listed(system.multipliers), ", are")
+        blocks += equalities(
+            lead, ["0"] * len(system.constraints), _shortest(system.constraints, subject), system
+        )
+    if kept := system.eliminated_constraints:
+        lead = prose("The constraints on positions, which the equations keep, are")
+        blocks += equalities(lead, ["0"] * len(kept), _shortest(kept, subject), system)
     blocks += _centres(subject)
     return blocks
+
+
+def _shortest(expressions: Sequence[Expr], subject: Subject) -> list[Expr]:
+    """Return expressions in their shortest forms; of a large system, as they are."""
+    reader = reader_of(subject.system)
+    return [each if subject.is_large else shorter(each, reader) for each in expressions]
 
 
 def _freedom(subject: Subject) -> str:
