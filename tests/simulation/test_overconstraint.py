@@ -54,6 +54,7 @@ a, b, c, x, y, theta, s = functions_of_time("a b c x y theta s")
 VALUES = {m: 1, l: 0.5, g: 9.81, d: 0.4}
 
 
+@cache
 def parallel_cranks(*, drops: int) -> Equations:
     """Three cranks of one length that carry a coupler, and a pendulum on it; the last constraints are left out."""
     plate = translate(x, y, 0) * rotate("Z", theta)
@@ -217,6 +218,15 @@ def bricard(kept: Sequence[int]) -> System:
 BRICARDS = {m: 1, l: 1, g: 9.81}
 
 
+@cache
+def bricards_equations(*kept: int) -> Equations:
+    """Return the equations with some of the constraints, derived once for all tests."""
+    return quietly(newton_euler, bricard(kept))
+
+
+ALL, FOUR, OTHER_FOUR = (0, 1, 2, 3, 4), (0, 1, 2, 4), (1, 2, 3, 4)
+
+
 def test_an_overconstrained_mechanism_is_told_what_to_leave_out() -> None:
     with pytest.warns(ModelNotice) as noted:
         newton_euler(bricard(range(5)))
@@ -244,7 +254,7 @@ METHODS = {
 
 @cache
 def by_four_constraints() -> Motion:
-    equations = newton_euler(bricard([0, 1, 2, 4]))
+    equations = bricards_equations(*FOUR)
     return simulate(equations, BRICARDS, {BRICARD[0]: 0.0}, t=(0, 3), rtol=1e-10, atol=1e-12)
 
 
@@ -253,7 +263,7 @@ def test_all_five_closures_of_bricard(method: str) -> None:
     """By each method, the motion is that with the four constraints of the best choice."""
     settings = {"t": (0, 3), "method": method, "rtol": 1e-10, "atol": 1e-12}
     with pytest.warns(ModelNotice, match=r"constraint 4 \(.* follows from 1, 2, 3 and 5 wherever it moves"):
-        motion = simulate(quietly(newton_euler, bricard(range(5))), BRICARDS, {BRICARD[0]: 0.0}, **settings)
+        motion = simulate(bricards_equations(*ALL), BRICARDS, {BRICARD[0]: 0.0}, **settings)
     np.testing.assert_allclose(motion.states, by_four_constraints().states, atol=METHODS[method])
     assert motion.constraint_drift < 1e-6  # of the fifth, too
     if method == "dop853":
@@ -263,7 +273,7 @@ def test_all_five_closures_of_bricard(method: str) -> None:
 
 @pytest.mark.parametrize("derive", [lagrange_equations, kane, gibbs_appell])
 def test_by_every_formalism(derive: Callable[[System], Equations]) -> None:
-    equations, others = quietly(derive, bricard(range(5))), quietly(newton_euler, bricard(range(5)))
+    equations, others = quietly(derive, bricard(range(5))), bricards_equations(*ALL)
     assert equations.residuals == others.residuals
 
 
@@ -272,11 +282,9 @@ def test_by_every_formalism(derive: Callable[[System], Equations]) -> None:
 )
 def test_a_wrong_choice_is_mended() -> None:
     """Without the first of the five, the four that are left depend on each other as well, and move."""
-    equations = quietly(newton_euler, bricard([1, 2, 3, 4]))
+    equations = bricards_equations(*OTHER_FOUR)
     motion = simulate(equations, BRICARDS, {BRICARD[0]: 0.0}, t=(0, 1), rtol=1e-10, atol=1e-12)
-    five = simulate(
-        quietly(newton_euler, bricard(range(5))), BRICARDS, {BRICARD[0]: 0.0}, t=(0, 1), rtol=1e-10
-    )
+    five = simulate(bricards_equations(*ALL), BRICARDS, {BRICARD[0]: 0.0}, t=(0, 1), rtol=1e-10)
     np.testing.assert_allclose(motion.states, five.states, atol=1e-7)
 
 
@@ -378,7 +386,7 @@ def test_the_position_is_kept_rather_than_its_rate() -> None:
 @pytest.mark.filterwarnings("ignore:equilibrium. lambda1 of constraint 1")
 def test_at_rest_and_driven_by_unknown_forces() -> None:
     """Equilibria and inverse dynamics take all five; forces are those of the four."""
-    five, four = quietly(newton_euler, bricard(range(5))), newton_euler(bricard([0, 1, 2, 4]))
+    five, four = bricards_equations(*ALL), bricards_equations(*FOUR)
     rest, other = (equilibrium(each, BRICARDS, guess={BRICARD[0]: 0.4}) for each in (five, four))
     assert [*rest.coordinates.values()] == pytest.approx([*other.coordinates.values()], abs=1e-9)
     np.testing.assert_allclose(rest.eigenvalues, other.eigenvalues, atol=1e-6)
@@ -488,7 +496,7 @@ def test_the_choice_is_that_of_a_motion() -> None:
     """Without the fourth, it moves: the fourth holds all the same, and singular values of NumPy agree on the rest."""
     found = redundant_constraints(bricard(range(5)), BRICARDS, {BRICARD[0]: 0.2})
     assert (found.count, found.rows) == (1, (0, 1, 2, 3, 4))
-    equations = newton_euler(bricard([0, 1, 2, 4]))
+    equations = bricards_equations(*FOUR)
     motion = simulate(equations, BRICARDS, {BRICARD[0]: 0.0}, t=(0, 5), rtol=1e-10, atol=1e-12)
     fourth = bricard(range(5)).constraints[3]
     assert np.abs(motion[fourth]).max() < 1e-9
@@ -509,10 +517,8 @@ def test_the_choice_is_that_of_a_motion() -> None:
 
 def test_a_wrong_choice_is_named_where_it_fails() -> None:
     """Without the first, the others become dependent on the way."""
-    equations = newton_euler(bricard([1, 2, 3, 4]))
-    state = consistent_state(
-        newton_euler(bricard([0, 1, 2, 4])), BRICARDS, {BRICARD[0]: np.pi / 2 - 1e-6}, guess={}
-    )
+    equations = bricards_equations(*OTHER_FOUR)
+    state = consistent_state(bricards_equations(*FOUR), BRICARDS, {BRICARD[0]: np.pi / 2 - 1e-6}, guess={})
     model = model_of(equations)
     values = np.array([BRICARDS[name] for name in model.parameters])
     groups = dependent_constraints(model, values, 0.0, list(state.values()))
