@@ -24,7 +24,6 @@ from symbody import (
     Expr,
     Force,
     ModelNotice,
-    Point,
     System,
     Vector,
     cos,
@@ -34,7 +33,6 @@ from symbody import (
     lagrange_equations,
     lambdify,
     newton_euler,
-    rotate,
     sin,
     symbols,
     time_derivative,
@@ -52,37 +50,11 @@ from symbody.simulation.model.model import model_of
 from symbody.simulation.motion.simulate import simulate
 from symbody.symbolic.given.arguments import described
 from tests.simulation import oscillator
+from tests.simulation.pendulum_batch import CASES, PENDULUM, T, g, l, m, q1, q2, same, six
 
 Array = NDArray[np.float64]
-m, l, g = symbols("m l g")
-q1, q2, x, y = functions_of_time("q1 q2 x y")
-T = (0.0, 0.7)
-
-
-def double_pendulum() -> Equations:
-    upper = rotate("Z", q1)
-    lower = upper * translate(l, 0, 0) * rotate("Z", q2)
-    bobs = [Body(Point(frame, l, 0, 0), m) for frame in (upper, lower)]
-    return lagrange_equations(System(bobs, coordinates=[q1, q2], gravity=Vector(ground, g, 0, 0)))
-
-
-PENDULUM = double_pendulum()
-CASES = grid({l: [0.4, 0.8, 1.1], q1: [0.3, -0.7]})
-"""Six cases."""
-
-
-def six(**options: Any) -> Runs:
-    given: dict[str, Any] = {"cases": CASES, "outputs": {"height": l * cos(q1)}}
-    return simulate_many(PENDULUM, {m: 1.3, g: 9.81}, {q2: 0.2}, T, **(given | options))
-
-
+x, y = functions_of_time("x y")
 REFERENCE = six()
-
-
-def same(a: Runs, b: Runs) -> bool:
-    """Whether two runs agree in every bit."""
-    pairs = [(a.results.arrays()[name], array) for name, array in b.results.arrays().items()]
-    return all(one.tobytes() == other.tobytes() for one, other in pairs)
 
 
 # --- results ---------------------------------------------------------------------------------------------------------
@@ -484,7 +456,7 @@ import sys
 from itertools import count
 import numpy as np
 from symbody.simulation.batch import many
-from tests.simulation.test_many import CASES, PENDULUM, g, m, q1, six
+from tests.simulation.pendulum_batch import six
 many.SAVE_EVERY = many.SAVE_PAUSE = -1.0  # whatever the clock says
 savez, saves = np.savez, count(1)
 

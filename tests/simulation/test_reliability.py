@@ -34,9 +34,9 @@ import pytest
 from symbody import ModelNotice, Motion, generate, simulate, simulate_many
 from symbody.errors import CodegenError, PictureError, ResultsError, SymbodyError
 from symbody.simulation.batch.in_flight import InFlight
-from symbody.simulation.batch.runs import Runs
 from symbody.simulation.batch.stop_flag import StopFlag
-from tests.simulation.test_many import PENDULUM, REFERENCE, g, l, m, q1, same, six
+from tests.simulation.pendulum_batch import PENDULUM, g, l, m, q1, same, six, thirty
+from tests.simulation.test_many import REFERENCE
 
 resource = pytest.importorskip("resource")
 ROOT = Path(__file__).parents[2]
@@ -254,7 +254,7 @@ def test_results_that_were_cut_or_changed(tmp_path: Path) -> None:
 def test_two_processes_write_one_file(tmp_path: Path) -> None:
     """Both save after each few motions; neither reads what is half written, and in the end the file is whole."""
     program = (
-        "import sys; from symbody.simulation.batch import many; from tests.simulation.test_reliability import thirty\n"
+        "import sys; from symbody.simulation.batch import many; from tests.simulation.pendulum_batch import thirty\n"
         "many.SAVE_EVERY = many.SAVE_PAUSE = 0.0\n"
         "for _ in range(3): thirty(sys.argv[1])\n"
     )
@@ -264,10 +264,6 @@ def test_two_processes_write_one_file(tmp_path: Path) -> None:
         assert (one.wait(), other.wait()) == (0, 0)
     assert same(thirty(file), thirty(None))
     assert list(tmp_path.iterdir()) == [file]
-
-
-def thirty(path: Path | str | None) -> Runs:
-    return six(cases={l: np.linspace(0.5, 1, 30), q1: np.ones(30)}, path=path, threads=1)
 
 
 # --- Ctrl-C ----------------------------------------------------------------------------------------------------------
@@ -282,7 +278,7 @@ from threading import get_native_id
 import numpy as np
 from symbody import simulate_many
 from symbody.simulation.batch import many, workers
-from tests.simulation.test_many import PENDULUM, g, l, m, q1
+from tests.simulation.pendulum_batch import PENDULUM, g, l, m, q1
 
 def long(**options):
     lengths = np.array([1.0, 0.5, 0.6, 0.7])
