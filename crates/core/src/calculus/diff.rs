@@ -3,8 +3,7 @@
 use rustc_hash::FxHashMap;
 
 use crate::error::Error;
-use crate::graph::{Function, Graph, Id, NumberId, View, check_order};
-use crate::value::Number;
+use crate::graph::{Flags, Function, Graph, Id, NumberId, View, check_order};
 
 /// The variables on which each node depends: one row of bits per node.
 struct Dependence {
@@ -62,6 +61,10 @@ impl Graph {
     /// If `variable` is not a variable.
     pub fn partial_derivatives(&mut self, ids: &[Id], variable: Id) -> Result<Vec<Id>, Error> {
         self.check_variable(variable)?;
+        self.congruent_each(ids, Flags::BRANCH, |graph, ids| graph.partial_tangents(ids, variable))
+    }
+
+    fn partial_tangents(&mut self, ids: &[Id], variable: Id) -> Result<Vec<Id>, Error> {
         let ids: Vec<Id> = ids.iter().map(|&id| self.adopt(id)).collect();
         let dependence = self.dependence(&ids, &[variable]);
         if self.is_complex(variable) {
@@ -77,6 +80,10 @@ impl Graph {
     /// # Errors
     /// If a divisor is identically zero.
     pub fn time_derivatives(&mut self, ids: &[Id]) -> Result<Vec<Id>, Error> {
+        self.congruent_each(ids, Flags::BRANCH, Self::total_tangents)
+    }
+
+    fn total_tangents(&mut self, ids: &[Id]) -> Result<Vec<Id>, Error> {
         let ids: Vec<Id> = ids.iter().map(|&id| self.adopt(id)).collect();
         let order = self.post_order_where(&ids, |id| self.depends_on_time(id));
         self.tangents(&ids, order.into_iter(), &mut |graph, id| {
@@ -218,151 +225,6 @@ impl Graph {
         }
     }
 
-    /// d|u| = |u| du/u and d sign(u) = 0 of a complex u, if du/u is real: the argument of u stays the same.
-    fn modulus_tangent(&mut self, function: Function, u: Id, derivative: Id, id: Id) -> Result<Id, Error> {
-        let growth = self.div(derivative, u)?;
-        if self.is_complex(growth) {
-            return Err(Error::NoDerivative {
-                expression: self.to_quotation(id),
-                symbol: self.complex_symbol(u),
-            });
-        }
-        if function == Function::Sign {
-            return Ok(Id::ZERO);
-        }
-        self.mul(id, growth)
-    }
-
-    /// The partial derivative of a node with respect to its k-th child, as a multiple.
-    fn partial(&mut self, id: Id, k: usize) -> Result<(NumberId, Id), Error> {
-        let one = NumberId::ONE;
-        match self.view(id) {
-            View::Scale(factor, _) => Ok((factor, Id::ONE)),
-            View::Sum(terms) => {
-                let (factor, _) = terms.iter().nth(k).expect("child k of a sum is its k-th term");
-                Ok((factor, Id::ONE))
-            }
-            View::Product(factors) => {
-                let mut factors: Vec<(Id, NumberId)> = factors.iter().collect();
-                let exponent = factors[k].1;
-                let lower = self.get_number(exponent).sub(&Number::integer(1));
-                if lower.is_zero() {
-                    factors.remove(k);
-                } else {
-                    factors[k].1 = self.number_id(&lower);
-                }
-                Ok((exponent, self.product(&factors)?))
-            }
-            View::Application { name, args, orders } => {
-                let (name, args, mut orders) =
-                    (name.to_owned(), args.iter().collect::<Vec<_>>(), orders.to_vec());
-                orders[k] += 1;
-                Ok((one, self.application(&name, &args, &orders)?))
-            }
-            View::Function(function, args) => {
-                let args: Vec<Id> = args.iter().collect();
-                let partial = self.function_partial(function, &args, k, id)?;
-                Ok(self.split_multiple(one, partial))
-            }
-            View::Number(_)
-            | View::Pi
-            | View::Time
-            | View::Symbol(..)
-            | View::TimeFunction(..)
-            | View::LinearSystem { .. }
-            | View::Solution(..) => Ok((one, Id::ZERO)),
-        }
-    }
-
-    /// The partial derivative of a function of the table with respect to argument k.
-    fn function_partial(&mut self, function: Function, args: &[Id], k: usize, id: Id) -> Result<Id, Error> {
-        let x = args[0];
-        match function {
-            Function::Sin => self.apply(Function::Cos, args),
-            Function::Cos => {
-                let sine = self.apply(Function::Sin, args)?;
-                Ok(self.neg(sine))
-            }
-            Function::Tan => self.one_plus_square(id, 1),
-            Function::Tanh => self.one_plus_square(id, -1),
-            Function::Sinh => self.apply(Function::Cosh, args),
-            Function::Cosh => self.apply(Function::Sinh, args),
-            Function::Exp => Ok(id),
-            Function::Log => self.div(Id::ONE, x),
-            Function::Asin | Function::Acos => {
-                let radicand = self.one_plus_square(x, -1)?;
-                let slope = self.pow_number(radicand, &Number::rational(-1, 2))?;
-                Ok(if function == Function::Asin { slope } else { self.neg(slope) })
-            }
-            Function::Atan => {
-                let square = self.one_plus_square(x, 1)?;
-                self.div(Id::ONE, square)
-            }
-            Function::Atan2 => {
-                let (y, x) = (args[0], args[1]);
-                let (yy, xx) = (self.mul(y, y)?, self.mul(x, x)?);
-                let square = self.add(yy, xx);
-                let quotient = self.div(if k == 0 { x } else { y }, square)?;
-                Ok(if k == 0 { quotient } else { self.neg(quotient) })
-            }
-            Function::Abs => self.apply(Function::Sign, args),
-            Function::Sign => Ok(Id::ZERO),
-            Function::Min | Function::Max => self.extremum_partial(function, args, k),
-            Function::Power if k == 0 => {
-                let quotient = self.div(id, x)?;
-                self.mul(args[1], quotient)
-            }
-            Function::Power => {
-                let logarithm = self.apply(Function::Log, &[x])?;
-                self.mul(id, logarithm)
-            }
-            Function::Piecewise => self.branch_partial(args, k),
-        }
-    }
-
-    /// The partial derivative of max(max(max(a, b), c), ...) by argument k: the product of those of each max(m, a) = (m + a +
-    /// |m - a|)/2 on the way, which are (1 + sign(m - a))/2 and (1 + sign(a - m))/2. So the weights of all arguments add up to
-    /// one, also where several of them are the extremum. Of what may not be real, the condition m - a > 0 chooses.
-    fn extremum_partial(&mut self, function: Function, args: &[Id], k: usize) -> Result<Id, Error> {
-        let half = self.number_id(&Number::rational(1, 2));
-        let mut weights = Vec::new();
-        for last in k.max(1)..args.len() {
-            let before = if last == 1 { args[0] } else { self.apply(function, &args[..last])? };
-            let (kept, other) = if last == k { (args[k], before) } else { (before, args[last]) };
-            let ahead = if function == Function::Max { self.sub(kept, other) } else { self.sub(other, kept) };
-            let weight = if self.has_real_values(ahead) {
-                let sign = self.apply(Function::Sign, &[ahead])?;
-                self.sum(&[(half, Id::ONE), (half, sign)])
-            } else {
-                // where a root is imaginary, a sign is no 1 or -1, but a condition chooses
-                self.apply(Function::Piecewise, &[Id::ONE, ahead, Id::ZERO])?
-            };
-            weights.push((weight, NumberId::ONE));
-        }
-        self.product(&weights)
-    }
-
-    /// The partial derivative by a branch is one where the branch is chosen; that by a condition is zero.
-    fn branch_partial(&mut self, args: &[Id], k: usize) -> Result<Id, Error> {
-        let is_condition = |j: usize| j % 2 == 1 && j + 1 < args.len();
-        if is_condition(k) {
-            return Ok(Id::ZERO);
-        }
-        let branch = |j: usize| match j {
-            _ if is_condition(j) => args[j],
-            _ if j == k => Id::ONE,
-            _ => Id::ZERO,
-        };
-        let branches: Vec<Id> = (0..args.len()).map(branch).collect();
-        self.apply(Function::Piecewise, &branches)
-    }
-
-    /// 1 + sign * x^2
-    fn one_plus_square(&mut self, x: Id, sign: i64) -> Result<Id, Error> {
-        let square = self.mul(x, x)?;
-        Ok(if sign > 0 { self.add(Id::ONE, square) } else { self.sub(Id::ONE, square) })
-    }
-
     /// The partial derivatives of one expression with respect to many variables, by one reverse sweep; with respect to
     /// t, too.
     ///
@@ -372,12 +234,19 @@ impl Graph {
         for &variable in variables {
             self.check_variable(variable)?;
         }
+        let rows = self.congruent(&[id], Flags::BRANCH, |graph, ids| {
+            ids.iter().map(|&id| graph.gradient_of_form(id, variables)).collect()
+        })?;
+        Ok(rows.into_iter().flatten().collect())
+    }
+
+    fn gradient_of_form(&mut self, id: Id, variables: &[Id]) -> Result<Vec<Id>, Error> {
         let root = self.adopt(id);
         let dependence = self.dependence(&[root], variables);
         if self.has_complex_moduli(&dependence) {
             return variables
                 .iter()
-                .map(|&variable| Ok(self.partial_derivatives(&[root], variable)?[0]))
+                .map(|&variable| Ok(self.partial_tangents(&[root], variable)?[0]))
                 .collect();
         }
         self.adjoints(root, &dependence, variables)
@@ -433,8 +302,9 @@ impl Graph {
         Ok(variables.iter().map(|&v| result.get(&self.value(v)).copied().unwrap_or(Id::ZERO)).collect())
     }
 
-    /// The Jacobian, row by row: partial derivatives, with respect to t, too. It is computed by rows in reverse mode if there are fewer expressions than variables,
-    /// and otherwise by columns in forward mode; both visit only nodes that depend on the variables.
+    /// The Jacobian, row by row: partial derivatives, with respect to t, too. It is computed by rows in reverse mode if
+    /// there are fewer expressions than variables, and otherwise by columns in forward mode; both visit only nodes that
+    /// depend on the variables.
     ///
     /// # Errors
     /// If one of them is not a variable.
@@ -445,6 +315,11 @@ impl Graph {
         for &variable in variables {
             self.check_variable(variable)?;
         }
+        self.congruent(ids, Flags::BRANCH, |graph, ids| graph.columns(ids, variables))
+    }
+
+    /// The Jacobian by columns, in forward mode.
+    fn columns(&mut self, ids: &[Id], variables: &[Id]) -> Result<Vec<Vec<Id>>, Error> {
         let ids: Vec<Id> = ids.iter().map(|&id| self.adopt(id)).collect();
         let dependence = self.dependence(&ids, variables);
         let mut rows = vec![vec![Id::ZERO; variables.len()]; ids.len()];

@@ -3,7 +3,7 @@
 use rustc_hash::FxHashMap;
 
 use crate::error::Error;
-use crate::graph::{ByValue, Function, Graph, Id, Kind, View};
+use crate::graph::{ByValue, Flags, Function, Graph, Id, Kind, View};
 
 impl Graph {
     /// The expressions with every target replaced, all at once.
@@ -25,12 +25,17 @@ impl Graph {
             }
             targets.push(self.value(target), target, replacement);
         }
+        let uncertain = Flags::BRANCH.with(Flags::INVERSE);
+        self.congruent_each(roots, uncertain, |graph, roots| graph.replace(roots, &targets, time))
+    }
+
+    fn replace(&mut self, roots: &[Id], targets: &ByValue<Id>, time: Option<Id>) -> Result<Vec<Id>, Error> {
         let order = self.post_order_where(roots, |_| true);
         let mut done: FxHashMap<Id, Id> = FxHashMap::default();
         for id in order {
-            let replaced = match self.find(&targets, id) {
+            let replaced = match self.find(targets, id) {
                 Some(&replacement) => replacement,
-                None => self.substitute_in(id, &targets, time, &done)?,
+                None => self.substitute_in(id, targets, time, &done)?,
             };
             done.insert(id, replaced);
         }

@@ -350,25 +350,46 @@ impl Graph {
             out.push(self, base, exponent);
             return Ok(());
         }
-        let mut rest = Vec::new();
         let inner = &self.opened(inner);
-        for (node, e) in inner {
-            if self.is_positive(*node) {
-                self.collect_power(out, *node, &e.mul(exponent))?;
-            } else if inner.len() == 1 && e.is_even() && self.is_real(*node) {
-                // (u**2k)**r = |u|**(2kr) for real u.
-                let modulus = self.apply(Function::Abs, &[*node])?;
-                self.collect_power(out, modulus, &e.mul(exponent))?;
-            } else {
-                rest.push((*node, self.number_id(e)));
-            }
+        if let [(node, e)] = &inner[..]
+            && e.is_even()
+            && !self.is_positive(*node)
+        {
+            // (u**2k)**r = |u|**(2kr) for real u.
+            let modulus = self.apply(Function::Abs, &[*node])?;
+            return self.collect_power(out, modulus, &e.mul(exponent));
         }
-        if rest.len() == inner.len() {
+        let (positive, rest): (Vec<_>, Vec<_>) =
+            inner.iter().cloned().partition(|(node, _)| self.is_positive(*node));
+        if positive.is_empty() {
             out.push(self, base, exponent);
-        } else if !rest.is_empty() {
-            let rest = self.product(&rest)?;
-            self.collect_rest(out, rest, exponent)?;
+            return Ok(());
         }
+        let rest: Vec<_> = rest.into_iter().map(|(node, e)| (node, self.number_id(&e))).collect();
+        let rest = self.product(&rest)?;
+        if let Some(number) = self.as_number(rest).filter(|number| number.is_negative()).cloned() {
+            return self.collect_negative_multiple(out, &number, &positive, exponent);
+        }
+        for (node, e) in &positive {
+            self.collect_power(out, *node, &e.mul(exponent))?;
+        }
+        self.collect_rest(out, rest, exponent)
+    }
+
+    /// Add the root of a negative number times positive factors, where a derivation knows that the other ones are that
+    /// number: the sign stays with the factors, as in the root of a multiple.
+    fn collect_negative_multiple(
+        &mut self,
+        out: &mut Collector,
+        number: &Number,
+        positive: &[(Id, Number)],
+        exponent: &Number,
+    ) -> Result<(), Error> {
+        let factors: Vec<_> = positive.iter().map(|(node, e)| (*node, self.number_id(e))).collect();
+        let product = self.product(&factors)?;
+        collect_number(out, &number.abs(), exponent)?;
+        let opposite = self.scale(NumberId::MINUS_ONE, product);
+        out.push(self, opposite, exponent);
         Ok(())
     }
 

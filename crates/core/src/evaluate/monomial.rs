@@ -98,7 +98,7 @@ impl Graph {
         point: IntegerPoint<'_>,
     ) -> Option<Vec<(Generator, Number)>> {
         let mut powers = Vec::new();
-        for (generator, doublings) in self.basis(generators, unit)? {
+        for (generator, unit, doublings) in self.basis(generators, unit)? {
             let exponent = self.doublings_at_integers(id, &doublings, point)?;
             if exponent != 0 {
                 powers.push((generator, Number::rational(exponent, unit)));
@@ -167,8 +167,9 @@ impl Graph {
         (generators.len() <= MOST_GENERATORS).then_some(generators)
     }
 
-    /// A basis of the generators, each with the doublings of all of them at the point of integers for it.
-    fn basis(&self, generators: &[Generator], unit: i64) -> Option<Vec<(Generator, Doublings)>> {
+    /// A basis of the generators, each with its doublings and those of all generators at the point of integers for it:
+    /// where exp(109) is of the basis, exp(6) has 6/109 of its doublings.
+    fn basis(&self, generators: &[Generator], unit: i64) -> Option<Vec<(Generator, i64, Doublings)>> {
         let columns = generators.len();
         let exponents = FieldId::HASH[0].of_exponents()?;
         let f = exponents.field();
@@ -185,17 +186,23 @@ impl Graph {
             .collect();
         let pivots = reduce(&mut matrix, columns, f);
         let doublings = |row: &[Quadratic]| {
-            let counts = generators.iter().zip(row).map(|(&generator, coefficient)| {
-                let count = f.small_rational(coefficient)?.mul(&Number::integer(unit)).to_i64()?;
-                Some((generator, count))
-            });
-            counts.collect::<Option<Doublings>>()
+            let ratios: Option<Vec<Number>> = row.iter().map(|ratio| f.small_rational(ratio)).collect();
+            let ratios = ratios?;
+            let denominators = ratios.iter().map(|ratio| Some(ratio.to_small()?.1));
+            let scale = denominators.into_iter().try_fold(unit, |scale, d| Some(scale.lcm(&d?)))?;
+            if scale > MOST_DOUBLINGS {
+                return None;
+            }
+            let count = |ratio: &Number| ratio.mul(&Number::integer(scale)).to_i64();
+            let counts =
+                generators.iter().zip(&ratios).map(|(&generator, ratio)| Some((generator, count(ratio)?)));
+            Some((scale, counts.collect::<Option<Doublings>>()?))
         };
-        pivots
-            .into_iter()
-            .zip(&matrix)
-            .map(|(pivot, row)| Some((generators[pivot], doublings(row)?)))
-            .collect()
+        let of_pivot = |(pivot, row): (usize, &Vec<Quadratic>)| {
+            let (scale, doublings) = doublings(row)?;
+            Some((generators[pivot], scale, doublings))
+        };
+        pivots.into_iter().zip(&matrix).map(of_pivot).collect()
     }
 
     /// The value of a generator in a field.
