@@ -14,7 +14,7 @@ use crate::graph::{Atom, Flags, Function, Graph, Id, Ids, Split, View};
 use crate::value::{Field, FieldId, Key, Number, Quadratic, needs_large_products};
 
 use super::integer_point::IntegerPoint;
-use super::node::{is_large, power_of_complex, power_of_number, power_of_prime};
+use super::rational_power::{is_large, power_of_complex, power_of_number, power_of_prime};
 use super::rotation::{self, multiple, rotate};
 
 /// The most atoms of an argument.

@@ -11,7 +11,7 @@ use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
 
 use crate::graph::{Flags, Graph, Id, View};
-use crate::value::{Number, prime_factors};
+use crate::value::{Element, FieldId, Number, Quadratic, fingerprint, prime_factors};
 
 /// The most conjugates of a value.
 const MOST_CONJUGATES: i64 = 64;
@@ -92,6 +92,29 @@ impl Graph {
     fn holds_number_root(&self, id: Id) -> bool {
         matches!(self.view(id), View::Product(factors) if factors.iter().any(|(base, _)| self.as_number(base).is_some()))
     }
+}
+
+/// The mean of the conjugates of a value that a point of integers has in a field, if that is rational.
+pub(super) fn mean_of_conjugates(
+    radicals: &Radicals,
+    value: impl Fn(&Conjugation<'_>, FieldId) -> Option<Quadratic>,
+) -> Option<Number> {
+    let mean = |field: FieldId| {
+        let f = field.field();
+        let (mut sum, mut count) = (f.number(&Number::integer(0)), 0);
+        for conjugation in radicals.conjugations() {
+            sum = f.add(&sum, &value(&conjugation, field)?);
+            count += 1;
+        }
+        Some(f.mul(&f.number(&Number::rational(1, count)), &sum))
+    };
+    let [first, second] = FieldId::HASH.map(mean);
+    rational(fingerprint([&first?, &second?]))
+}
+
+/// The rational number that has a value, if that is not too large.
+pub(super) fn rational(element: Element) -> Option<Number> {
+    element.to_simple_rational().or_else(|| element.to_likely_rational())
 }
 
 /// The prime factors of a number, with -1 for a negative one.

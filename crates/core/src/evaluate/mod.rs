@@ -1,13 +1,15 @@
 //! The exact values of nodes at the random points, and the equality that they decide.
 //!
 //! The law: *the value of f(u) depends on the value of u alone*, in each lane. So if A = B, then f(A) = f(B), whatever
-//! the forms of A and B are. [`node`] has the value of each kind of node from those of its children, and [`solution`] that of linear systems; [`argument`] splits
-//! arguments of sines and exponentials into what has a known angle or exponential and the rest; [`integer_point`] reads
-//! the factors of such parts off; [`negative_base`] has powers of what may be negative; [`logarithm`] knows logarithms of
-//! products, also of those that [`monomial`] finds; [`content`] is the numeric factor of a node, from its [q-adic
-//! values](adic_value) at [points](adic_point); [`rotation`] adds angles; [`complex`] tells what is real; [`same`] compares nodes, in as many lanes as
-//! [`sign_degree`] and [`independent_signs`] say, unless their forms show that they are equal ([`form`]). Functions are
-//! evaluated for the [`representative`] of all nodes of one value. [`slope`] finds the variables on which a value depends.
+//! the forms of A and B are. [`node`] has the value of each kind of node from those of its children, [`rational_power`]
+//! that of roots, and [`solution`] that of linear systems; [`argument`] splits arguments of sines and exponentials into
+//! what has a known angle or exponential and the rest; [`integer_point`] reads the factors of such parts off, by the mean
+//! of [`conjugates`] where roots stand beside them; [`negative_base`] has powers of what may be negative; [`logarithm`]
+//! knows logarithms of products, also of those that [`monomial`] finds; [`content`] is the numeric factor of a node, from
+//! its [q-adic values](adic_value) at [points](adic_point); [`rotation`] adds angles; [`complex`] tells what is real;
+//! [`same`] compares nodes, in as many lanes as [`sign_degree`] and [`independent_signs`] say, unless their forms show that
+//! they are equal ([`form`]). Functions are evaluated for the [`representative`] of all nodes of one value. [`slope`] finds
+//! the variables on which a value depends.
 //!
 //! Invariant: nodes without signs and roots are compared in the two hash lanes, and others in all lanes. Values are
 //! found by loops without recursion, except in arguments of functions inside arguments.
@@ -28,6 +30,7 @@ mod negative_base;
 mod node;
 mod odd_root;
 mod pending;
+mod rational_power;
 mod real_range;
 mod representative;
 mod rotation;
@@ -36,5 +39,6 @@ mod sign_degree;
 mod signs_in_argument;
 mod slope;
 mod solution;
+mod values_at_integers;
 
 pub(crate) use pending::Pending;

@@ -13,7 +13,7 @@ use crate::value::{Field, FieldId, Number, Quadratic, fingerprint};
 
 use super::integer_point::{Doublings, IntegerPoint};
 use super::logarithm::DEPTH;
-use super::node::power_of_number;
+use super::rational_power::power_of_number;
 
 /// The most generators below a node.
 const MOST_GENERATORS: usize = 24;

@@ -1,15 +1,12 @@
 //! The value of a node in a field, from those of its children.
 
-use num_bigint::BigInt;
 use std::sync::Arc;
 
-use crate::graph::{
-    Assumption, Column, Content, Flags, Function, Graph, Id, Ids, Kind, NumberId, View, leaf_in,
-};
+use crate::graph::{Column, Content, Flags, Function, Graph, Id, Ids, Kind, NumberId, View, leaf_in};
 use crate::interrupt::tick;
-use crate::value::{
-    Element, Field, FieldId, Key, LARGEST_SQUARE, Number, Quadratic, fingerprint, in_hash_lane, prime_factors,
-};
+use crate::value::{Element, Field, FieldId, Key, Number, Quadratic, fingerprint, in_hash_lane};
+
+use super::rational_power::power_of_content;
 
 type Point = (Quadratic, Quadratic);
 
@@ -247,69 +244,6 @@ impl Graph {
         })
     }
 
-    /// The principal power of a node with a rational exponent.
-    pub(super) fn power_in(&self, base: Id, exponent: &Number, field: FieldId) -> Quadratic {
-        let f = field.field();
-        if exponent.is_one() {
-            return self.value_in(base, field);
-        }
-        if exponent.is_integer() {
-            return match self.powers_of_represented_roots(base, exponent) {
-                Some(powers) => self.product_in(powers.into_iter(), field),
-                None => f.power(&self.value_in(base, field), exponent),
-            };
-        }
-        let base = self.representative(base);
-        match exponent.to_small() {
-            Some((num, den)) => {
-                let root = self.root_in(base, den * num.signum(), field);
-                f.power(&root, &Number::integer(num).abs())
-            }
-            None => self.principal_power_in(base, exponent, field),
-        }
-    }
-
-    /// The root of a degree, or the reciprocal root of a negative degree. One root serves all powers of a node.
-    fn root_in(&self, base: Id, degree: i64, field: FieldId) -> Quadratic {
-        if let Some(known) = self.lanes.borrow().root(base, degree, field) {
-            return known.clone();
-        }
-        let exponent = Number::rational(1, degree);
-        let root = self.principal_power_in(base, &exponent, field);
-        self.lanes.borrow_mut().insert_root(base, degree, field, root.clone());
-        root
-    }
-
-    /// The principal power of a node, or some branch of it for a complex node: the same one in all fields of a lane.
-    fn principal_power_in(&self, base: Id, exponent: &Number, field: FieldId) -> Quadratic {
-        let (value, f) = (self.value_in(base, field), field.field());
-        if self.as_number(base).is_some() || !self.is_complex(base) {
-            return self.power_of(base, &value, exponent, f);
-        }
-        let signs = field.of_signs();
-        power_on_branch(&value, exponent, branch_of(&self.value_in(base, signs), signs.field()), f)
-    }
-
-    /// The principal power of a node that has this value.
-    pub(super) fn power_of(&self, base: Id, value: &Quadratic, exponent: &Number, f: &Field) -> Quadratic {
-        if exponent.is_integer() {
-            return f.power(value, exponent);
-        }
-        if let Some(number) = self.as_number(base) {
-            return power_of_number(number, exponent, f);
-        }
-        if self.is_complex(base) {
-            return power_of_complex(value, exponent, f);
-        }
-        match self.numeric_content(base, f) {
-            Some(content) => {
-                let rest = f.div(value, &power_of_content(&content, &Number::integer(1), f));
-                f.mul(&power_of_content(&content, exponent, f), &f.rational_power(&rest, exponent))
-            }
-            None => f.rational_power(value, exponent),
-        }
-    }
-
     /// The sign of a real node in a field: that in the first field of the lane, so that a sign in an argument is the same
     /// sign as outside of it.
     pub(super) fn sign_in(&self, id: Id, field: FieldId) -> Quadratic {
@@ -438,34 +372,6 @@ impl Graph {
             orders.iter().fold(Key::new("application").text(name), |key, &order| key.word(order.into()));
         in_hash_lanes(|field| self.opaque_in(key, args.iter().copied(), field))
     }
-
-    /// Whether a power has signs that differ from lane to lane: a root of something that is not known to be positive.
-    pub(crate) fn is_branching(&self, base: Id, exponent: &Number) -> bool {
-        if exponent.is_integer() || matches!(self.kind(base), Kind::Symbol(Assumption::Positive) | Kind::Pi) {
-            return false;
-        }
-        self.as_number(base).is_none_or(|number| prime_factors(number).keys().any(is_large))
-    }
-
-    /// The same for a symbolic exponent.
-    pub(crate) fn is_branching_power(&self, base: Id, exponent: Id) -> bool {
-        self.logarithm_parts(base).is_none() || self.is_branching(base, &self.number_in(exponent))
-    }
-}
-
-/// A rational power of what may be complex, on the branch that is drawn for this value.
-pub(super) fn power_of_complex(value: &Quadratic, exponent: &Number, f: &Field) -> Quadratic {
-    power_on_branch(value, exponent, branch_of(value, f), f)
-}
-
-/// The k of the factor e^(2 pi i k r) of a power r of this value, the same one for all exponents.
-fn branch_of(value: &Quadratic, f: &Field) -> u64 {
-    f.exponent(&f.opaque(Key::new("branch"), &[value]))
-}
-
-fn power_on_branch(value: &Quadratic, exponent: &Number, branch: u64, f: &Field) -> Quadratic {
-    let turns = exponent.mul(&Number::whole(branch.into()));
-    f.mul(&f.rational_power(value, exponent), &f.unit(&turns))
 }
 
 /// The sign of a value that has a content, which is positive.
@@ -480,35 +386,4 @@ fn signed_by_content(value: &Quadratic, content: Option<Content>, f: &Field) -> 
 pub(super) fn in_hash_lanes(value: impl Fn(FieldId) -> Quadratic) -> Element {
     let [first, second] = FieldId::HASH.map(value);
     fingerprint([&first, &second])
-}
-
-/// Whether a prime may be no square in some lanes.
-pub(super) fn is_large(prime: &BigInt) -> bool {
-    *prime > LARGEST_SQUARE.into()
-}
-
-/// The principal power of a number: the product of the powers of its primes and of -1.
-pub(super) fn power_of_number(number: &Number, exponent: &Number, f: &Field) -> Quadratic {
-    let start = if number.is_negative() { f.power_of_minus_one(exponent) } else { f.one() };
-    prime_factors(&number.abs()).iter().fold(start, |product, (prime, &count)| {
-        let exponent = exponent.mul(&Number::integer(count));
-        f.mul(&product, &f.power_of_prime(&Number::whole(prime.clone()), &exponent))
-    })
-}
-
-/// The power of a content in a field.
-pub(super) fn power_of_content(content: &Content, exponent: &Number, f: &Field) -> Quadratic {
-    content.iter().fold(f.one(), |product, (prime, power)| {
-        f.mul(&product, &power_of_prime(prime, &power.mul(exponent), f))
-    })
-}
-
-/// The power of a prime number in a field.
-pub(super) fn power_of_prime(prime: &BigInt, exponent: &Number, f: &Field) -> Quadratic {
-    let prime = Number::whole(prime.clone());
-    if exponent.is_integer() {
-        f.power(&f.number(&prime), exponent)
-    } else {
-        f.power_of_prime(&prime, exponent)
-    }
 }

@@ -7,7 +7,7 @@
 use crate::graph::{Assumption, Factors, Flags, Function, Graph, Id, RealRange, View};
 use crate::value::{FieldId, Number, Quadratic};
 
-use super::node::power_of_content;
+use super::rational_power::power_of_content;
 
 use RealRange::{Any, NotNegative, Real};
 

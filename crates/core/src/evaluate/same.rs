@@ -66,38 +66,13 @@ impl Graph {
 
     /// The entry of a table that has the value of a node up to sign, and whether it has the opposite value.
     pub(crate) fn find_up_to_sign<'t, T>(&self, table: &'t ByValue<T>, id: Id) -> Option<(&'t T, bool)> {
-        self.find_in(table.candidates(self.value(id)), id)
-    }
-
-    /// The same entry, for tables of very many nodes with signs, of which several agree in the hash lanes by chance: their
-    /// values in the other lanes, which are found once for each node, tell most of them apart.
-    pub(crate) fn find_among_many<'t, T>(&self, table: &'t ByValue<T>, id: Id) -> Option<(&'t T, bool)> {
-        let candidates = table.candidates(self.value(id));
-        self.find_in(candidates.filter(|(known, _)| !self.differ_at_first_point(*known, id)), id)
-    }
-
-    fn find_in<'t, T>(&self, candidates: impl Iterator<Item = &'t (Id, T)>, id: Id) -> Option<(&'t T, bool)> {
-        let mut candidates = candidates;
+        let mut candidates = table.candidates(self.value(id));
         candidates.find_map(|(known, item)| {
             if self.same(*known, id) {
                 return Some((item, false));
             }
             self.opposite_values(*known, id).then_some((item, true))
         })
-    }
-
-    /// Whether two nodes whose fingerprints are equal or opposite differ in one of the other lanes, at the first point.
-    fn differ_at_first_point(&self, a: Id, b: Id) -> bool {
-        let branches = |id: Id| self.flags(id).has(Flags::BRANCH);
-        let (one, two) = (self.value(a), self.value(b));
-        if a == b || !branches(a) && !branches(b) || one == -one {
-            return false; // zero is both equal and opposite
-        }
-        let is_opposite = one != two;
-        let (column, other) = (self.column(a, 0), self.column(b, 0));
-        self.lanes.borrow_mut().limit();
-        let mut values = FieldId::others(0).zip(column.iter().zip(other.iter()));
-        values.any(|(field, (value, other))| *value != signed(field, other, is_opposite))
     }
 
     /// Whether two nodes have the same value up to the sign.

@@ -7,7 +7,7 @@ use rustc_hash::FxHashMap;
 use std::cmp::Reverse;
 
 use crate::error::Error;
-use crate::graph::{ByValue, Factors, Flags, Function, Graph, Id, Ids, Kind, NumberId, Terms, View};
+use crate::graph::{ByValue, Factors, Function, Graph, Id, Ids, Kind, NumberId, Terms, View};
 use crate::interrupt::tick;
 use crate::print::Format;
 use crate::value::Number;
@@ -15,7 +15,6 @@ use crate::value::Number;
 use super::emit::{Emitter, Signed};
 use super::extended_product::Extended;
 use super::schedule::schedule;
-use super::shape::{Shape, is_double};
 use super::sign::absorb_signs;
 use super::straight_line::{Instruction, Operand, Tape};
 
@@ -104,8 +103,6 @@ struct Lowering<'a> {
     /// Those of the nodes that were looked for: whether values with signs agree is asked once for a node, not whenever it
     /// is read.
     found: FxHashMap<Id, Signed>,
-    /// Those of the shapes of nodes with signs.
-    shapes: FxHashMap<Shape, Signed>,
     /// Nodes that are computed as they are written: signs and piecewise functions, which may differ at corners from what
     /// has their value elsewhere, and the branches of those, each of which may be accurate in its own range only.
     choices: FxHashMap<Id, Option<Signed>>,
@@ -120,7 +117,6 @@ impl<'a> Lowering<'a> {
             graph,
             known: ByValue::default(),
             found: FxHashMap::default(),
-            shapes: FxHashMap::default(),
             choices: FxHashMap::default(),
             inputs: ByValue::default(),
             systems: ByValue::default(),
@@ -155,36 +151,10 @@ impl<'a> Lowering<'a> {
         if let Some(&found) = self.found.get(&id) {
             return Some(found);
         }
-        let shape = self.shape(id);
-        let of_shape = shape.as_ref().and_then(|(shape, is_opposite)| {
-            self.shapes.get(shape).map(|value| value.flipped_if(*is_opposite))
-        });
-        let found = if let Some(found) = of_shape {
-            found
-        } else {
-            let (value, is_opposite) = self.graph.find_among_many(&self.known, id)?;
-            value.flipped_if(is_opposite)
-        };
-        self.note(id, shape, found);
+        let (value, is_opposite) = self.graph.find_up_to_sign(&self.known, id)?;
+        let found = value.flipped_if(is_opposite);
+        self.found.insert(id, found);
         Some(found)
-    }
-
-    /// The shape of a node with signs. Others are known by their fingerprints.
-    fn shape(&self, id: Id) -> Option<(Shape, bool)> {
-        if !self.graph.flags(id).has(Flags::BRANCH) {
-            return None;
-        }
-        self.graph.shape(id, |part| match self.choices.get(&part) {
-            Some(&choice) => choice,
-            None => self.found.get(&part).copied(),
-        })
-    }
-
-    fn note(&mut self, id: Id, shape: Option<(Shape, bool)>, value: Signed) {
-        self.found.insert(id, value);
-        if let Some((shape, is_opposite)) = shape {
-            self.shapes.entry(shape).or_insert(value.flipped_if(is_opposite));
-        }
     }
 
     /// Note the operand of a node whose value was not known.
@@ -193,7 +163,7 @@ impl<'a> Lowering<'a> {
             *choice = Some(value);
         } else {
             self.known.push(self.graph.value(id), id, value);
-            self.note(id, self.shape(id), value);
+            self.found.insert(id, value);
         }
     }
 
@@ -460,4 +430,9 @@ impl Quotient {
             (None, true) => self.below.push(factor),
         }
     }
+}
+
+/// Whether a number is one of the doubles but for rounding.
+fn is_double(number: &Number) -> bool {
+    number.is_zero() || number.to_f64().is_normal()
 }

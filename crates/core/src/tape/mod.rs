@@ -13,7 +13,6 @@ mod linear_systems;
 mod lower;
 mod reciprocal;
 mod schedule;
-mod shape;
 mod sign;
 mod stage;
 mod straight_line;
