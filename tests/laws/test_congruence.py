@@ -55,6 +55,11 @@ def test_a_modulus_whose_rest_is_known_in_the_form_of_a_quotient_ends() -> None:
         pytest.param(102, 4056, id="the reciprocal of a power of x with the exponent -1/299"),
         pytest.param(106, 613, id="the tangent of an angle that a pole of the tangent hides in"),
         pytest.param(303, 4888, id="a content of 168 bits that a sum hides"),
+        pytest.param(800, 1146, id="derivatives of moduli of what may not be real"),
+        pytest.param(804, 550, id="exponentials of numbers of which none is a power of the other one"),
+        pytest.param(830, 746, id="the root of a product with a factor that a derivation knows as -2"),
+        pytest.param(830, 2866, id="parts of pi by 13 that a substitution makes"),
+        pytest.param(841, 2308, id="a number of 94 bits that a substitution makes"),
     ],
 )
 def test_pairs_that_broke_the_law_keep_it(seed: int, index: int) -> None:

@@ -62,3 +62,59 @@ impl Graph {
         Ok(self.congruent(ids, flags, one_each)?.into_iter().flatten().collect())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::graph::{Assumption, Classes, Function};
+    use crate::value::Number;
+
+    /// |1/(sqrt(y) + x)| and 1/|sqrt(y) + x|, whose sum is not real where y is negative.
+    fn moduli(g: &mut Graph) -> Result<[Id; 2], Error> {
+        let [x, y] = ["x", "y"].map(|name| g.symbol(name, Assumption::Real));
+        let root = g.pow_number(y, &Number::rational(1, 2))?;
+        let sum = g.add(root, x);
+        let reciprocal = g.div(Id::ONE, sum)?;
+        let one = g.apply(Function::Abs, &[reciprocal])?;
+        let modulus = g.apply(Function::Abs, &[sum])?;
+        Ok([one, g.div(Id::ONE, modulus)?])
+    }
+
+    #[test]
+    fn derivatives_of_equals_are_equal() -> Result<(), Error> {
+        for order in [[0, 1], [1, 0]] {
+            let g = &mut Graph::new();
+            let forms = moduli(g)?;
+            assert!(g.equal(forms[0], forms[1]));
+            let x = g.symbol("x", Assumption::Real);
+            let [one, two] = order.map(|k| forms[k]);
+            let slope = g.diff(one, x)?;
+            g.enter(Box::<Classes>::default());
+            let in_derivation = [g.diff(two, x)?, g.gradient(two, &[x])?[0], g.jacobian(&[two], &[x])?[0][0]];
+            assert!(in_derivation.into_iter().all(|other| g.equal(slope, other)));
+        }
+        Ok(())
+    }
+
+    /// cos(pi x + 1) and 1 - 2 sin(pi x/2 + 1/2)^2 at x = 19/13: no lane has an angle of pi/13.
+    #[test]
+    fn substitutions_of_equals_are_equal() -> Result<(), Error> {
+        let g = &mut Graph::new();
+        let x = g.symbol("x", Assumption::Real);
+        let turned = g.mul(Id::PI, x)?;
+        let angle = g.add(turned, Id::ONE);
+        let cosine = g.apply(Function::Cos, &[angle])?;
+        let half = g.number_id(&Number::rational(1, 2));
+        let half = g.scale(half, angle);
+        let sine = g.apply(Function::Sin, &[half])?;
+        let square = g.mul(sine, sine)?;
+        let minus_two = g.number_id(&Number::integer(-2));
+        let twice = g.scale(minus_two, square);
+        let other = g.add(Id::ONE, twice);
+        assert!(g.equal(cosine, other));
+        let number = g.number(&Number::rational(19, 13));
+        let [one, two] = [cosine, other].map(|form| g.substitute(&[form], &[(x, number)]).map(|ids| ids[0]));
+        assert!(g.equal(one?, two?));
+        Ok(())
+    }
+}
