@@ -60,6 +60,7 @@ def test_a_modulus_whose_rest_is_known_in_the_form_of_a_quotient_ends() -> None:
         pytest.param(830, 746, id="the root of a product with a factor that a derivation knows as -2"),
         pytest.param(830, 2866, id="parts of pi by 13 that a substitution makes"),
         pytest.param(841, 2308, id="a number of 94 bits that a substitution makes"),
+        pytest.param(901, 3204, id="a multiple of pi/2 with a factor of 84 bits"),
     ],
 )
 def test_pairs_that_broke_the_law_keep_it(seed: int, index: int) -> None:

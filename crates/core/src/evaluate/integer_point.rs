@@ -7,7 +7,7 @@
 
 use rustc_hash::FxHashMap;
 
-use crate::graph::{Atom, Generator, Graph, Id};
+use crate::graph::{Atom, Generator, Graph, Id, View};
 use crate::value::{Element, Field, FieldId, Key, Number, Quadratic, fingerprint, likely_number};
 
 use super::conjugates::{Conjugation, mean_of_conjugates, rational};
@@ -164,6 +164,9 @@ impl Rationals {
 impl Graph {
     /// The value of a node at an integer point, if it is a rational number there.
     pub(super) fn at_integers(&self, root: Id, point: IntegerPoint<'_>) -> Option<Number> {
+        if let View::Scale(factor, child) = self.view(root) {
+            return Some(self.get_number(factor).mul(&self.at_integers(child, point)?));
+        }
         let order = self.short_order(&[root])?;
         let mut values = self.rationals(&order, point);
         let mut point = point;
@@ -226,6 +229,9 @@ impl Graph {
         atom: &Atom,
         point: IntegerPoint<'_>,
     ) -> Option<Number> {
+        if let View::Scale(factor, child) = self.view(root) {
+            return Some(self.get_number(factor).mul(&self.growth_at_integers(child, atom, point)?));
+        }
         let order = self.short_order(&[root])?;
         let growth = |field: FieldId, point: IntegerPoint<'_>| {
             let at = |value| self.values_at(&order, point.with(atom, value), field).remove(&root);
