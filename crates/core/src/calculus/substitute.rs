@@ -25,8 +25,35 @@ impl Graph {
             }
             targets.push(self.value(target), target, replacement);
         }
-        let uncertain = Flags::BRANCH.with(Flags::INVERSE);
-        self.congruent_each(roots, uncertain, |graph, roots| graph.replace(roots, &targets, time))
+        let replaced = self.replace(roots, &targets, time)?;
+        let Some(stand_ins) = self.stand_ins(roots, Flags::BRANCH.with(Flags::INVERSE)) else {
+            return Ok(replaced);
+        };
+        let others = self.outside_derivation(|graph| graph.replace(&stand_ins, &targets, time));
+        let Ok(others) = others else { return Ok(replaced) };
+        let mut agreed = Vec::new();
+        for ((form, stand_in), (id, other)) in
+            roots.iter().zip(stand_ins).zip(replaced.into_iter().zip(others))
+        {
+            let is_own = self.equal(id, other) || self.is_at_jump(&[*form, stand_in], &targets, time);
+            agreed.push(if is_own { id } else { self.adopt(other) });
+        }
+        Ok(agreed)
+    }
+
+    /// Whether a substitution puts one of the forms of a value at a jump: where a sign or a condition is that of zero, forms
+    /// that are equal elsewhere have values of their own.
+    fn is_at_jump(&mut self, forms: &[Id], targets: &ByValue<Id>, time: Option<Id>) -> bool {
+        let mut at_jumps = Vec::new();
+        for id in self.post_order(forms) {
+            match self.view(id) {
+                View::Function(Function::Sign | Function::Atan2, args) => at_jumps.extend(args.iter()),
+                View::Function(Function::Piecewise, args) => at_jumps.extend(args.iter().skip(1).step_by(2)),
+                _ => {}
+            }
+        }
+        let values = self.outside_derivation(|graph| graph.replace(&at_jumps, targets, time));
+        values.map_or(true, |values| values.contains(&Id::ZERO))
     }
 
     fn replace(&mut self, roots: &[Id], targets: &ByValue<Id>, time: Option<Id>) -> Result<Vec<Id>, Error> {
@@ -79,6 +106,7 @@ impl Graph {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::graph::Assumption;
 
     #[test]
     fn derivatives_follow_their_coordinate() -> Result<(), Error> {
@@ -100,6 +128,24 @@ mod tests {
         let quotient = g.div(x, y)?;
         let swapped = g.substitute(&[quotient], &[(x, y), (y, x)])?[0];
         assert_eq!(swapped, g.div(y, x)?);
+        Ok(())
+    }
+
+    /// x > 0 and the opposite of x < 0 are equal but at zero, where each is what it says.
+    #[test]
+    fn forms_keep_their_values_at_jumps() -> Result<(), Error> {
+        let g = &mut Graph::new();
+        let x = g.symbol("x", Assumption::Real);
+        let above = g.apply(Function::Piecewise, &[Id::ONE, x, Id::ZERO])?;
+        let opposite = g.neg(x);
+        let not_below = g.apply(Function::Piecewise, &[Id::ONE, opposite, Id::ZERO])?;
+        let not_below = g.sub(Id::ONE, not_below);
+        for form in [above, not_below] {
+            g.apply(Function::Sin, &[form])?; // so that one represents the other
+        }
+        assert!(g.equal(above, not_below));
+        let at_zero = g.substitute(&[above, not_below], &[(x, Id::ZERO)])?;
+        assert_eq!(at_zero, [Id::ZERO, Id::ONE]);
         Ok(())
     }
 }
