@@ -6,6 +6,7 @@ The mechanisms, and the four ways in which each is modelled, are in `ways_of_mod
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import cache
 
 import pytest
 
@@ -46,15 +47,21 @@ def assembled(equations: Equations) -> tuple[Expr, ...]:
     return *equations.mass_matrix.entries, *equations.bias
 
 
+@cache
+def derived(name: str, way: str, formalism: Callable[[System], Equations] = newton_euler) -> Equations:
+    """Return the equations of a mechanism that is modelled in one of the ways, derived once for all tests."""
+    return formalism(modelled(MECHANISMS[name], way))
+
+
 @pytest.mark.parametrize("name", MECHANISMS)
 def test_mass_matrix_and_bias_are_equally_short(name: str) -> None:
-    counts = [cost(assembled(newton_euler(modelled(MECHANISMS[name], way)))).total for way in WAYS]
+    counts = [cost(assembled(derived(name, way))).total for way in WAYS]
     assert max(counts) <= BOUND * min(counts), counts
 
 
 @pytest.mark.parametrize("name", MECHANISMS)
 def test_residuals_are_equally_short(name: str) -> None:
-    counts = [cost(newton_euler(modelled(MECHANISMS[name], way)).residuals).total for way in WAYS]
+    counts = [cost(derived(name, way).residuals).total for way in WAYS]
     assert max(counts) <= RESIDUALS * min(counts), counts
 
 
@@ -68,24 +75,21 @@ def both(name: str) -> Sequence[Callable[[System], Equations]]:
     [(name, formalism) for name in MECHANISMS if "30" not in name for formalism in both(name)],
 )
 def test_all_ways_give_the_same_values(name: str, formalism: Callable[[System], Equations]) -> None:
-    equations = [formalism(modelled(MECHANISMS[name], way)) for way in WAYS]
+    equations = [derived(name, way, formalism) for way in WAYS]
     for other in equations[1:]:
         assert assembled(other) == assembled(equations[0])
         assert other.residuals == equations[0].residuals
 
 
 def test_a_long_pendulum_has_the_same_values() -> None:
-    values = [
-        assembled(newton_euler(modelled(MECHANISMS["pendulum of 30 links on a cart"], way))) for way in WAYS
-    ]
+    values = [assembled(derived("pendulum of 30 links on a cart", way)) for way in WAYS]
     assert all(other == values[0] for other in values[1:])
 
 
 @pytest.mark.parametrize("way", WAYS)
 @pytest.mark.parametrize("name", [name for name in MECHANISMS if "30" not in name and len(both(name)) == 2])
 def test_both_formalisms_give_the_same_nodes(name: str, way: str) -> None:
-    system = modelled(MECHANISMS[name], way)
-    one, two = newton_euler(system), lagrange_equations(system)
+    one, two = derived(name, way), derived(name, way, lagrange_equations)
     assert ids(one.residuals) == ids(two.residuals)
     assert ids(assembled(one)) == ids(assembled(two))
 
