@@ -138,6 +138,18 @@ def test_solve_tells_that_an_expression_is_taken_for_a_name() -> None:
     assert interpreter.session.notices == [f"solve: x*y, x^2 are {told}", f"solve: x^2 is {told}"]
 
 
+def test_solutions_have_no_pivots_that_vanish() -> None:
+    """Of two bodies with a joint, where all angles are zero and at rest: they fall, and the joint carries nothing."""
+    sheet = """with(MBSymba_r6): FzJ(t) := 0: _gravity := make_VECTOR(ground,0,-g,0):
+    for i to 2 do B||i := make_BODY(translate(x||i(t),y||i(t),0)*rotate('Z',p||i(t)), m||i, 0,0,J||i) od:
+    phi, RA, RR := spherical_JOINT(make_POINT(B1[frame],a1,0,0), make_POINT(B2[frame],-b2,0,0), B1, B2, "J"):
+    eqs := {comp_XYZ(newton_equations({B1,RA})), comp_XYZ(newton_equations({B2,RR})), comp_Z(euler_equations({B1,RA})),
+    comp_Z(euler_equations({B2,RR})), diff(comp_X(phi,ground),t,t), diff(comp_Y(phi,ground),t,t)} minus {0}:
+    S := solve(eqs, {seq(op(diff([x||i(t),y||i(t),p||i(t)],t,t)),i=1..2), FxJ(t), FyJ(t)}):
+    simplify(subs(S, p1(t)=0, p2(t)=0, diff(p1(t),t)=0, diff(p2(t),t)=0, [FxJ(t),FyJ(t)]));"""
+    assert printed(sheet)[-1] == "[0, 0]"
+
+
 def test_fsolve_names_values_of_functions_that_have_no_number() -> None:
     (message,) = failures("fsolve({cos(p)+phi(0)=1, s=2}, {p=0..2, s=1..3});")
     assert "fsolve: phi(0) is in the equations, and not solved for" in message

@@ -66,20 +66,32 @@ def eliminated(equations: Sequence[Expr], unknowns: Sequence[Expr]) -> dict[Expr
 
 
 def _pivot(rows: Sequence[dict[int, Expr]], left: set[int]) -> tuple[int, int] | None:
-    """Return the place of the next pivot: that with the least fill, numbers first."""
+    """Return the place of the next pivot: that with the least fill, numbers first.
+
+    What depends on variables, such as ``cos(q)``, is a pivot only where nothing else is left: it may be zero.
+    """
     count: dict[int, int] = {}
     for i in left:
         for k in rows[i]:
             count[k] = count.get(k, 0) + 1
     places = [
-        ((len(rows[i]) - 1) * (count[k] - 1), not entry.is_number, k, i)
+        (_may_be_zero(entry), (len(rows[i]) - 1) * (count[k] - 1), not entry.is_number, k, i)
         for i in sorted(left)
         for k, entry in rows[i].items()
     ]
     if not places:
         return None
-    _, _, k, i = min(places)
+    *_, k, i = min(places)
     return i, k
+
+
+def _may_be_zero(entry: Expr) -> bool:
+    """Whether an entry can be zero at special values: anything but products and powers of symbols."""
+    if entry.kind == "product":
+        return any(_may_be_zero(factor) for factor in entry.args)
+    if entry.kind == "power":
+        return _may_be_zero(entry.args[0])
+    return not (entry.is_number or entry.kind == "symbol")
 
 
 def _add(row: dict[int, Expr], k: int, term: Expr) -> None:
