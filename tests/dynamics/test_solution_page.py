@@ -9,6 +9,8 @@ from symbody import (
     Body,
     Equations,
     Expr,
+    Force,
+    Point,
     System,
     Vector,
     describe,
@@ -18,6 +20,8 @@ from symbody import (
     lambdify,
     latex,
     newton_euler,
+    origin,
+    pi,
     readable,
     rotate,
     symbols,
@@ -85,3 +89,35 @@ def test_of_long_accelerations_the_sizes_are_shown() -> None:
     assert "a30'': " in text
     assert "operations" in text
     assert "readable(solution.accelerations[0])" in text
+
+
+def test_terms_of_one_force_stand_together() -> None:
+    """A rocking body on a spring: ``a**2*(c*z' + k*z) - h**2*(c*z' + k*z)`` stood in the acceleration of its foot."""
+    z, theta = functions_of_time("z theta")
+    I, a, h, c, k = symbols("I a h c k")
+    frame = translate(x, 0, z) * rotate("Y", -theta)
+    body = Body(Point(frame, a, 0, h), m, 0, I, 0)
+    foot = Force(ground, 0, 0, -k * z - c * time_derivative(z), at=origin(frame), on=body)
+    rocking = newton_euler(System([body], [foot], [x, z, theta]))
+    row = describe(forward_dynamics(rocking)).splitlines()[1]
+    assert row.strip() == (
+        "x'' = (a*cos(theta) - h*sin(theta))*(theta'**2 + (a*sin(theta) + h*cos(theta))*(c*z' + k*z)/I)"
+    )
+
+
+def test_an_entry_of_christoffels_matrix_has_a_coefficient_for_each_speed() -> None:
+    """Of an arm that turns and lifts: C11 has the coefficients of C12 and C13, ``-m_k*v_k`` each."""
+    q3, (l1, a2, I1, I2, I3) = functions_of_time("q3"), symbols("l1 a2 I1 I2 I3")
+    upper = rotate("Z", q1) * rotate("X", pi / 2) * rotate("Z", q2)
+    lower = upper * translate(l1, 0, 0) * rotate("Z", q3)
+    bodies = [
+        Body(rotate("Z", q1), 0, Iz=I1),
+        Body(upper, 0, 0, I2, I2),
+        Body(Point(lower, a2, 0, 0), m, 0, I3, I3),
+    ]
+    form = newton_euler(System(bodies, coordinates=[q1, q2, q3])).matrix_form(christoffel=True)
+    rows = dict(row.split(" = ", 1) for row in describe(form).replace("\n        ", " ").splitlines()[1:])
+    row = {name.strip(): " ".join(text.split()) for name, text in rows.items()}
+    first, second = (row[name].removesuffix("*q1'") for name in ("C12", "C13"))
+    assert second.startswith("-")
+    assert row["C11"] == f"{first}*q2' - {second[1:]}*q3'"

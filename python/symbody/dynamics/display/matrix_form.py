@@ -21,6 +21,7 @@ from symbody.symbolic.given.arguments import brief
 from .abridged import PAGES
 from .balance import Balance
 from .causes import generalized_forces
+from .like_terms import joined
 from .page import Page
 from .reader_of import reader_of
 from .row import printed
@@ -31,6 +32,8 @@ _FEW = 3
 _ADVICE = """\
 Too long to be read at once. One entry: form.mass_matrix[0, 0], or form.coriolis[0, 0];
 all of the {count} lines: print(form.description(whole=True))."""
+_BY_SPEEDS = 1.25
+"""The length of an entry of C with a term for each speed, at most, in relation to another form."""
 _TWO_DIGITS = 10
 """Speeds from which on indices have two digits."""
 _NAMED = 3
@@ -337,10 +340,12 @@ def by_christoffel(mass_matrix: Matrix, system: Variables) -> Matrix:
     rates = [[[diff(mass_matrix[i, j], q[k]) for k in range(n)] for j in range(n)] for i in range(n)]
 
     def entry(i: int, j: int) -> Expr:
-        total = number(0)
-        for k, speed in enumerate(system.speeds):
-            total += (rates[i][j][k] + rates[i][k][j] - rates[j][k][i]) / 2 * speed
-        return reader.form(total)
+        slopes = ((rates[i][j][k] + rates[i][k][j] - rates[j][k][i]) / 2 for k in range(n))
+        products = [(slope, u) for slope, u in zip(slopes, system.speeds, strict=True) if not slope.is_zero]
+        total = sum((slope * u for slope, u in products), start=number(0))
+        by_speeds = sum(joined(products, reader), start=number(0))
+        form = reader.form(total)
+        return by_speeds if reader.length(by_speeds) <= _BY_SPEEDS * reader.length(form) else form
 
     return Matrix([[entry(i, j) for j in range(n)] for i in range(n)])
 

@@ -20,6 +20,8 @@ from .summary import READABLE
 
 _MOST = 30
 """The values up to which they are written out."""
+_AT_ONCE = 200
+"""Operations of all values up to which the shortest form of each is looked for."""
 
 
 @dataclass(frozen=True)
@@ -91,7 +93,8 @@ class SolutionPage:
         names = {place: unknown * place / self.values[unknown] for unknown, place in self._solved.items()}
         given = {unknown: value for unknown, value in self.values.items() if unknown not in self._solved}
         values = [(value,) for value in substitute(list(given.values()), names)]
-        forms = [tuple(map(reader, row)) for row in values]
+        read = reader.shortest_form if cost([each for (each,) in values]).total <= _AT_ONCE else reader
+        forms = [tuple(map(read, row)) for row in values]
         divided = over_determinant(values, self.system, reader)
         definitions, texts = printed_rows(forms, divided, notation, self.system)
         definitions, sides = shortened(texts, (), definitions, notation)

@@ -14,6 +14,7 @@ from .cost import cost
 from .derivative import substitute
 from .difference import by_differences, with_differences
 from .fractions_outside import with_fractions_outside
+from .readable import readable
 from .reading import is_divisor, levels, multiples_of_angles, nodes_of, parts_of, reading
 from .rewrite import factor_terms, short_form, simplify, textbook_form
 from .squares import squared_sums, with_squares
@@ -95,6 +96,14 @@ class Reader:
         if not _LARGE < operations <= _PART_BY_PART:
             return self(expression)
         return self._names.original(short_form(self._names.standard(expression)))
+
+    def shortest_form(self, expression: Expr) -> Expr:
+        """Return the form as of a term of equations, or that of an expression by itself if it is shorter."""
+        standard = self._names.standard(expression)
+        forms = [self._read_standard(standard)]
+        if _SMALL < cost(standard).total <= _LARGE:
+            forms.append(readable(standard))
+        return self._names.original(min(forms, key=_length))
 
     def simplest_form(self, expression: Expr) -> Expr:
         """Return the same of its simplest form."""
