@@ -181,6 +181,24 @@ def test_names_that_are_joined_of_pieces_are_written_out() -> None:
     assert made["S"] == m1 + 2 * m2
 
 
+def test_matrices_of_functions_of_the_indices_are_comprehensions() -> None:
+    text = program(
+        "q := [x(t), y(t)]: n := 2: M := Matrix(n, 3, (i,j) -> q[i]*j): v := Vector(n, i -> diff(q[i],t)):",
+        "m",
+    )
+    assert "M = sb.Matrix([[q[i - 1]*j for j in range(1, 4)] for i in range(1, n + 1)])\n" in text
+    assert "v = sb.Matrix.column([sb.diff(q[i - 1], sb.t) for i in range(1, n + 1)])\n" in text
+    made = run(text)
+    x, y = made["x"], made["y"]
+    assert made["M"] == sb.Matrix([[x, 2 * x, 3 * x], [y, 2 * y, 3 * y]])
+
+
+def test_names_that_differ_by_an_underscore_are_two() -> None:
+    made = run(program("e := theta*2 + theta_(t): f := diff(e, t): g := subs(theta=3, e):", "names"))
+    assert made["f"] == sb.diff(made["theta_"], sb.t)
+    assert made["g"] == 6 + made["theta_"]
+
+
 def test_frames_hang_on_the_moving_frame() -> None:
     sheet = """restart: with(MBSymba_r6):
 use_moving_frame(u(t), v(t), 0, 0, 0, r(t)):

@@ -23,6 +23,13 @@ def _matrix(text: Writer, arguments: Arguments) -> str:
     if fill:
         height, width = (text.text(arguments[k]) for k in (0, -1))
         return f"sb.Matrix([[{fill}]*{width}]*{height})"
+    if len(arguments) > 1 and (entry := _of_indices(arguments[-1], 2)) is not None:
+        body, (row, column) = entry
+        sizes = (arguments[0], arguments[-2])
+        line = syntax.ListDisplay((_sequence(body, column, sizes[1]),), place=body.place)
+        return (
+            f"sb.Matrix({text.text(syntax.ListDisplay((_sequence(line, row, sizes[0]),), place=body.place))})"
+        )
     counts = [text.text(each) for each in arguments[:2]]
     if len(arguments) == 3 and all(each.isdigit() for each in counts):
         rows, columns = map(int, counts)
@@ -59,7 +66,29 @@ def _matrix_options(text: Writer, arguments: Arguments) -> tuple[Arguments, str,
     return tuple(kept), shape, fill
 
 
+def _of_indices(
+    node: syntax.Expression, count: int
+) -> tuple[syntax.Expression, tuple[syntax.Parameter, ...]] | None:
+    """Return the body and the indices of ``(i, j) -> e``; None for another content."""
+    match node:
+        case syntax.Arrow(parameters=parameters, body=body) if len(parameters) == count:
+            return None if isinstance(body, syntax.If) else (body, parameters)
+    return None
+
+
+def _sequence(each: syntax.Expression, index: syntax.Parameter, last: syntax.Expression) -> syntax.Expression:
+    """Return ``seq(each, index = 1 .. last)``."""
+    place = each.place
+    span = syntax.Infix("..", syntax.Integer(1, place=place), last, place=place)
+    over = syntax.Infix("=", syntax.Name(index.name, place=place), span, place=place)
+    return syntax.Call(syntax.Name("seq", place=place), (each, over), place=place)
+
+
 def _column(text: Writer, arguments: Arguments) -> str:
+    if len(arguments) == 2 and (entry := _of_indices(arguments[1], 1)) is not None:
+        body, (index,) = entry
+        made = syntax.ListDisplay((_sequence(body, index, arguments[0]),), place=body.place)
+        return f"sb.Matrix.column({text.text(made)})"
     content = text.text(arguments[-1])
     if not isinstance(text.value(content), list):
         raise NoText("Vector")

@@ -56,7 +56,10 @@ class NoText(Exception):
 
 def identifier(name: str) -> str:
     """Return a name of Python for a name of Maple: ``_gravity`` becomes ``gravity``, ``theta[1]`` ``theta_1``."""
-    text = re.sub(r"\W+", "_", name).strip("_") or "name"
+    text = re.sub(r"\W+", "_", name).lstrip("_")
+    if not name.endswith("_"):  # theta_ beside theta
+        text = text.rstrip("_")
+    text = text or "name"
     if text[0].isdigit():
         text = f"_{text}"
     return f"{text}_" if keyword.iskeyword(text) or text in _TAKEN else text
