@@ -62,9 +62,11 @@ class _Derivatives(_Constants):
         return node
 
 
-def _value(text: str, reader: ast.NodeTransformer, names: Mapping[str, Any]) -> Any:
+def _read(text: str, reader: ast.NodeTransformer) -> Callable[[Mapping[str, Any]], Any]:
+    """Return the value of a text as a function of its names: one reading serves all points."""
     tree = ast.fix_missing_locations(reader.visit(ast.parse(text.strip(), mode="eval")))
-    return eval(compile(tree, text, "eval"), dict(names))
+    code = compile(tree, text, "eval")
+    return lambda names: eval(code, dict(names))
 
 
 def _symbolic_names() -> dict[str, Any]:
@@ -113,19 +115,18 @@ def _numeric_names(seed: int, spread: float) -> dict[str, Any]:
 
 def expression(text: str) -> Any:
     """Return the text as a symbody expression."""
-    return _value(text, _Constants(), _symbolic_names())
+    return _read(text, _Constants())(_symbolic_names())
 
 
-@cache
 @cache
 def agrees(left: str, right: str) -> bool:
     """Return whether mpmath finds the two texts equal at every random point where both exist."""
-    met = False
+    met, sides = False, [_read(text, _Derivatives()) for text in (left, right)]
     with mpmath.workdps(DIGITS):
         for seed, spread in enumerate(SPREADS, start=20):
             names = _numeric_names(seed, spread)
             try:
-                one, two = (mpmath.mpmathify(_value(text, _Derivatives(), names)) for text in (left, right))
+                one, two = (mpmath.mpmathify(side(names)) for side in sides)
             except ZeroDivisionError:
                 continue
             met = True
