@@ -11,7 +11,7 @@ import pytest
 
 BEGIN = """
 import signal, sys
-from symbody import *
+from symbody.symbolic import *
 signal.signal(signal.SIGINT, {handler})
 v = symbols("v1:1001")
 {setup}
@@ -84,7 +84,7 @@ def test_a_handler_may_use_expressions_and_go_on() -> None:
 
 MEASURED = """
 import os, subprocess, time
-from symbody import *
+from symbody.symbolic import *
 from symbody.symbolic import _core
 v = symbols("v1:601")
 {setup}

@@ -19,7 +19,7 @@ CALLS = {
 
 TEXT = """
 import os, signal
-from symbody import *
+from symbody.symbolic import *
 from symbody.symbolic import _core
 
 def used(process):
