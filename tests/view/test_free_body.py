@@ -35,6 +35,7 @@ from symbody import (
     rolling,
     rotate,
     simulate,
+    spherical,
     spring,
     steady,
     symbols,
@@ -416,3 +417,21 @@ def test_wheels_are_discs_up_to_the_points_where_teeth_touch(tmp_path):
 )
 def test_magnitudes_have_three_digits(size, text):
     assert _three_digits(size) == text
+
+
+def test_a_part_is_seen_from_one_direction_at_all_instants(tmp_path):
+    """So a force that is constant in ground keeps its direction, also where the rods are in a plane for an instant."""
+    upper, lower = Link("upper", 1.0, 0.1, 0.1, 0.1, center=(0, 0, -1)), Link("lower", 1.0, 0.1, 0.1, 0.1)
+    made = assemble(
+        [spherical("A", ground, upper, axes="XYZ"), spherical("B", upper, lower, at=(0, 0, -1), axes="XYZ")]
+    )
+    push = Force(ground, 3, 2, 9, at=made.point(lower, 0, 0, -1), on=made.body(lower), name="push")
+    equations = newton_euler(made.system([push], gravity=Vector(ground, 0, 0, -10)))
+    motion = simulate(equations, {}, {equations.coordinates[3]: 0.3}, t=(0, 2))
+    angles = []
+    for t in (0, 0.3, 0.9, 1.3, 2):
+        drawn = free_body_diagram(motion, lower, tmp_path / "lower.svg", t=t).read_text(encoding="utf-8")
+        (line,) = (found[:4] for found in LINE.findall(drawn) if found[4] == "#c0392b")
+        x1, y1, x2, y2 = map(float, line)
+        angles.append(np.arctan2(y1 - y2, x2 - x1))
+    assert angles == pytest.approx([angles[0]] * 5, abs=0.02)

@@ -10,7 +10,6 @@ from typing import Annotated, Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial.transform import Rotation
 
 from symbody.dynamics import Reaction
 from symbody.dynamics.formalism.part import body_of, cut_joints, things_of
@@ -22,7 +21,8 @@ from symbody.symbolic import Expr
 from symbody.symbolic.given.arguments import brief, given_twice, with_known_names
 from symbody.view.drawable_motion import DrawableMotion, drawable, mechanism_of
 from symbody.view.drawing_options import DrawingOptions
-from symbody.view.pose import paths, values
+from symbody.view.part_camera import facing
+from symbody.view.pose import arrows, paths, values
 from symbody.view.scene import scene
 from symbody.view.sketch import sketch_of
 from symbody.view.solid import corners
@@ -51,17 +51,11 @@ SMALL = 0.01
 BALANCED = 1e-9
 """Forces and moments whose resultant is below this part of the largest are an action and its reaction."""
 
-FLAT = 1e-6
-"""What is thinner than this part of its extent lies in a plane."""
-
-CLEAR = 0.05
-"""Points of action that are seen closer than this part of their largest distance lie on each other."""
+SAMPLES = 25
+"""The most instants of a motion by which a part is seen from one direction."""
 
 HUGE = 1.5
 """Solids longer than this multiple of the part's extent, as some that are found by inertia, would hide its forces."""
-
-TURNS = (0.0, 15.0, -15.0, 30.0, -30.0)
-"""Turns of the camera about the vertical, in degrees, in the order of preference."""
 
 _SUPPORT = "support"
 """The name of what holds a part beside joints."""
@@ -81,15 +75,15 @@ class _Acting:
 
 
 @dataclass(frozen=True)
-class _Instant:
-    """A motion at one of its instants."""
+class _Instants:
+    """A motion at some of its instants."""
 
     motion: DrawableMotion
-    index: int
+    indices: Sequence[int]
 
     @property
     def t(self) -> Array:
-        return self.motion.t[[self.index]]
+        return self.motion.t[[*self.indices]]
 
     @property
     def system(self) -> Any:
@@ -100,7 +94,7 @@ class _Instant:
 
     def evaluate(self, expressions: Sequence[Expr]) -> Array:
         rows = np.asarray(self.motion.evaluate(expressions), dtype=np.float64)
-        return np.broadcast_to(rows, (len(expressions), len(self.motion.t)))[:, [self.index]]
+        return np.broadcast_to(rows, (len(expressions), len(self.motion.t)))[:, [*self.indices]]
 
 
 @with_known_names
@@ -120,6 +114,9 @@ def free_body_diagram(
     The lengths of forces are proportional to their magnitudes, and those of moments to theirs, which stand beside the
     names, in N and N m if the model is in SI units. A moment about an axis towards the viewer is an arc, any other one
     an arrow with two heads. What is zero is not drawn, nor what acts between bodies of the part, such as a spring.
+
+    A part that stays in a plane with its forces is seen along its normal. Any other one is seen from one direction at
+    all instants of a motion, from which points of action are seen apart.
 
     Args:
         motion: a motion of a system with bodies, an equilibrium, or a steady motion at its first instant; or a system
@@ -147,8 +144,11 @@ def free_body_diagram(
     whole = drawable(motion, _WHERE, parameters)
     system = mechanism_of(whole, _WHERE)
     members = _members(system, part)
-    drawn = _Instant(whole, 0 if t is None else _index(whole.t, t))
+    index = 0 if t is None else _index(whole.t, t)
+    drawn, series = _Instants(whole, [index]), _Instants(whole, [index, *_samples(len(whole.t))])
     content = scene(drawn, DrawingOptions(), "")
+    along = scene(series, DrawingOptions(), "")["view"]
+    content["view"] |= {"direction": along["direction"], "up": along["up"]}
     kept = [k for k, body in enumerate(system.bodies) if body in members]
     members = [system.bodies[k] for k in kept]
     content["bodies"] = [{**content["bodies"][k], "has_axes": False} for k in kept]
@@ -157,10 +157,21 @@ def free_body_diagram(
     content["axes"], content["lines"] = [], []
     content["points"] = _points(drawn, system, members)
     acting = [*_loads(drawn, system, members), *_weights(system, members), *_reactions(system, members)]
-    content["actions"] = _entries(drawn, acting, content)
-    content["view"] |= _facing(content)
+    at, vectors = (
+        paths(series, [each.at for each in acting]),
+        arrows(series, [each.vector for each in acting]),
+    )
+    radius = _radius(content)
+    actions = [_entries(acting, at[:, k], vectors[:, k], radius) for k in range(len(series.t))]
+    content["actions"] = actions[0]
+    content["view"] |= facing(content["view"], _places_along(series, system, members), actions)
     content["bodies"] = _without_what_hides(content)
     return write_whole(file, _writer(sketch_svg(sketch_of(content))), where=_WHERE)
+
+
+def _samples(count: int) -> list[int]:
+    """Return the indices of some of the instants of a motion, the first and the last one among them."""
+    return sorted({round(k) for k in np.linspace(0, count - 1, min(count, SAMPLES)).tolist()})
 
 
 def _index(instants: Array, t: float) -> int:
@@ -223,9 +234,17 @@ def _arms(
 
 def _points(motion: DrawableMotion, system: System, members: Sequence[Body]) -> list[dict[str, Any]]:
     """Return the points of the joints of the part."""
+    return [{"name": "", "path": path.tolist()} for path in paths(motion, _of_joints(system, members))]
+
+
+def _of_joints(system: System, members: Sequence[Body]) -> list[Point]:
     names = [body.name for body in members]
-    points = [joint.acting_point for joint in system.joints if any(name in names for name, _ in joint.ends)]
-    return [{"name": "", "path": path.tolist()} for path in paths(motion, points)]
+    return [joint.acting_point for joint in system.joints if any(name in names for name, _ in joint.ends)]
+
+
+def _places_along(motion: DrawableMotion, system: System, members: Sequence[Body]) -> Array:
+    """Return the centres of mass of the part and the points of its joints, shape (count, instants, 3)."""
+    return paths(motion, [*(body.center_of_mass for body in members), *_of_joints(system, members)])
 
 
 def _loads(motion: DrawableMotion, system: System, members: Sequence[Body]) -> Iterator[_Acting]:
@@ -283,13 +302,15 @@ def _of_reaction(name: str, found: Reaction) -> Iterator[_Acting]:
     yield _Acting(name, "reaction", found.at, found.moment, is_moment=True)
 
 
-def _entries(
-    motion: DrawableMotion, given: Sequence[_Acting], content: dict[str, Any]
-) -> list[dict[str, Any]]:
-    """Return the arrows: forces to one scale, and moments to another one."""
-    radius = _radius(content)
-    places = paths(motion, [each.at for each in given])[:, 0]
-    vectors = _vectors(motion, given)
+def _entries(given: Sequence[_Acting], places: Array, vectors: Array, radius: float) -> list[dict[str, Any]]:
+    """Return the arrows at an instant: forces to one scale, and moments to another one.
+
+    Args:
+        given: the forces and moments.
+        places: where they act, shape (count, 3).
+        vectors: their components in the axes of the root, shape (count, 3).
+        radius: that of the part.
+    """
     sizes = np.linalg.norm(vectors, axis=1)
     largest = {
         kind: max(
@@ -322,55 +343,6 @@ def _vectors(motion: DrawableMotion, given: Sequence[_Acting]) -> Array:
     """Return the components of forces and moments in the axes of the root, shape (count, 3)."""
     components = [c for each in given for c in each.vector.projected(each.vector.frame.ancestor).components]
     return values(motion, components).reshape(-1, 3)
-
-
-def _facing(content: dict[str, Any]) -> dict[str, list[float]]:
-    """Return the camera that faces the plane of the part and of its forces; one near the usual one if there is none.
-
-    Only so are the angles and the lengths in the picture those of the forces.
-    """
-    places, actions = _places(content), content["actions"]
-    forces = [each["vector"] for each in actions if not each["is_moment"]]
-    moments = [each["vector"] for each in actions if each["is_moment"]]
-    acting = [np.array(each["at"]) - places[0] for each in actions if not each["is_moment"]]
-    lying = np.array([*(places - places[0]), *acting, *forces, np.zeros(3), np.zeros(3)])
-    _, sizes, axes = np.linalg.svd(lying, full_matrices=False)
-    normal = axes[2]
-    if sizes[1] < FLAT * sizes[0] and moments:  # a line: the plane is across the moments
-        normal = np.array(moments[0]) / np.linalg.norm(moments[0])
-    if (
-        np.abs(lying @ normal).max() > FLAT * sizes[0]
-        or np.abs(np.cross(moments or [normal], normal)).max() > FLAT
-    ):
-        return _apart(content)
-    view = content["view"]
-    side = normal @ view["direction"]
-    upwards = next(up for up in ([view["up"], *np.eye(3)[[1, 0]]]) if abs(normal @ up) < 0.9)
-    up = upwards - (normal @ upwards) * normal
-    return {
-        "direction": (normal * (1 if side >= 0 else -1)).tolist(),
-        "up": (up / np.linalg.norm(up)).tolist(),
-    }
-
-
-def _apart(content: dict[str, Any]) -> dict[str, list[float]]:
-    """Return the usual camera, turned about the vertical if points at which forces act lie on each other there."""
-    view = content["view"]
-    direction, up = np.array(view["direction"], dtype=float), np.array(view["up"], dtype=float)
-    places = np.array([each["at"] for each in content["actions"]]).reshape(-1, 3)
-    gaps = (places[:, None] - places[None])[np.triu_indices(len(places), 1)]
-    gaps = gaps[np.linalg.norm(gaps, axis=1) > FLAT * float(view["radius"])]
-    if not len(gaps):
-        return {}
-
-    def clearance(degrees: float) -> float:
-        seen = Rotation.from_rotvec(np.radians(degrees) * up).apply(direction)
-        return float(np.linalg.norm(np.cross(gaps, seen / np.linalg.norm(seen)), axis=1).min())
-
-    if clearance(0.0) > CLEAR * float(np.linalg.norm(gaps, axis=1).max()):
-        return {}
-    best = max(TURNS, key=clearance)
-    return {"direction": Rotation.from_rotvec(np.radians(best) * up).apply(direction).tolist()}
 
 
 def _without_what_hides(content: dict[str, Any]) -> list[dict[str, Any]]:
