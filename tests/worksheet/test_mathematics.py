@@ -15,6 +15,15 @@ from symbody.worksheet.values.value import Array
 from tests.worksheet.printed_by import printed
 
 
+def walked(value: Expr) -> list[Expr]:
+    """Return the functions in an expression."""
+    return [
+        node
+        for node in [value, *(each for part in value.args for each in walked(part))]
+        if node.kind == "function"
+    ]
+
+
 def scalar_of(text: str) -> Expr:
     """Return the scalar that the last expression of a sheet gives."""
     interpreter = Interpreter()
@@ -130,3 +139,14 @@ def test_inverse_functions_of_exact_numbers_are_angles() -> None:
         found = scalar_of(text)
         assert (found / pi).is_number == (angle is not None), text
         assert angle is None or found.evaluate({}) == pytest.approx(angle, rel=1e-15)
+
+
+@pytest.mark.parametrize("function", ["sin", "cos", "tan"])
+@pytest.mark.parametrize("inverse", ["arcsin", "arccos", "arctan"])
+def test_functions_of_inverse_functions_are_algebraic(function: str, inverse: str) -> None:
+    called = scalar_of(f"{function}({inverse}(u/3))")
+    put_in = scalar_of(f"subs(phi(t) = {inverse}(u/3), {function}(phi(t)))")
+    assert put_in == called
+    assert not {"asin", "acos", "atan", function} & {node.name for node in walked(put_in)}
+    value = getattr(math, function)(getattr(math, inverse.replace("arc", "a"))(0.7 / 3))
+    assert put_in.evaluate({symbol("u"): 0.7}) == pytest.approx(value, rel=1e-14)

@@ -17,6 +17,10 @@ CASES = {
         "f := proc(n) if n<=1 then 1 else n*f(n-1) end if end proc: f(10);",
         ["3628800"],
     ),
+    "recursive by procname": (
+        "f := proc(n) option remember; if n<=1 then 1 else n*procname(n-1) end if end proc: f(10);",
+        ["3628800"],
+    ),
     "nested": (
         "f := proc(x) local g; g := y -> x+y; g(2) end proc: f(a);",
         ["a+2"],
@@ -132,8 +136,9 @@ def test_too_many_arguments_are_told_where_the_heading_ends() -> None:
 def test_an_error_of_the_sheet_is_told() -> None:
     (message,) = failures('f := proc(n) error "no %1", n end proc: f(3);')
     assert message == "(in f) no 3"
-    (message,) = failures('f := proc(n) ERROR("no such case", n, n^2) end: f(3);')
-    assert message == "(in f) no such case, 3, 9"
+    for text in ('"no such case"', "`no such case`"):
+        (message,) = failures(f"f := proc(n) ERROR({text}, n, n^2) end: f(3);")
+        assert message == "(in f) no such case, 3, 9"
 
 
 def test_a_missing_argument_that_is_used_is_told() -> None:

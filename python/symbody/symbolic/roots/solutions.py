@@ -126,24 +126,31 @@ def _holds(e: Expr, x: Expr) -> bool:
 def _continued(equations: Sequence[Expr], unknowns: Sequence[Expr], values: Solution) -> list[Solution]:
     """Return the solutions of further equations with some unknowns known."""
     held = frozenset(unknowns)
-    rest = [numerator(each, held) for each in substitute(tuple(equations), _with_directions(values))]
+    rest = [numerator(each, held) for each in _put_in(equations, values)]
     others = [x for x in unknowns if x not in values]
     result = []
     for found in _solved(rest, others):
-        known = {x: substitute((value,), _with_directions(found))[0] for x, value in values.items()}
+        known = {x: _put_in([value], found)[0] for x, value in values.items()}
         result.append({**known, **found})
     return result
 
 
-def _with_directions(values: Solution) -> Solution:
-    """Return values with the sines and cosines of the angles among them: no ``cos(atan2(s, c))`` is to be undone."""
-    found = dict(values)
-    for x, value in values.items():
-        if value.kind == "function" and value.name == "atan2":
-            s, c = value.args
-            if (s**2 + c**2 - 1).is_zero:
-                found |= {sin(x): s, cos(x): c}
-    return found
+def _put_in(expressions: Sequence[Expr], values: Solution) -> list[Expr]:
+    """Return expressions with values in them, and no ``cos(atan2(s, c))`` of what is a sine and a cosine."""
+    found = list(substitute(tuple(expressions), values))
+    sides = {node: side for node in _nodes(found) if (side := _side(node)) is not None}
+    return list(substitute(tuple(found), sides)) if sides else found
+
+
+def _side(node: Expr) -> Expr | None:
+    """Return c of ``cos(atan2(s, c))``, or s of its sine, where they are those of an angle."""
+    if node.kind != "function" or node.name not in {"sin", "cos"}:
+        return None
+    (angle,) = node.args
+    if angle.kind != "function" or angle.name != "atan2":
+        return None
+    s, c = angle.args
+    return (s if node.name == "sin" else c) if (s**2 + c**2 - 1).is_zero else None
 
 
 def _one_unknown(

@@ -16,6 +16,7 @@ from symbody.worksheet.evaluation.arithmetic import scalar
 from symbody.worksheet.evaluation.entrywise import entrywise
 from symbody.worksheet.evaluation.session import Command, Session
 from symbody.worksheet.mathematics.elimination import eliminated_in_turn
+from symbody.worksheet.mathematics.inverse_functions import has_inverse, without_inverses
 from symbody.worksheet.mathematics.polynomial import coefficients, degree, reduced
 from symbody.worksheet.printing.print import Style, text_of
 from symbody.worksheet.values.naming import symbol
@@ -58,6 +59,8 @@ def subs(session: Session, *arguments: Value) -> Value:
                 continue
             solutions.append(mapping)
         value = after
+        if any(isinstance(new, Expr) and has_inverse(new) for new in mapping.values()):
+            value = entrywise(session, value, without_inverses, keeps_value=True)
     return session.current(value)
 
 
@@ -114,7 +117,7 @@ def unapply(session: Session, value: Value, *variables: Value) -> Value:
 
 def _simple(session: Session, value: Expr) -> Expr:
     session.limits.check()
-    return simplified(value)
+    return simplified(without_inverses(value))
 
 
 def simplify(session: Session, value: Value, *options: Value) -> Value:

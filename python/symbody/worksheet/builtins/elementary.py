@@ -28,7 +28,6 @@ from symbody.symbolic import (
     sign,
     sin,
     sinh,
-    sqrt,
     tan,
     tanh,
 )
@@ -37,6 +36,7 @@ from symbody.worksheet.evaluation.at_numbers import calls_functions, value_at
 from symbody.worksheet.evaluation.session import Command, Session, sequence
 from symbody.worksheet.mathematics.closed_roots import root_number
 from symbody.worksheet.mathematics.exact_angle import with_exact_angles
+from symbody.worksheet.mathematics.inverse_functions import of_inverse
 from symbody.worksheet.mathematics.quadrature import integral_number
 from symbody.worksheet.values.complex_number import as_complex, of_number
 from symbody.worksheet.values.naming import symbol
@@ -65,34 +65,11 @@ def _of_one(function: Callable[[Expr], Expr]) -> Command:
                 f"{name}: {session.text(x)[:60]} is no expression; map applies a function to each item"
             )
         argument = scalar(session, x)
-        found = _of_inverse(function, argument) or function(argument)
+        found = of_inverse(getattr(function, "__name__", ""), argument) or function(argument)
         found = with_exact_angles(found) if found.is_constant else found
         return with_decimals(found, argument, digits=session.options.digits)
 
     return command
-
-
-def _of_inverse(function: Callable[[Expr], Expr], argument: Expr) -> Expr | None:
-    """Return sine, cosine or tangent of an inverse function without either, as Maple does at once."""
-    if (
-        argument.kind != "function"
-        or argument.name not in ("asin", "acos", "atan")
-        or len(argument.args) != 1
-    ):
-        return None
-    (u,) = argument.args
-    length = sqrt(1 + u**2)
-    parts = {
-        "asin": (u, sqrt(1 - u**2)),
-        "acos": (sqrt(1 - u**2), u),
-        "atan": (u / length, 1 / length),
-    }
-    sine, cosine = parts[argument.name]
-    if function is sin:
-        return sine
-    if function is cos:
-        return cosine
-    return None if function is not tan else u if argument.name == "atan" else sine / cosine
 
 
 def _reciprocal(name: str, function: Callable[[Expr], Expr]) -> Command:

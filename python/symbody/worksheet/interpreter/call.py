@@ -54,6 +54,8 @@ def _call(session: Session, node: syntax.Call) -> Value:
         if isinstance(session.resolve(symbol(head_name)), ProcedureValue):
             return _waiting(session, head_name, session.evaluated(node.arguments))
     name = function.name if isinstance(function, syntax.Name) else None
+    if name == "procname" and session.scopes:
+        name = session.scopes[-1].name
     if name is None or _is_local(session, name):
         head = session.evaluate(function)
     elif name in session.names or name in session.options.aliases:

@@ -255,6 +255,7 @@ class Interpreter:
     def _raise(self, node: syntax.Raise) -> Value:
         values = self.session.evaluated(node.arguments)
         texts = [each.text if isinstance(each, String) else self.session.text(each) for each in values]
+        texts = [each.strip("`") for each in texts]  # a text may be a name
         message = texts[0] if texts else "unspecified error"
         if "%" not in message:
             message = ", ".join([message, *texts[1:]])
