@@ -29,14 +29,14 @@ GOLDEN = ROOT / "tests" / "golden"
 COMPILES_LONG = ("long", "trifilar", "panda_7dof", "solo12_floating")
 
 
-def runs_of(programs: Iterable[str], longest: str) -> list[object]:
+def runs_of(programs: Iterable[str], alike: Iterable[str]) -> list[object]:
     """The parameters of tests that run programs in all targets.
 
     Args:
         programs: the names of the programs.
-        longest: the one that JAX compiles longest, in which it does what it does in others.
+        alike: those in which JAX, which takes a second to begin, does what it does in others.
     """
-    marks = dict.fromkeys(COMPILES_LONG, pytest.mark.slow) | {longest: pytest.mark.repeated}
+    marks = dict.fromkeys(COMPILES_LONG, pytest.mark.slow) | dict.fromkeys(alike, pytest.mark.repeated)
     return [
         run_of(program, target, mark=marks.get(program) if target == "jax" else None)
         for program in programs
@@ -44,7 +44,7 @@ def runs_of(programs: Iterable[str], longest: str) -> list[object]:
     ]
 
 
-@pytest.mark.parametrize(("program", "target"), runs_of(PROGRAMS, "trifilar"))
+@pytest.mark.parametrize(("program", "target"), runs_of(PROGRAMS, ["pendulum", "motor_pendulum", "trifilar"]))
 def test_against_the_evaluator(program: str, target: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """JAX compiles the trifilar pendulum here and robots in the next test, and runs other long programs uncompiled."""
     if target == "jax" and program in ("long", *REFERENCES):
@@ -55,7 +55,7 @@ def test_against_the_evaluator(program: str, target: str, monkeypatch: pytest.Mo
     assert report.count("  ok") == len(results)
 
 
-@pytest.mark.parametrize(("robot", "name"), runs_of(REFERENCES, "solo12_floating"))
+@pytest.mark.parametrize(("robot", "name"), runs_of(REFERENCES, ["furuta", "gimbal_gyro", "solo12_floating"]))
 def test_against_other_programs(robot: str, name: str) -> None:
     target = TARGETS[name]
     program, sample = at_reference_state(robot)
