@@ -91,7 +91,8 @@ def _more_readable(expression: Expr) -> Expr:
 def _shortest(expression: Expr) -> Expr:
     """Return the form that reads shortest; of equals, the first one."""
     form, simplest = short_form(expression), _simplest(expression)
-    found = _best((form, *_flat(simplest), *_forms(expression, form)), expression)
+    known = form if simplest.same_form(expression) else None
+    found = _best((form, *_flat(simplest, known), *_forms(expression, form)), expression)
     return _unless_longer(found, simplest)
 
 
@@ -103,13 +104,11 @@ def _unless_longer(found: Expr, simplest: Expr) -> Expr:
 
 
 def _forms(expression: Expr, form: Expr) -> Iterator[Expr]:
-    """Yield further forms: of the given expression, and of its form that was found first."""
+    """Yield further forms of an expression, whose short form is known."""
     if awkward_terms(form):
         yield textbook_form(expression)
         if _terms(expression) <= _TERMS:
             yield expand(expression)
-    if form != expression:
-        yield from _flat(_simplest(form))
     found = by_rates(expression, _coefficient) if cost(expression).total <= _READ else None
     if found is not None:
         yield found
@@ -120,9 +119,10 @@ def _simplest(expression: Expr, most: int = _TERMS) -> Expr:
     return simplify(expand(expression)) if _terms(expression) <= most else expression
 
 
-def _flat(simplest: Expr) -> Iterator[Expr]:
+def _flat(simplest: Expr, known: Expr | None = None) -> Iterator[Expr]:
+    """Yield flat forms of the simplest one; its short form may be known."""
     yield simplest
-    yield short_form(simplest)
+    yield short_form(simplest) if known is None else known
     if multiples_of_angles(simplest):
         yield short_form(expand_trig(simplest))
 
