@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 from importlib.util import find_spec
 from typing import Any
 
@@ -136,6 +137,7 @@ def by_casadi() -> Solve:
     return lambda: np.array(function(NUMBERS))
 
 
+@cache  # XLA compiles for seconds
 def by_jax() -> Solve:
     """Return forward differentiation of a Dormand-Prince method of JAX's odeint, compiled by XLA."""
     import jax  # noqa: PLC0415 - only if it is installed

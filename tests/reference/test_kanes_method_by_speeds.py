@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cache
 from random import Random
 from typing import Any
 
@@ -75,6 +76,7 @@ def formed(method: Any, bodies: list[Any], loads: list[Any]) -> Any:
     return method
 
 
+@cache
 def double_pendulum() -> Pair:
     """Two bobs, by the absolute angular velocities of the rods."""
     q, u = me.dynamicsymbols("q1 q2"), me.dynamicsymbols("u1 u2")
@@ -102,6 +104,7 @@ def double_pendulum() -> Pair:
     return Pair(method, System(bodies, (), [q1, q2], (), Vector(ground, g, 0, 0), kinematics=speeds))
 
 
+@cache
 def top() -> Pair:
     """A heavy top about a fixed point, by its angular velocity in its own axes, with a damping torque."""
     q, u = me.dynamicsymbols("q1:4"), me.dynamicsymbols("u1:4")
@@ -131,6 +134,7 @@ def top() -> Pair:
     )
 
 
+@cache
 def bead() -> Pair:
     """A bead in a tube that turns at a given rate, on a spring; its speed is its velocity along a fixed line."""
     x, u = me.dynamicsymbols("x u")
@@ -154,6 +158,7 @@ def bead() -> Pair:
     return Pair(method, System([ours], [spring], [q], kinematics=speed))
 
 
+@cache
 def sleigh() -> Pair:
     """Chaplygin's sleigh with a knife edge: v along it, w about the vertical; n across it depends on these."""
     q, u = me.dynamicsymbols("x y th"), me.dynamicsymbols("v w n")
@@ -187,6 +192,7 @@ def sleigh() -> Pair:
     )
 
 
+@cache
 def disc() -> Pair:
     """A disc that rolls: its angular velocity in the axes that lean with it; two rates of its contact depend on it."""
     q, u = me.dynamicsymbols("q1 q2 q3 x y"), me.dynamicsymbols("u1 u2 u3 u4 u5")
@@ -226,6 +232,7 @@ def disc() -> Pair:
     )
 
 
+@cache
 def cart() -> Pair:
     """A cart on two driven wheels and a castor: v and w are free, and the spins of the wheels depend on them."""
     q, u = me.dynamicsymbols("x y th b1 b2"), me.dynamicsymbols("v w s1 s2")
