@@ -64,7 +64,7 @@ def test_equations_of_large_systems_have_the_form_of_small_ones() -> None:
 def test_springs_of_large_systems_have_the_names_of_small_ones() -> None:
     """From 1000 operations on, they were written out: `k*(x2 - x1 + l0*(x1 - x2)/sqrt((x1 - x2)**2 + ...`."""
     shown = []
-    for count in (5, 40):
+    for count in (5, 30):
         places = functions_of_time(" ".join(f"{axis}{i + 1}" for i in range(count) for axis in "xyz"))
         joints = [origin(ground), *(Point(ground, *places[k : k + 3]) for k in range(0, len(places), 3))]
         masses = [Body(joint, m) for joint in joints[1:]]

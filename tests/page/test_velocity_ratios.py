@@ -148,7 +148,12 @@ def test_values_have_no_such_names() -> None:
 def test_latex_and_a_page_of_one_equation_have_them() -> None:
     equations = crank_slider()
     assert r"\left(J + m K_{s}^{2}\right) \ddot{\phi}" in latex(equations)
-    assert "K_s := -r*sin(phi - psi)/cos(psi)" in describe(equations.equation_of(phi))
+    one = describe(equations.equation_of(phi))
+    assert "K_s := -r*sin(phi - psi)/cos(psi)" in one
+    assert one.endswith(
+        "constraint: b*cos(psi) + r*cos(phi) - s = 0\n    constraint: b*sin(psi) + r*sin(phi) = 0"
+    )
+    assert r"&b \sin(\psi) + r \sin(\phi) = 0" in latex(equations.equation_of(phi))
 
 
 def driven_slider(*, is_driven: bool) -> Equations:

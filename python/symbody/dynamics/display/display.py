@@ -167,9 +167,11 @@ class Display:
             known = ", ".join(map(str, system.driving))
             raise ModelError(f"equation_of: there is no equation of {brief(speed)}; expected one of {known}")
         k = places[speed]
-        if self._has_page:
-            return pages_of(self._printed_page)[k]
-        return self._row(k)
+        if not self._has_page:
+            return self._row(k)
+        found = pages_of(self._printed_page)[k]
+        is_embedded = bool(system.eliminated_constraints)
+        return replace(found, conditions=self._printed_page.conditions) if is_embedded else found
 
     def _row(self, k: int) -> EquationPage:
         """Return the equation of a speed of a large system by its place."""

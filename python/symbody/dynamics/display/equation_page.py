@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 
-from symbody.multibody import Variables
+from symbody.multibody import Constraint, Variables
 from symbody.symbolic import Expr, latex
 from symbody.symbolic.expression.latex_layout import (
     ARTICLE,
@@ -17,8 +17,8 @@ from symbody.symbolic.expression.latex_layout import (
 )
 
 from .balance import Balance
-from .page import lines_of
-from .reader_of import names_of_masses
+from .page import lines_of, shorter
+from .reader_of import names_of_masses, reader_of
 from .row import printed, written
 from .short_names import Definition, in_order_of_use, occurs, shortened
 
@@ -32,12 +32,14 @@ class EquationPage:
         speed: the coordinate whose speed it is, or the quasi-velocity.
         balance: the equation.
         named: names in it, and what they stand for.
+        conditions: of embedded equations, the constraints on positions on whose coordinates it depends.
     """
 
     system: Variables
     speed: Expr
     balance: Balance
     named: tuple[tuple[Expr, Expr], ...] = ()
+    conditions: tuple[Constraint, ...] = ()
 
     def __repr__(self) -> str:
         return f"EquationPage(equation of motion of {self.speed})"
@@ -49,25 +51,35 @@ class EquationPage:
     @cached_property
     def texts(self) -> list[str]:
         """The names with what they stand for, then the equation."""
-        definitions, (left, right) = self._row("text")
-        return [*(f"{name} := {value}" for name, value in definitions), f"{left} = {right}"]
+        definitions, (left, right, *kept) = self._row("text")
+        names = (f"constraint {each.name}".strip() for each in self.conditions)
+        return [
+            *(f"{name} := {value}" for name, value in definitions),
+            f"{left} = {right}",
+            *(f"{name}: {text} = 0" for name, text in zip(names, kept, strict=True)),
+        ]
 
     def latex(self) -> str:
         """Return the equation in LaTeX, after the quantities that have names; it is broken at terms."""
-        definitions, (left, right) = self._row("latex")
+        definitions, (left, right, *kept) = self._row("latex")
         rows = [row for name, value in definitions for row in broken(f"{name} &= ", value, ARTICLE)]
-        return in_pages(aligned([*rows, *broken("&", f"{left} = {right}", ARTICLE)]))
+        texts = (f"{left} = {right}", *(f"{text} = 0" for text in kept))
+        return in_pages(aligned([*rows, *(row for text in texts for row in broken("&", text, ARTICLE))]))
 
     def _repr_latex_(self) -> str:
         return displayed(one_formula(self.latex()))
 
     def _row(self, notation: str) -> tuple[list[Definition], list[str]]:
-        count, balance = len(self.balance.left), self.balance
+        """Return the names, and the sides of the equation, followed by the conditions."""
+        balance, reader = self.balance, reader_of(self.system)
+        kept = [shorter(each.condition, reader) for each in self.conditions]
         named = [side for pair in self.named for side in pair]
-        shared, texts = printed([*balance.left, *balance.right, *named], notation, self.system)
-        right = written(texts[count : len(texts) - len(named)], is_ordered=len(balance.constraints) > 1)
-        sides = [written(texts[:count]), right]
-        names = texts[len(texts) - len(named) :]
+        shared, texts = printed([*balance.left, *balance.right, *kept, *named], notation, self.system)
+        remaining = iter(texts)
+        left, right = ([next(remaining) for _ in side] for side in (balance.left, balance.right))
+        sides = [written(left), written(right, is_ordered=len(balance.constraints) > 1)]
+        sides += [next(remaining) for _ in kept]
+        names = [*remaining]
         given = in_order_of_use([*shared, *zip(names[::2], names[1::2], strict=True)])
         leaves, masses = self.system.leaves, names_of_masses(self.system)
         taken = {str(leaf) if notation == "text" else latex(leaf) for leaf in leaves}
