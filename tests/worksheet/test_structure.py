@@ -13,6 +13,14 @@ CASES = {
         "nops(a+b+c), nops(a*b), nops([a,b]), nops({a,a}), nops(x), nops(u=v);",
         ["3, 2, 2, 1, 1, 2"],
     ),
+    "elements": (
+        "T := table([a=1,b=2]): numelems(T), numelems([1,2,3]), numelems(<1,2>), nops(T);",
+        ["2, 3, 2, 1"],
+    ),
+    "names by macro": (
+        "macro(C1=cos(theta), R=rotate): C1^2; R('Z',q(t))[1,1];",
+        ["cos(theta)^2", "cos(q(t))"],
+    ),
     "has a function": (
         "has([sin(q(t)),3],q(t)), has(diff(q(t),t),q(t)), has(q(t),p(t));",
         ["true, true, false"],

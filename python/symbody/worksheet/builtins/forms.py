@@ -22,6 +22,7 @@ from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.numeric import as_float, as_integer
 from symbody.worksheet.values.structure import tree_of
 from symbody.worksheet.values.value import (
+    NULL,
     Array,
     Listed,
     MapleSet,
@@ -333,8 +334,19 @@ def _aliases_of(session: Session, value: Value) -> None:
         set_alias(session, each.left.name, each.right)
 
 
+def macro(session: Session, *nodes: syntax.Expression) -> Value:
+    """macro(C1 = cos(theta), R = rotate): names for what is on the right, which results don't show again."""
+    for node in nodes:
+        name = _unquoted(node.left) if isinstance(node, syntax.Infix) and node.operator == "=" else None
+        if not isinstance(node, syntax.Infix) or not isinstance(name, syntax.Name):
+            raise WorksheetError("macro: expected equations such as C1 = cos(theta)")
+        session.assign(name.name, session.evaluate(node.right))
+    return NULL
+
+
 FORMS: dict[str, Form] = {
     "alias": alias,
+    "macro": macro,
     "if": chosen,
     "ifelse": chosen,
     "seq": seq,

@@ -10,6 +10,7 @@ _BY_PURPOSE = {
         "laurent asympt singular residue numapprox chebyshev pade minimax implicitdiff plotcompare"
     ),
     "forms": (
+        "hastype coeftayl gcdex "
         "frontend powsubs trigsubs radnormal compoly sqrfree resultant discrim sturm realroot content "
         "primpart prem divide roots irreduc completesquare asubs fnormal shake evalr"
     ),
@@ -20,6 +21,8 @@ _BY_PURPOSE = {
         "arccosh arctanh sech csch coth"
     ),
     "matrices": (
+        "eigenvects curl diverge laplacian blockmatrix toeplitz vandermonde wronskian geneqns QRdecomp "
+        "LUdecomp cholesky svd singularvals rowspan colspan "
         "JordanForm LUDecomposition QRDecomposition SingularValues ConditionNumber ConstantMatrix "
         "ConstantVector MatrixFunction RandomMatrix RandomVector BandMatrix ToeplitzMatrix HilbertMatrix "
         "HessianMatrix CompanionMatrix CharacteristicMatrix MinimalPolynomial SchurForm HermitianTranspose "
@@ -28,7 +31,12 @@ _BY_PURPOSE = {
         "Pivot Permanent MatrixPower KroneckerProduct exponential jordan frobenius hadamard swaprow swapcol "
         "mulrow mulcol addrow addcol angle orthog definite"
     ),
-    "the system": "process lasterror tracelast debug showstat stopat profile iostatus",
+    "pictures": (
+        "phaseportrait DEplot fieldplot contourplot densityplot tubeplot listplot animate3d matrixplot inequal "
+        "conformal replot"
+    ),
+    "texts and files": "latex sscanf fscanf scanf readdata writedata writeto appendto",
+    "the system": "traperror randomize anames process lasterror tracelast debug showstat stopat profile iostatus",
 }
 """Their names, by what they are for. A name that gets a command leaves this table."""
 

@@ -116,6 +116,12 @@ def nops(session: Session, value: Value) -> Value:
     return number(len(operands(session, found)))
 
 
+def element_count(session: Session, value: Value) -> Value:
+    """numelems(e): the number of items of a list or a set, or of entries of a table or a matrix."""
+    found = session.resolve(value)
+    return number(len(found.entries)) if isinstance(found, Table) else nops(session, value)
+
+
 def has(session: Session, value: Value, part: Value) -> Value:
     """has(e, x), has(e, [x, y]): whether x, or one of several, occurs."""
     wanted = list(part.items) if isinstance(part, Listed | MapleSet) else [part]
@@ -439,7 +445,7 @@ def side(which: str) -> Command:
 COMMANDS: dict[str, Command] = {
     "op": op,
     "nops": nops,
-    "numelems": nops,
+    "numelems": element_count,
     "has": has,
     "depends": depends,
     "indets": indets,
