@@ -2,69 +2,101 @@
 //!
 //! A derivative follows the form of an expression, rule by rule. Two forms of one value give the same value, as far as the
 //! lanes know all that the equality of the forms rests on. Where they don't, as at moduli of what may not be real or at
-//! parts of pi that no lane has, the result for the representative counts: it is equal to the other one as mathematics.
+//! parts of pi that no lane has, the result for the representative counts, if both results are the same in numbers.
 //!
-//! The results of both forms are compared, and the form of the result is that of what was asked for wherever they agree. So
-//! texts don't depend on which form was met first, except where the law would fail.
+//! The results of both forms are compared, and the result is that of what was asked for wherever they agree. So neither
+//! texts nor numbers depend on which form was met first: at a jump, at a pole, or where what is below is not real, forms that
+//! are equal elsewhere have values of their own, and keep these.
 
 use crate::error::Error;
-use crate::graph::{Flags, Graph, Id};
+use crate::graph::{Assumption, Flags, Graph, Id, View};
+use crate::tape::Evaluator;
+use crate::value::Key;
+
+/// At how many points results are compared in numbers: some need positive variables, or small ones.
+const POINTS: u64 = 32;
+
+/// The relative difference of numbers that rounding explains.
+const ROUNDING: f64 = 1e-6;
 
 impl Graph {
-    /// The rows of derivatives of some expressions, each equal to that of what is known to be equal to the expression.
+    /// The rows of an operation for some expressions, each equal to that for what is known to be equal to the expression.
     ///
-    /// Only what holds signs or roots is compared: the values of others follow all equalities by themselves.
+    /// Only expressions with one of the flags are compared: the values of others follow all equalities by themselves.
     ///
     /// # Errors
-    /// Those of the operation, if it fails for what is known to be equal, too.
+    /// Those of the operation.
     pub(super) fn congruent(
         &mut self,
         ids: &[Id],
+        flags: Flags,
         operation: impl Fn(&mut Self, &[Id]) -> Result<Vec<Vec<Id>>, Error>,
     ) -> Result<Vec<Vec<Id>>, Error> {
-        let rows = operation(self, ids);
-        let Some(stand_ins) = self.stand_ins(ids, Flags::BRANCH) else { return rows };
-        let Ok(others) = self.outside_derivation(|graph| operation(graph, &stand_ins)) else { return rows };
-        Ok(match rows {
-            Ok(rows) => rows.into_iter().zip(others).map(|(row, other)| self.agreed(row, other)).collect(),
-            Err(_) => others.into_iter().map(|row| self.agreed(row.clone(), row)).collect(),
-        })
+        let rows = operation(self, ids)?;
+        let stand_in = |id: Id| if self.flags(id).has(flags) { self.representative(id) } else { id };
+        let stand_ins: Vec<Id> = ids.iter().map(|&id| stand_in(id)).collect();
+        if stand_ins == ids {
+            return Ok(rows);
+        }
+        // outside of the derivation in progress, which takes its own form for all forms of a value
+        let classes = self.classes.take();
+        let others = operation(self, &stand_ins);
+        self.classes = classes;
+        let Ok(others) = others else { return Ok(rows) };
+        Ok(rows.into_iter().zip(others).map(|(row, other)| self.agreed(row, other)).collect())
     }
 
     /// The same for operations that have one result for each expression.
     ///
     /// # Errors
-    /// Those of the operation, if it fails for what is known to be equal, too.
+    /// Those of the operation.
     pub(super) fn congruent_each(
         &mut self,
         ids: &[Id],
+        flags: Flags,
         operation: impl Fn(&mut Self, &[Id]) -> Result<Vec<Id>, Error>,
     ) -> Result<Vec<Id>, Error> {
         let one_each = |graph: &mut Self, ids: &[Id]| {
             Ok(operation(graph, ids)?.into_iter().map(|id| vec![id]).collect())
         };
-        Ok(self.congruent(ids, one_each)?.into_iter().flatten().collect())
+        Ok(self.congruent(ids, flags, one_each)?.into_iter().flatten().collect())
     }
 
-    /// The representatives of expressions that have one of the flags, and the others; `None` if all represent themselves.
-    pub(super) fn stand_ins(&self, ids: &[Id], flags: Flags) -> Option<Vec<Id>> {
-        let stand_in = |id: Id| if self.flags(id).has(flags) { self.representative(id) } else { id };
-        let stand_ins: Vec<Id> = ids.iter().map(|&id| stand_in(id)).collect();
-        (stand_ins != ids).then_some(stand_ins)
-    }
-
-    /// The result of an operation outside of the derivation in progress, which takes its own form for all forms of a value.
-    pub(super) fn outside_derivation<T>(&mut self, operation: impl FnOnce(&mut Self) -> T) -> T {
-        let classes = self.classes.take();
-        let result = operation(self);
-        self.classes = classes;
-        result
-    }
-
-    /// A row of results where it equals another one, entry by entry; the other one elsewhere.
+    /// A row of results; the entries of another row take the place of those that are equal to them in numbers only.
     fn agreed(&mut self, row: Vec<Id>, other: Vec<Id>) -> Vec<Id> {
-        let mut chosen = |(id, other)| if self.equal(id, other) { id } else { self.adopt(other) };
+        let mut chosen = |(id, other)| {
+            let is_own = self.equal(id, other) || !self.agree_in_numbers(id, other);
+            if is_own { id } else { self.adopt(other) }
+        };
         row.into_iter().zip(other).map(&mut chosen).collect()
+    }
+
+    /// Whether two expressions have the same real numbers at some points, and different ones or one of both at none.
+    fn agree_in_numbers(&self, a: Id, b: Id) -> bool {
+        let leaves = self.variables(&[a, b]);
+        let [Ok(one), Ok(two)] = [a, b].map(|id| self.tape(&leaves, &[id])) else { return false };
+        let [one, two] = [one, two].map(|tape| Evaluator::new(&tape));
+        let mut are_same = false;
+        for point in 0..POINTS {
+            let inputs: Vec<f64> = leaves.iter().map(|&leaf| self.real_number_of(leaf, point)).collect();
+            let [Ok(one), Ok(two)] = [&one, &two].map(|tape| tape.evaluate(&inputs)) else { continue };
+            let (one, two) = (one[0], two[0]);
+            let is_finite = one.is_finite();
+            if is_finite != two.is_finite() || (one - two).abs() > ROUNDING * one.abs().max(two.abs()) {
+                return false;
+            }
+            are_same |= is_finite;
+        }
+        are_same
+    }
+
+    /// The number of a variable at a point: up to two, and of each sign unless the variable is positive.
+    fn real_number_of(&self, leaf: Id, point: u64) -> f64 {
+        let [first, second] = self.value(leaf).words();
+        let drawn = Key::new("real number").word(first).word(second).draw_word(point);
+        let size = f64::from(1 + u32::try_from(drawn % 1999).unwrap_or(0)) / 1000.0;
+        let is_positive = matches!(self.view(leaf), View::Symbol(_, Assumption::Positive));
+        if is_positive || (drawn / 1999) % 2 == 0 { size } else { -size }
     }
 }
 

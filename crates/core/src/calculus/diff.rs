@@ -3,7 +3,7 @@
 use rustc_hash::FxHashMap;
 
 use crate::error::Error;
-use crate::graph::{Function, Graph, Id, NumberId, View, check_order};
+use crate::graph::{Flags, Function, Graph, Id, NumberId, View, check_order};
 
 /// The variables on which each node depends: one row of bits per node.
 struct Dependence {
@@ -61,7 +61,7 @@ impl Graph {
     /// If `variable` is not a variable.
     pub fn partial_derivatives(&mut self, ids: &[Id], variable: Id) -> Result<Vec<Id>, Error> {
         self.check_variable(variable)?;
-        self.congruent_each(ids, |graph, ids| graph.partial_tangents(ids, variable))
+        self.congruent_each(ids, Flags::BRANCH, |graph, ids| graph.partial_tangents(ids, variable))
     }
 
     fn partial_tangents(&mut self, ids: &[Id], variable: Id) -> Result<Vec<Id>, Error> {
@@ -80,7 +80,7 @@ impl Graph {
     /// # Errors
     /// If a divisor is identically zero.
     pub fn time_derivatives(&mut self, ids: &[Id]) -> Result<Vec<Id>, Error> {
-        self.congruent_each(ids, Self::total_tangents)
+        self.congruent_each(ids, Flags::BRANCH, Self::total_tangents)
     }
 
     fn total_tangents(&mut self, ids: &[Id]) -> Result<Vec<Id>, Error> {
@@ -234,7 +234,7 @@ impl Graph {
         for &variable in variables {
             self.check_variable(variable)?;
         }
-        let rows = self.congruent(&[id], |graph, ids| {
+        let rows = self.congruent(&[id], Flags::BRANCH, |graph, ids| {
             ids.iter().map(|&id| graph.gradient_of_form(id, variables)).collect()
         })?;
         Ok(rows.into_iter().flatten().collect())
@@ -315,7 +315,7 @@ impl Graph {
         for &variable in variables {
             self.check_variable(variable)?;
         }
-        self.congruent(ids, |graph, ids| graph.columns(ids, variables))
+        self.congruent(ids, Flags::BRANCH, |graph, ids| graph.columns(ids, variables))
     }
 
     /// The Jacobian by columns, in forward mode.

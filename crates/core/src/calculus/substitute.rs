@@ -25,35 +25,8 @@ impl Graph {
             }
             targets.push(self.value(target), target, replacement);
         }
-        let replaced = self.replace(roots, &targets, time)?;
-        let Some(stand_ins) = self.stand_ins(roots, Flags::BRANCH.with(Flags::INVERSE)) else {
-            return Ok(replaced);
-        };
-        let others = self.outside_derivation(|graph| graph.replace(&stand_ins, &targets, time));
-        let Ok(others) = others else { return Ok(replaced) };
-        let mut agreed = Vec::new();
-        for ((form, stand_in), (id, other)) in
-            roots.iter().zip(stand_ins).zip(replaced.into_iter().zip(others))
-        {
-            let is_own = self.equal(id, other) || self.is_at_jump(&[*form, stand_in], &targets, time);
-            agreed.push(if is_own { id } else { self.adopt(other) });
-        }
-        Ok(agreed)
-    }
-
-    /// Whether a substitution puts one of the forms of a value at a jump: where a sign or a condition is that of zero, forms
-    /// that are equal elsewhere have values of their own.
-    fn is_at_jump(&mut self, forms: &[Id], targets: &ByValue<Id>, time: Option<Id>) -> bool {
-        let mut at_jumps = Vec::new();
-        for id in self.post_order(forms) {
-            match self.view(id) {
-                View::Function(Function::Sign | Function::Atan2, args) => at_jumps.extend(args.iter()),
-                View::Function(Function::Piecewise, args) => at_jumps.extend(args.iter().skip(1).step_by(2)),
-                _ => {}
-            }
-        }
-        let values = self.outside_derivation(|graph| graph.replace(&at_jumps, targets, time));
-        values.map_or(true, |values| values.contains(&Id::ZERO))
+        let uncertain = Flags::BRANCH.with(Flags::INVERSE);
+        self.congruent_each(roots, uncertain, |graph, roots| graph.replace(roots, &targets, time))
     }
 
     fn replace(&mut self, roots: &[Id], targets: &ByValue<Id>, time: Option<Id>) -> Result<Vec<Id>, Error> {
@@ -107,6 +80,7 @@ impl Graph {
 mod tests {
     use super::*;
     use crate::graph::Assumption;
+    use crate::value::Number;
 
     #[test]
     fn derivatives_follow_their_coordinate() -> Result<(), Error> {
@@ -131,9 +105,10 @@ mod tests {
         Ok(())
     }
 
-    /// x > 0 and the opposite of x < 0 are equal but at zero, where each is what it says.
+    /// x > 0 and the opposite of x < 0 are equal but at zero, and |s|^2 z and (1 - x^2) z, with s = sqrt(1 - x^2), within
+    /// [-1, 1]: elsewhere each is what it says, whichever was met first.
     #[test]
-    fn forms_keep_their_values_at_jumps() -> Result<(), Error> {
+    fn forms_keep_their_values_at_jumps_and_beside_the_real_line() -> Result<(), Error> {
         let g = &mut Graph::new();
         let x = g.symbol("x", Assumption::Real);
         let above = g.apply(Function::Piecewise, &[Id::ONE, x, Id::ZERO])?;
@@ -146,6 +121,20 @@ mod tests {
         assert!(g.equal(above, not_below));
         let at_zero = g.substitute(&[above, not_below], &[(x, Id::ZERO)])?;
         assert_eq!(at_zero, [Id::ZERO, Id::ONE]);
+
+        let angle = g.apply(Function::Asin, &[x])?;
+        let cosine = g.apply(Function::Cos, &[angle])?;
+        g.apply(Function::Abs, &[cosine])?;
+        let square = g.mul(x, x)?;
+        let square = g.sub(Id::ONE, square);
+        let root = g.pow_number(square, &Number::rational(1, 2))?;
+        let modulus = g.apply(Function::Abs, &[root])?;
+        let z = g.symbol("z", Assumption::Real);
+        let square = g.mul(modulus, modulus)?;
+        let product = g.mul(square, z)?;
+        let two = g.number(&Number::integer(2));
+        let three = g.number_id(&Number::integer(3));
+        assert_eq!(g.substitute(&[product], &[(x, two)])?[0], g.scale(three, z));
         Ok(())
     }
 }

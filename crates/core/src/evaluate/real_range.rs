@@ -49,6 +49,11 @@ impl Graph {
                 .min()
                 .unwrap_or(Any),
             View::Product(factors) => self.range_of_product(factors, of),
+            View::Function(Function::Sin | Function::Cos | Function::Tan, args)
+                if self.holds_root_of_unit_circle(self.representative(args.get(0))) =>
+            {
+                Any // cos(asin(x)) is the root of 1 - x^2
+            }
             View::Function(function, args) => {
                 let args: Vec<RealRange> = self.represented(args).map(of).collect();
                 range_of_function(function, &args)
@@ -56,6 +61,13 @@ impl Graph {
             _ if self.flags(id).has(Flags::COMPLEX) => Any,
             _ => self.children(id).into_iter().map(of).min().unwrap_or(Real).min(Real),
         }
+    }
+
+    /// Whether an angle holds arc sines or cosines, which are real for arguments in [-1, 1] only.
+    fn holds_root_of_unit_circle(&self, angle: Id) -> bool {
+        let parts = self.parts_first(&[angle], |id| self.flags(id).has(Flags::INVERSE));
+        let is_arc = |id: Id| matches!(self.view(id), View::Function(Function::Asin | Function::Acos, _));
+        parts.into_iter().any(is_arc)
     }
 
     fn range_of_product(&self, factors: Factors<'_>, of: impl Fn(Id) -> RealRange) -> RealRange {
