@@ -19,6 +19,7 @@ from symbody.symbolic.given.arguments import brief
 
 from .attachment import check_acts, check_bodies, check_fixed, forces, not_negative, torques
 from .element import Element
+from .stored_energy import stored_energy
 
 if TYPE_CHECKING:
     import numpy as np
@@ -63,7 +64,8 @@ def bushing(
         name: what the bushing is called where it is shown.
 
     Returns:
-        An element with a potential and the quantities "x", "y", "z", "rotation x", "rotation y" and "rotation z".
+        An element with a potential, unless K changes with coordinates, and the quantities "x", "y", "z", "rotation x",
+        "rotation y" and "rotation z".
 
     >>> from symbody import Body, functions_of_time, ground, rotate, symbols, translate
     >>> (y, phi), (k, kt) = functions_of_time("y phi"), symbols("k kt")
@@ -90,7 +92,8 @@ def bushing(
         force, torque = Vector(to, *effort[:3]), Vector(to, *place.torque((effort[3], effort[4], effort[5])))
         actions = [*forces(force, origin(frame), on, reaction), *torques(torque, on, reaction)]
         quantities = dict(zip(_NAMES, place.values, strict=True))
-        return Element(_WHERE, actions, potential=potential, quantities=quantities, name=name, sizes=sizes)
+        stored = stored_energy(potential, *(entry for row in K for entry in row))
+        return Element(_WHERE, actions, potential=stored, quantities=quantities, name=name, sizes=sizes)
 
 
 class _Place(NamedTuple):

@@ -12,6 +12,7 @@ from symbody.symbolic.given.arguments import brief
 
 from .attachment import check_bodies, check_fixed, forces, is_fixed, not_negative
 from .element import Element
+from .stored_energy import stored_energy
 
 _WHERE = "contact"
 
@@ -51,7 +52,8 @@ def contact(
         name: what the contact is called where it is shown.
 
     Returns:
-        An element with the potential ``k delta^(n+1)/(n+1)`` and the quantities "overlap", "normal" and "gap".
+        An element with the potential ``k delta^(n+1)/(n+1)`` and the quantities "overlap", "normal" and "gap". If k,
+        n or the radius is a function of time, such as a coordinate, there is no potential.
 
     >>> from symbody import Body, functions_of_time, symbols, translate
     >>> z, (R, k) = functions_of_time("z"), symbols("R k")
@@ -95,7 +97,7 @@ def contact(
         return Element(
             _WHERE,
             actions,
-            potential=potential,
+            potential=stored_energy(potential, expression(stiffness), expression(radius), n),
             quantities=quantities,
             name=name,
             sizes=sizes,

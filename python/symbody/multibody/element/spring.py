@@ -12,6 +12,7 @@ from symbody.symbolic import ENERGY, Expr, derivation, number
 from .attachment import check_acts, check_apart, check_bodies, check_fixed, forces, not_negative
 from .element import Element
 from .line import Line, line_between
+from .stored_energy import stored_energy
 
 _WHERE = "spring"
 
@@ -37,8 +38,8 @@ def spring(
     Args:
         at: the point of the body.
         to: the other point.
-        stiffness: k, in N/m. If it or the free length depends on coordinates, the force is still the one above, and not
-            the slope of the potential.
+        stiffness: k, in N/m. If it or the free length is a function of time, such as a coordinate or a state, the force
+            is still the one above, and the element has no potential: this force is not the slope of one that is known.
         free_length: l0, the length without force, in m.
         damping: c, in N s/m.
         on: the body.
@@ -73,7 +74,7 @@ def spring(
     return Element(
         _WHERE,
         actions,
-        potential=potential,
+        potential=stored_energy(potential, k, l0),
         quantities=quantities,
         name=name,
         undefined=None if l0.is_zero and line.stays_on_axis else line.undefined,

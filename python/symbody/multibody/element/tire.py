@@ -32,6 +32,7 @@ from .attachment import check_bodies, check_fixed, forces, not_negative, torques
 from .element import Element, Undefined
 from .linear_tire import LinearTire
 from .magic_formula import MagicFormula
+from .stored_energy import stored_energy
 from .tire_coefficient import POSITIVE
 from .tire_force import TireForce, TireLaw
 from .tire_kinematics import Shape, SpinAxis, TireKinematics, tire_kinematics
@@ -324,7 +325,7 @@ def _vertical(contact: TireKinematics, load: Scalar | None, k: Scalar, c: Scalar
         return _Vertical(expression(load), None)
     depth, damping = contact.deflection, expression(c)
     push = k * depth if damping.is_zero else k * depth + damping * contact.sinking
-    return _Vertical(Max(push, 0), k * Max(depth, 0) ** 2 / 2)
+    return _Vertical(Max(push, 0), stored_energy(k * Max(depth, 0) ** 2 / 2, expression(k)))
 
 
 class _Slips(NamedTuple):

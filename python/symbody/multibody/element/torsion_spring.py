@@ -15,6 +15,7 @@ from symbody.symbolic import ENERGY, Expr, atan2, cos, derivation, functions_of_
 from .attachment import check_acts, not_negative
 from .element import Element
 from .joint_motion import Along, joint_motion
+from .stored_energy import stored_energy
 
 _WHERE = "torsion_spring"
 
@@ -37,7 +38,8 @@ def torsion_spring(
 
     Args:
         angle: phi, the coordinate of the hinge between the bodies, or a difference of absolute angles, in rad.
-        stiffness: k, in N m/rad.
+        stiffness: k, in N m/rad. If it or the free angle is a function of time, such as a coordinate or a state, the
+            torque is still the one above, and the element has no potential.
         free_angle: phi0, the angle without torque, in rad.
         damping: c, in N m s/rad.
         on: the body.
@@ -67,7 +69,7 @@ def torsion_spring(
         return Element(
             _WHERE,
             joint.actions(torque),
-            potential=k * twist**2 / 2,
+            potential=stored_energy(k * twist**2 / 2, k, expression(free_angle)),
             states=turned.states,
             quantities={"angle": twist, "rate": joint.rate, "torque": torque},
             name=name,
