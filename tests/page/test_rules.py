@@ -29,6 +29,7 @@ from symbody import (
     functions_of_time,
     ground,
     lagrange_equations,
+    log,
     moving_frame,
     newton_euler,
     parse,
@@ -714,3 +715,19 @@ def test_short_names_tell_families_of_angles_apart() -> None:
     assert "c1 := cos(theta1)" in text
     assert "c_phi1_2 := cos(phi1 - phi2)" in text
     assert r"c_{\phi_{1} - \phi_{2}} &= \cos(\phi_{1} - \phi_{2})" in equations.latex()
+
+
+@pytest.mark.parametrize(
+    "expression",
+    [
+        cos(3 * (1 - b) * (3 - a) * (2 - c)),
+        sin(log(2 + b) * (tan(3) - (a + 2)) * cos(2 - a + c)),
+        cos(40 * a) + sin(a + b) * cos(30 * (a + b + c)),
+    ],
+    ids=str,
+)
+def test_angles_of_very_many_terms_stay_as_they_are(expression: Expr) -> None:
+    """Opened, they have hundreds of thousands of terms."""
+    found = readable(expression)
+    assert found == expression
+    assert len(str(found)) <= len(str(expression)) + 1

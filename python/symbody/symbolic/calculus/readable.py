@@ -14,7 +14,7 @@ from symbody.symbolic.given.arguments import expression_or_container
 from .by_rates import by_rates
 from .cost import cost
 from .over_divisors import over_divisors
-from .reading import awkward_terms, multiples_of_angles, nodes_of, reading
+from .reading import awkward_terms, multiples_of_angles, nodes_of, parts_of, reading, waves_in
 from .rewrite import expand, expand_trig, short_form, simplify, textbook_form
 from .standard_names import standard_names
 
@@ -123,7 +123,7 @@ def _flat(simplest: Expr, known: Expr | None = None) -> Iterator[Expr]:
     """Yield flat forms of the simplest one; its short form may be known."""
     yield simplest
     yield short_form(simplest) if known is None else known
-    if multiples_of_angles(simplest):
+    if multiples_of_angles(simplest) and _terms_of_opened(simplest) <= _OPENED:
         yield short_form(expand_trig(simplest))
 
 
@@ -139,6 +139,25 @@ def _best(forms: Iterable[Expr], given: Expr) -> Expr:
         if len(str(form)) < least and form == given and (length := reading(form, angles)) < least:
             best, least = form, length
     return best
+
+
+def _terms_of_opened(expression: Expr) -> int:
+    """Return about how many terms a sine has when its angle is opened: two for each term, n for a multiple n."""
+    counts = dict[int, int]()
+    for wave in waves_in(expression):
+        (angle,) = wave.args
+        if _terms(angle) > _OPENED:
+            return _OPENED + 1
+        terms = parts_of(expand(angle), "sum")
+        inside = max((counts[inner.id] for inner in waves_in(angle)), default=1)
+        factors = (part for term in terms for part in parts_of(term, "product") if part.is_number)
+        multiples = prod(max(abs(top), 1) for top, _ in (factor.ratio for factor in factors))
+        counts[wave.id] = 2 ** min(len(terms) * inside, _OPENED) * multiples
+    return max(counts.values(), default=1)
+
+
+_OPENED = 200
+"""The terms of a sine up to which its angle is opened: one with more is longer than the angle."""
 
 
 def _terms(expression: Expr) -> int:

@@ -27,10 +27,15 @@ def nodes_of(expression: Expr) -> list[Expr]:
     return post_order([expression], lambda node: node.args, lambda node: node.id)
 
 
+def waves_in(expression: Expr) -> list[Expr]:
+    """Return the sines, cosines and tangents of an expression, parts first."""
+    return [node for node in nodes_of(expression) if node.kind == "function" and node.name in _WAVES]
+
+
 def multiples_of_angles(expression: Expr) -> set[Expr]:
     """Return the angles such as 2*x of sines, cosines and tangents."""
-    waves = (node for node in nodes_of(expression) if node.kind == "function" and node.name in _WAVES)
-    return {wave.args[0] for wave in waves if any(abs(factor) != 1 for factor in _numbers(wave.args[0]))}
+    angles = {wave.args[0] for wave in waves_in(expression)}
+    return {angle for angle in angles if any(abs(factor) != 1 for factor in _numbers(angle))}
 
 
 _WAVES = frozenset({"sin", "cos", "tan"})
