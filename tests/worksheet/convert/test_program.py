@@ -321,7 +321,7 @@ def test_the_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None
     sheet.write_text("a := 2*b;\nc := (1;\n", encoding="utf-8")
     options = argparse.Namespace(file=sheet, program=tmp_path / "model.py")
     assert convert_file(options) == 1
-    assert capsys.readouterr().out == "1 statements written as code, 0 as values, 0 left out\n"
+    assert capsys.readouterr().out == "1 statements written as code, 0 as values, 0 left out, 1 failed\n"
     assert "# line 2 can't be read" in (tmp_path / "model.py").read_text(encoding="utf-8")
     options.file = tmp_path / "missing.mpl"
     assert convert_file(options) == 3

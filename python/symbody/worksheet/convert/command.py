@@ -28,5 +28,8 @@ def convert_file(options: argparse.Namespace) -> int:
     except (OSError, SymbodyError) as error:
         print(f"symbody convert: {options.program} can't be written: {error}", file=sys.stderr)
         return 3
-    print(f"{made.code} statements written as code, {made.values} as values, {made.left_out} left out")
+    failed = f", {made.failed} failed" if made.failed else ""
+    print(
+        f"{made.code} statements written as code, {made.values} as values, {made.left_out} left out{failed}"
+    )
     return int(made.failed > 0)

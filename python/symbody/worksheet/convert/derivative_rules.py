@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import fields, is_dataclass, replace
 from typing import Any
@@ -11,7 +12,7 @@ from symbody.worksheet.convert.names import Names, NoText
 from symbody.worksheet.convert.writer import Writer
 from symbody.worksheet.sheet import syntax
 
-__all__ = ["PREFIX", "by_rules", "rule_lines", "shown_by_rules"]
+__all__ = ["PREFIX", "by_rules", "has_replaced_rate", "rule_lines", "shown_by_rules"]
 
 PREFIX = "diff/"
 
@@ -76,7 +77,24 @@ def by_rules(names: Names, code: Sequence[str]) -> Iterator[list[str]]:
         yield [f"{head} = {value}"]
 
 
-def shown_by_rules(names: Names, shown: Sequence[str]) -> list[str]:
-    """Return expressions that are shown with the rates put into them."""
-    is_plain = bool(names.rules) and not any(each.startswith("*") for each in shown)
-    return [f"sb.subs({each}, {names.rules})" for each in shown] if is_plain else []
+def shown_by_rules(
+    names: Names, shown: Sequence[str], code: Sequence[str]
+) -> Iterator[tuple[list[str], list[str]]]:
+    """Return expressions that are shown, and the lines that show them, with the rates put in once and twice."""
+    if not names.rules or any(each.startswith("*") for each in shown):
+        return
+    shown, lines = list(shown), list(code)
+    for _ in range(2):
+        found = [f"sb.subs({each}, {names.rules})" for each in shown]
+        for before, after in zip(shown, found, strict=True):
+            if sum(line.count(before) for line in lines) != 1:
+                return  # which of them is shown isn't known
+            lines = [line.replace(before, after) for line in lines]
+        shown = found
+        yield shown, lines
+
+
+def has_replaced_rate(names: Names, printed: str) -> bool:
+    """Whether a text that the program prints has a rate for which the sheet has a rule."""
+    rates = names.value(names.rules) if names.rules else None
+    return any(re.search(rf"(?<!\w){re.escape(str(rate))}", printed) for rate in rates or ())

@@ -14,6 +14,7 @@ from symbody.worksheet.sheet import syntax
 __all__ = ["Names", "NoText", "identifier"]
 
 _MODULES = """import functools
+import itertools
 import math
 import pickle
 from pathlib import Path
@@ -43,7 +44,10 @@ _TAKEN = frozenset(
         "np",
         "plt",
         "functools",
+        "itertools",
         "math",
+        "pickle",
+        "Path",
         "scipy",
         "sympy",
     }
@@ -190,10 +194,11 @@ class Names:
 
     def restart(self) -> None:
         """Forget all values; names that have had one are declared again where they are used."""
+        imported = _imported()
         kept = {
             text: made
             for text, made in self.values.items()
-            if text in {"sb", "Path", "math", "pickle", "np", "plt", "scipy", "sympy", "__builtins__"}
+            if text in imported
             or (text in self.symbols and str(made) == self.symbols[text] and made not in self.small)
         }
         self.used |= self.values.keys() - kept.keys()

@@ -171,6 +171,7 @@ def _imports(body: str) -> str:
     """Return the lines that import what the program needs of the standard library."""
     needed = {
         "functools.": "import functools\n",
+        "itertools.": "import itertools\n",
         "math.": "import math\n",
         "pickle.": "import pickle\n",
         "Path(": "from pathlib import Path\n",

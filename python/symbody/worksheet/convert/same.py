@@ -10,10 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.errors import SymbodyError
-from symbody.geometry import Frame
+from symbody.geometry import Frame, Point, Vector
 from symbody.multibody import Body, Force, TireKinematics, Torque
 from symbody.simulation import Motion
 from symbody.symbolic import Expr, Matrix, coeff, expand, from_sympy, number, substitute, symbol
+from symbody.worksheet.convert.shown_objects import shown_object, without_frame
 from symbody.worksheet.evaluation.session import Session
 from symbody.worksheet.mathematics.order_term import order_terms, without_order
 from symbody.worksheet.mechanics.objects import Reader, kind_of
@@ -30,6 +31,7 @@ from symbody.worksheet.values.value import (
     Sequence,
     String,
     Table,
+    Unevaluated,
     Value,
 )
 
@@ -113,6 +115,9 @@ class _Comparison:
                 return self.matrix(made, found)
             case Table():
                 return self.object(made, found) if kind_of(found) else self.table(made, found)
+            case Unevaluated():
+                shown, has_frame = shown_object(self.session, found)
+                return shown is not None and self.object(made if has_frame else without_frame(made), shown)
         return False
 
     def items(self, made: Any, items: tuple[Value, ...], *, is_set: bool) -> bool:
@@ -164,8 +169,18 @@ class _Comparison:
             return self.same(made[0], left) and self.same(made[1], right)
         sides = self.session.current(left), self.session.current(right)
         if not all(isinstance(side, Expr) for side in sides):
-            return isinstance(made, Matrix | list | tuple) and self.same(made, right)
+            named = self.named_object(left) if isinstance(right, Unevaluated) else None
+            if named is not None:
+                return self.object(made, named)  # ``P = POINT(..)``, of which show may leave out the frame
+            return isinstance(made, _HELD) and self.same(made, right)
         return isinstance(made, Expr) and self.equal(made, sides[0] - sides[1])  # type: ignore[operator]
+
+    def named_object(self, name: Value) -> Table | None:
+        """Return the object that a name holds, if it holds one."""
+        if not isinstance(name, Expr) or name.kind != "symbol" or name.name not in self.session.names:
+            return None
+        found = self.session.resolve(self.session.names[name.name])
+        return found if isinstance(found, Table) and kind_of(found) else None
 
     def solution(self, made: dict[Expr, Expr], items: Iterable[Value]) -> bool:
         pairs = [(item.left, item.right) for item in items if isinstance(item, Relation)]
@@ -214,6 +229,8 @@ class _Comparison:
 
 
 _EXPRESSIONS = (symbol("expr"),)
+_HELD = (Matrix, list, tuple, Frame, Point, Vector, Body, Force, Torque)
+"""What may be the right side of an equation whose left side is its name, as in ``P = POINT(..)``."""
 
 
 def _as_complex(value: Any) -> complex:

@@ -51,6 +51,8 @@ def _name(name: str, names: Names, *, is_called: bool) -> str:
         return f"sb.{name}"
     if is_called:
         return f'sb.function("{name}")'
+    if name in {"True", "False"}:  # conditions of Piecewise
+        return name
     found = names.values.get(identifier(name))
     if found is None or (isinstance(found, Expr) and str(found) == name):
         return names.text(name)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import re
 from collections.abc import Sequence
 from itertools import chain
 
@@ -21,6 +22,7 @@ from symbody.worksheet.sheet import syntax
 
 __all__ = ["value_lines"]
 
+_CONVERSION = re.compile(r"%[-+ 0#]*\d*(?:\.\d+)?(.)")
 _SHOWN = Frame | Point | Vector | Body | Force | Torque
 
 
@@ -58,7 +60,6 @@ def _shown_item(text: PythonText, item: syntax.Expression, *, shown: bool, keeps
         case syntax.Infix(operator="=", left=syntax.Delayed(), right=right):
             return _shown_item(text, right, shown=shown, keeps=keeps)
         case syntax.Call(function=syntax.Name(name="show"), arguments=(what, *options)):
-            text.shown.clear()  # what show returns is what it prints
             return _show(text, what, synthetic=bool(options), keeps=keeps)
         case syntax.Call(function=syntax.Name(name="print" | "lprint"), arguments=arguments):
             return [f"print({items(text, arguments)})"]
@@ -104,6 +105,7 @@ def _value_lines(
 
 def _show(text: PythonText, what: syntax.Expression, *, synthetic: bool, keeps: bool) -> list[str]:
     written = text.text(what)
+    text.shown.append(written)
     lines = []
     if keeps and not written.isidentifier():
         lines, written = [f"last = {written}"], "last"
@@ -120,10 +122,14 @@ def _show(text: PythonText, what: syntax.Expression, *, synthetic: bool, keeps: 
 def _printed(text: PythonText, form: str, rest: Sequence[syntax.Expression]) -> str:
     """Return ``printf`` as a format of Python; its texts are written as they are."""
     arguments = [text.text(each) for each in rest]
+    kinds = [kind for kind in _CONVERSION.findall(form) if kind != "%"]
+    if len(kinds) != len(arguments):
+        raise NoText("printf")
     values = [
-        f"float({each})" if isinstance(text.value(each), Expr) and "%s" not in form else each
-        for each in arguments
+        f"float({each})" if isinstance(text.value(each), Expr) and kind not in "as" else each
+        for kind, each in zip(kinds, arguments, strict=True)
     ]
     if not values:
         return f"print({form!r}, end='')"
+    form = _CONVERSION.sub(lambda found: found[0][:-1] + "s" if found[1] == "a" else found[0], form)
     return f"print({form!r} % ({', '.join(values)}{',' if len(values) == 1 else ''}), end='')"

@@ -133,10 +133,12 @@ def _for(text: PythonText, loop: syntax.For) -> list[str]:
         if not isinstance(found, list | tuple) or not found:
             raise NoText("for in")
         inner.values[identifier(loop.variable)] = found[0]
-    elif loop.stop is None and loop.start is None:
+    elif loop.variable is None and loop.stop is None and loop.start is None:
         if loop.condition is None:
             raise NoText("do")
         head = f"while {condition(text, loop.condition)}:"
+    elif loop.stop is None:
+        head = _unbounded(text, loop, inner)
     else:
         head = _counted(text, loop, inner)
     body = block(loop.body, writer, shown=loop.shown)
@@ -157,6 +159,18 @@ def _is_new_table(text: PythonText, name: str, made: object) -> bool:
         and not isinstance(text.names.values.get(name), dict)
         and name != "__builtins__"
     )
+
+
+def _unbounded(text: PythonText, loop: syntax.For, inner: Names) -> str:
+    """Return the head of a loop that only its condition ends: it counts from 1 if the sheet doesn't say from where."""
+    if loop.condition is None:
+        raise NoText("do")
+    first, step = ("1" if each is None else text.text(each) for each in (loop.start, loop.step))
+    if not isinstance(text.value(first), int) or not isinstance(text.value(step), int):
+        raise NoText("for from")
+    name = identifier(loop.variable or "_")
+    inner.values[name] = text.value(first)
+    return f"for {name} in itertools.count({first}{'' if step == '1' else f', {step}'}):"
 
 
 def _counted(text: PythonText, loop: syntax.For, inner: Names) -> str:

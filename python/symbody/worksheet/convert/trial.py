@@ -6,9 +6,14 @@ import contextlib
 import io
 from collections.abc import Iterator, Sequence
 
-from symbody.errors import SymbodyError
 from symbody.worksheet.convert.code_calls import is_code
-from symbody.worksheet.convert.derivative_rules import PREFIX, by_rules, rule_lines, shown_by_rules
+from symbody.worksheet.convert.derivative_rules import (
+    PREFIX,
+    by_rules,
+    has_replaced_rate,
+    rule_lines,
+    shown_by_rules,
+)
 from symbody.worksheet.convert.draft import Draft, has
 from symbody.worksheet.convert.expressions import PythonText
 from symbody.worksheet.convert.names import NoText, identifier
@@ -38,7 +43,7 @@ def prepare(program: Draft, statement: syntax.Statement, *, keeps: bool) -> None
             program.code = lines_of(statement, text, keeps=keeps)
     except NoText as error:
         program.reason = str(error)
-    except (SymbodyError, ValueError, TypeError, AttributeError, LookupError, SyntaxError) as error:
+    except Exception as error:  # a statement that can't be written costs no other one
         program.reason = repr(error)
     program.keeps = keeps
 
@@ -73,10 +78,9 @@ def _versions(program: Draft, changed: Sequence[str]) -> Iterator[list[str]]:
     if program.reason.startswith("differs in"):
         yield from _to_first_order(program, code, changed)
         yield from by_rules(program.names, code)
-        shown = shown_by_rules(program.names, program.text.shown)
-        if shown and code == [f"print({', '.join(program.text.shown)})"]:
+        for shown, lines in shown_by_rules(program.names, program.text.shown, code):
             program.text.shown = shown
-            yield [f"print({', '.join(shown)})"]
+            yield lines
 
 
 def _to_first_order(program: Draft, code: Sequence[str], changed: Sequence[str]) -> Iterator[list[str]]:
@@ -90,7 +94,7 @@ def _runs(program: Draft, statement: syntax.Statement, changed: Sequence[str]) -
     values, session = program.names.values, program.interpreter.session
     values.pop("last", None) if program.keeps else None
     try:
-        with contextlib.redirect_stdout(io.StringIO()), contextlib.chdir(program.folder):
+        with contextlib.redirect_stdout(io.StringIO()) as printed, contextlib.chdir(program.folder):
             exec("\n".join([*program.names.late, *(program.code or ())]), values)
     except Exception as error:
         program.reason = repr(error)
@@ -108,6 +112,9 @@ def _runs(program: Draft, statement: syntax.Statement, changed: Sequence[str]) -
         elif not has(program, name) and not _sorted(program, name) and not _shared(program, name, changed):
             program.reason = f"differs in {name}"
             return False
+    if has_replaced_rate(program.names, printed.getvalue()):
+        program.reason = "differs in %"
+        return False
     if isinstance(statement, syntax.Evaluation) and program.text.shown and session.last:
         return _shows_the_same(program, statement.expression)
     return True

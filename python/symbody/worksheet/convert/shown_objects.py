@@ -1,0 +1,49 @@
+"""What ``show`` gives in a session, ``VECTOR(frame = .., comps = ..)``, as the object again."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from symbody.geometry import Point, Vector, ground, origin
+from symbody.multibody import Body, Force, Torque
+from symbody.symbolic import Expr, symbol
+from symbody.worksheet.evaluation.session import Session
+from symbody.worksheet.values.value import Reference, Relation, Table, Unevaluated, Value
+
+__all__ = ["shown_object", "without_frame"]
+
+_KINDS = {"POINT": "POINT", "VECTOR": "VECTOR", "BODY": "BODY", "FORCE": "VECTOR", "TORQUE": "VECTOR"}
+"""What is compared of an object: of a load, its vector, as the bodies may be mere names."""
+
+
+def shown_object(session: Session, shown: Unevaluated) -> tuple[Table | None, bool]:
+    """Return the object whose fields are shown, and whether its frame is known; None for what is no object.
+
+    A frame that is shown by its name is that of the session; the name may be one that only ``show`` has given.
+    """
+    kind = _KINDS.get(getattr(shown.function, "name", ""))
+    if kind is None:
+        return None, False
+    fields = {each.left: each.right for each in shown.arguments if isinstance(each, Relation)}
+    place, is_known = symbol("frame"), True
+    frame = fields.get(place)
+    if isinstance(frame, Expr):
+        del fields[place]  # an object without this field is on the ground
+        if frame.name in session.names:
+            fields[place] = Reference(frame.name)
+        else:
+            is_known = frame == symbol("ground")
+    entries: dict[tuple[Value, ...], Value] = {(name,): value for name, value in fields.items()}
+    return Table({**entries, (symbol("obj"),): symbol(kind)}), is_known
+
+
+def without_frame(made: Any) -> Any:
+    """Return an object on the ground: its coordinates, components, or mass and inertia count alone."""
+    match made:
+        case Point():
+            return Point(ground, *made.coordinates)
+        case Vector() | Force() | Torque():
+            return Vector(ground, *made.components)
+        case Body():
+            return Body.of_inertia(origin(ground), made.mass, made.inertia)
+    return made
