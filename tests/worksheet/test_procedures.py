@@ -33,6 +33,10 @@ CASES = {
         'f := proc(a,{col:="x"}) col end proc: f(1), f(1,col="y");',
         ['"x", "y"'],
     ),
+    "types of keywords": (
+        "f := proc(x,{k::{1,-1}:=1, full::truefalse:=false}) [k*x, full] end: f(3,k=-1), f(3,full), f(k), f(3);",
+        ["[-3, false], [3, true], [k, false], [3, false]"],
+    ),
     "args and nargs": (
         "f := proc() nargs, args end: f(a,b); g := proc() add(args[i],i=1..nargs) end: g(1,2,3);",
         ["2, a, b", "6"],
@@ -126,6 +130,14 @@ def test_procedures(sheet: str, expected: list[str]) -> None:
 def test_a_wrong_type_is_told() -> None:
     (message,) = failures("f := proc(n::integer) n end proc: f(a);")
     assert message == ("invalid input: f expects its 1st argument, n, to be of type integer, but received a")
+
+
+def test_a_wrong_type_of_a_keyword_is_told() -> None:
+    found = failures("f := proc(x,{k::{1,-1}:=1, m::positive:=2}) k*m*x end: f(3,k=a); f(3,m=-4);")
+    assert found == [
+        "invalid input: f expects value for keyword parameter k to be of type {-1, 1}, but received a",
+        "invalid input: f expects value for keyword parameter m to be of type positive, but received -4",
+    ]
 
 
 def test_too_many_arguments_are_told_where_the_heading_ends() -> None:

@@ -9,6 +9,7 @@ from symbody.worksheet.interpreter.interpret import Interpreter
 from symbody.worksheet.reading.files import source_cells
 from symbody.worksheet.reading.two_dimensions import is_layout
 from symbody.worksheet.run import outcomes
+from symbody.worksheet.sheet.outcome import Outcome
 
 
 def check(text: str) -> list[Verdict]:
@@ -108,3 +109,82 @@ v := Vector[column](%id = 18446744078)
         "not comparable: a matrix in it is not printed in full",
         "equal",
     ]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("> x := t^2:\n> diff(x,t);\n> diff(x,t,t);\n   2*t\n", ["3 differs: the file has 2*t, the run 2"]),
+        (
+            "> x := t^2:\n\n> diff(x,t);\n\n> diff(x,t,t);\n\n2*t\n",
+            ["5 differs: the file has 2*t, the run 2"],
+        ),
+        (
+            "> a+1;\n   note\n> 2*z;\n  3*z\n",
+            [
+                "1 not comparable: what stands below it is not read as a value: note",
+                "3 differs: the file has 3*z, the run 2*z",
+            ],
+        ),
+        ("> a+1;\n> 2*z;\n  a+1\n  2*z\n", ["1 equal", "2 equal"]),
+        (
+            "> a+1;\n> Matrix(2);\n  a+1\n  [Maple Math]\n",
+            ["1 equal", "2 not comparable: a picture, or in Maple's own encoding"],
+        ),
+        (
+            "> M := Matrix([[1,2],[3,4]]);\n> v := u;\n               [1 2]\n          M := [3 4]\n",
+            ["1 not comparable: printed in two dimensions"],
+        ),
+    ],
+    ids=[
+        "a neighbour's value",
+        "one of another cell",
+        "below a remark",
+        "together",
+        "above a picture",
+        "in two dimensions",
+    ],
+)
+def test_what_stands_directly_below_a_statement_is_its_output(text: str, expected: list[str]) -> None:
+    assert [f"{one.line} {one}" for one in check(text)] == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("> x;\n   y\n", ["1 not comparable: what stands below it is not read as a value: y"]),
+        (
+            "> a+1;\n\nb\n\n> 2*z;\n\n2*z\n",
+            ["1 not comparable: what stands below it is not read as a value: b", "5 equal"],
+        ),
+        (
+            "> restart:\n> a*c;\n   a^b^c\n> a*c;\n  a*d\n",
+            [
+                "2 not comparable: what stands below it is not read as a value: a^b^c",
+                "4 differs: the file has a*d, the run a*c",
+            ],
+        ),
+        ("> x := 3:\n  note\n> x;\n  3\n  note\n\n# heading\n", ["3 equal"]),
+    ],
+    ids=["a name", "a name in a paragraph", "what can't be read", "remarks"],
+)
+def test_what_may_be_output_has_a_verdict(text: str, expected: list[str]) -> None:
+    assert [f"{one.line} {one}" for one in check(text)] == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        ("> W := u;\n   W2 := u\n", "the file has W2, the run W"),
+        ("> W := u;\n   u\n", "the file has a value, the run W"),
+        ("> u = 2;\n   v = 2\n", "the file has v, the run u"),
+    ],
+)
+def test_another_left_side_differs(text: str, reason: str) -> None:
+    assert check(text) == [Verdict(1, "differs", reason)]
+
+
+def test_drawings_are_no_outputs() -> None:
+    cells = source_cells("> a+1;\n> plot(x);\n  a+1\n")
+    done = [Outcome(0, 1, printed=("a+1",)), Outcome(0, 2, printed=("[Plot: plot1.png]",))]
+    assert verdicts(cells, done) == [Verdict(1, "equal")]

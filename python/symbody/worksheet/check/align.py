@@ -7,6 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import takewhile
 
+from symbody.worksheet.reading.prompts import is_picture
+from symbody.worksheet.reading.two_dimensions import is_layout
 from symbody.worksheet.sheet import syntax
 
 __all__ = ["Block", "Output", "aligned"]
@@ -14,11 +16,19 @@ __all__ = ["Block", "Output", "aligned"]
 
 @dataclass(frozen=True, slots=True)
 class Block:
-    """An output in the file: its text, the number of its cell, and its place among the outputs of this cell."""
+    """An output in the file.
+
+    Attributes:
+        text: its text.
+        cell: the number of its cell.
+        index: its place among the outputs of this cell.
+        line: its line, where outputs stand between the lines of code; else 0.
+    """
 
     text: str
     cell: int
     index: int
+    line: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,21 +42,27 @@ class Output:
     statement: syntax.Statement | None = None
 
 
+#: The weights of what two outputs have in common; a place directly below weighs more than the texts.
+_ALIKE, _NEAR, _OTHER_NAME = 2.0, 3.0, 0.25
+
 _HEAD = re.compile(r"\s*(`[^`]*`|\w+(?:\[[^\]]*\])?(?:\(\w+\))?)\s*(:=|=)")
 
 
 def aligned(blocks: Sequence[Block], outputs: Sequence[Output]) -> list[Output | None]:
     """Return the partner of each block: those with the best sum of likenesses, in the order of both.
 
-    Outputs can stand cells further down than their statement, but not before it.
+    Outputs can stand cells further down than their statement, but not before it. What stands directly below a
+    statement is that one's, whatever another one printed: else a wrong value would pass as that of a neighbour.
     """
+    nearest = _nearest(blocks, outputs)
     rows = [[0.0] * (len(outputs) + 1)]
     heads = [_head(output.text) for output in outputs]
-    for block in blocks:
+    for block, above in zip(blocks, nearest, strict=True):
         before, row = rows[-1], [0.0]
         head = _head(block.text)
         for k, output in enumerate(outputs):
-            likeness = _likeness(block, head, output, heads[k])
+            near = output.line == above and output.cell == block.cell
+            likeness = _likeness(block, head, output, heads[k], near=near)
             row.append(max(before[k + 1], row[k], before[k] + likeness if likeness else 0.0))
         rows.append(row)
     partners: list[Output | None] = [None] * len(blocks)
@@ -63,18 +79,51 @@ def aligned(blocks: Sequence[Block], outputs: Sequence[Output]) -> list[Output |
 
 
 def _head(text: str) -> str:
-    match = _HEAD.match(text)
+    """Return what an output assigns; in two dimensions, the name may stand on any line."""
+    lines = text.split("\n") if is_layout(text) else [text]
+    match = next(filter(None, map(_HEAD.match, lines)), None)
     return match[1] + match[2] if match else ""
 
 
-def _likeness(block: Block, head: str, output: Output, other: str) -> float:
-    """Return how much an output looks like a block, 0 if it can't be its partner."""
-    if output.cell > block.cell or head != other:
+def _nearest(blocks: Sequence[Block], outputs: Sequence[Output]) -> list[int]:
+    """Return, for each block, the line of the statement that it stands directly below, 0 if that isn't known.
+
+    It is the last one above the block, in its cell, that printed something, unless a picture below the block may be
+    its output.
+    """
+    pictured: set[tuple[int, int]] = set()
+    found = []
+    for block in reversed(blocks):
+        lines = (output.line for output in outputs if output.cell == block.cell)
+        line = max((line for line in lines if not block.line or line < block.line), default=0)
+        if is_picture(block.text):
+            pictured.add((block.cell, line))
+        found.append(0 if (block.cell, line) in pictured else line)
+    return found[::-1]
+
+
+def _likeness(block: Block, head: str, output: Output, other: str, *, near: bool) -> float:
+    """Return how much an output looks like a block, 0 if it can't be its partner.
+
+    Args:
+        block: the block.
+        head: what it assigns.
+        output: the output.
+        other: what that one assigns.
+        near: whether the block stands directly below the output's statement.
+    """
+    if output.cell > block.cell or is_picture(block.text):
         return 0.0
+    if head != other:
+        return _OTHER_NAME if near else 0.0
     left, right = (re.sub(r"\s", "", _compared(text)[:200]) for text in (block.text, output.text))
     same = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], zip(left, right, strict=False)))
     alike = same / max(1, min(len(left), len(right)))
-    return (4.0 if head else 1.0) + 2.0 * alike + (0.5 if output.cell == block.cell else 0.0)
+    return (
+        (4.0 if head else 1.0)
+        + _ALIKE * alike
+        + (_NEAR if near else 0.5 if output.cell == block.cell else 0.0)
+    )
 
 
 def _compared(text: str) -> str:

@@ -21,6 +21,7 @@ from symbody.worksheet.sheet.source import Cell
 __all__ = ["Verdict", "verdicts"]
 
 _MESSAGE = re.compile(r"\s*(Warning|Error|MBSymba)\b")
+_DRAWING = re.compile(r"\[Plot: .*\]")
 _INDEX = re.compile(r"\s*\d+\s*,")
 
 
@@ -50,21 +51,40 @@ def verdicts(cells: Sequence[Cell], outcomes: Sequence[Outcome]) -> list[Verdict
     for _, of_file, of_run in programs:
         blocks = [block for block in blocks if block not in of_file]
         outputs = [output for output in outputs if output not in of_run]
-    comparable = [block for block in blocks if not is_picture(block.text)]
-    partners = dict(zip(comparable, aligned(comparable, outputs), strict=True))
-    groups: dict[tuple[str, int], list[Verdict]] = {}
+    partners = dict(zip(blocks, aligned(blocks, outputs), strict=True))
+    groups: dict[tuple[int, int], list[Verdict]] = {}  # by statement, else by cell and line
     for block in blocks:
         partner = partners.get(block)
         if partner is not None:
-            groups.setdefault(("statement", partner.number), []).append(_verdict(block, partner, outputs))
+            groups.setdefault((-1, partner.number), []).append(_verdict(block, partner, outputs))
             continue
         reason = (
             "a picture, or in Maple's own encoding" if is_picture(block.text) else _unmatched(block, outcomes)
         )
         verdict = Verdict(_line(cells, block), "not comparable", reason)
-        groups.setdefault(("cell", block.cell), []).append(verdict)
+        groups.setdefault((block.cell, verdict.line), []).append(verdict)
     found = [*(verdict for verdict, _, _ in programs), *(_together(group) for group in groups.values())]
-    return sorted(found, key=lambda verdict: verdict.line) if programs else found
+    judged = {partner.number for partner in partners.values() if partner is not None}
+    doubted = list(_doubted(cells, [output for output in outputs if output.number not in judged]))
+    return sorted([*found, *doubted], key=lambda verdict: verdict.line) if programs or doubted else found
+
+
+def _doubted(cells: Sequence[Cell], outputs: Sequence[Output]) -> Iterator[Verdict]:
+    """Return a verdict on each statement whose output may be a line that can't be read.
+
+    Args:
+        cells: the cells.
+        outputs: those outputs of the run that no output in the file belongs to.
+    """
+    seen: set[int] = set()
+    for number, cell in enumerate(cells):
+        of_cell = [output for output in outputs if output.cell == number]
+        for line in cell.doubtful:
+            above = [each for each in of_cell if each.line < line.line and each.number not in seen]
+            if above:
+                seen.add(above[-1].number)
+                reason = f"what stands below it is not read as a value: {_shown(line.text.strip())}"
+                yield Verdict(above[-1].line, "not comparable", reason)
 
 
 def _programs(
@@ -98,11 +118,12 @@ def _together(group: Sequence[Verdict]) -> Verdict:
 
 
 def _outputs(outcomes: Sequence[Outcome]) -> Iterator[Output]:
+    """Return the outputs of the run, without the names of files with drawings, which Maple has none of."""
     for number, outcome in enumerate(outcomes):
         is_text = prints_text(outcome.statement)
         for text in outcome.printed:
             for line in text.split("\n") if is_text else [text]:
-                if line.strip():
+                if line.strip() and not _DRAWING.fullmatch(line):
                     yield Output(line, outcome.cell, outcome.line, number, outcome.statement)
 
 
@@ -111,19 +132,24 @@ def _blocks(cells: Sequence[Cell]) -> Iterator[Block]:
     for number, cell in enumerate(cells):
         for index, text in enumerate(cell.printed):
             if not _MESSAGE.match(text) and text.strip():
-                yield Block(text, number, index)
+                yield Block(text, number, index, cell.printed_at[index] if cell.printed_at else 0)
 
 
 def _line(cells: Sequence[Cell], block: Block) -> int:
-    return cells[block.cell].input[-1].line
+    """Return the line of code that a block stands below."""
+    lines = [line.line for line in cells[block.cell].input]
+    return max((line for line in lines if line < block.line), default=lines[-1])
 
 
 def _unmatched(block: Block, outcomes: Sequence[Outcome]) -> str:
     if is_layout(block.text):
         return "printed in two dimensions"
     failed = any(outcome.error for outcome in outcomes if outcome.cell == block.cell)
-    shown = block.text if len(block.text) <= 50 else block.text[:47] + "..."
-    return f"{'the statement failed' if failed else 'the run printed nothing for it'}: {shown}"
+    return f"{'the statement failed' if failed else 'the run printed nothing for it'}: {_shown(block.text)}"
+
+
+def _shown(text: str) -> str:
+    return text if len(text) <= 50 else text[:47] + "..."
 
 
 def _verdict(block: Block, output: Output, outputs: Sequence[Output]) -> Verdict:

@@ -181,7 +181,7 @@ def _bind(session: Session, scope: Scope, parameters: Iterable[syntax.Parameter]
             )
             return
         if i < len(positional):
-            _check(session, parameter, positional[i], i, scope.name)
+            _check(session, parameter, positional[i], scope.name, i)
             scope.names[parameter.name] = positional[i]
             scope.parameters.add(parameter.name)
         elif parameter.default is not None:
@@ -199,14 +199,30 @@ def _take_keywords(session: Session, scope: Scope, named: dict[str, syntax.Param
     positional = []
     for each in scope.arguments:
         keyword = _keyword(each)
-        if keyword is not None and keyword[0] in named:
-            scope.names[keyword[0]] = keyword[1]
-        else:
+        parameter = named.get(keyword[0]) if keyword is not None else None
+        if (
+            keyword is None
+            or parameter is None
+            or not (_is_equation(each) or _admits_true(session, parameter))
+        ):
             positional.append(each)
+            continue
+        _check(session, parameter, keyword[1], scope.name)
+        scope.names[parameter.name] = keyword[1]
     for name, parameter in named.items():
         if name not in scope.names:
             scope.names[name] = NULL if parameter.default is None else session.evaluate(parameter.default)
     return positional
+
+
+def _is_equation(value: Value) -> bool:
+    return isinstance(value, Relation) and value.operator == "="
+
+
+def _admits_true(session: Session, parameter: syntax.Parameter) -> bool:
+    """Whether the bare name of a keyword stands for ``name = true``; else it is a value as any other."""
+    kind = _type(session, parameter)
+    return kind is None or has_type(session, Boolean(truth=True), kind)
 
 
 def _keyword(value: Value) -> tuple[str, Value] | None:
@@ -218,28 +234,36 @@ def _keyword(value: Value) -> tuple[str, Value] | None:
     return None
 
 
-def _check(session: Session, parameter: syntax.Parameter, value: Value, place: int, name: str) -> None:
+def _check(
+    session: Session, parameter: syntax.Parameter, value: Value, name: str, place: int | None = None
+) -> None:
     """Check the type of an argument.
 
     Args:
         session: the session.
         parameter: the parameter with its type.
         value: the argument.
-        place: its place, from 0.
         name: what the procedure is called by.
+        place: its place, from 0; keywords have none.
     """
-    if parameter.type is None:
-        return
-    kind = (
-        session.evaluate(parameter.type)
-        if not isinstance(parameter.type, syntax.Name)
-        else symbol(parameter.type.name)
-    )
-    if not has_type(session, value, kind):
-        raise WorksheetError(
-            f"invalid input: {name} expects its {_ordinal(place + 1)} argument, {parameter.name}, to be of type "
-            f"{session.text(kind)}, but received {session.text(value)[:60]}"
+    kind = _type(session, parameter)
+    if kind is not None and not has_type(session, value, kind):
+        expected = (
+            f"value for keyword parameter {parameter.name}"
+            if place is None
+            else f"its {_ordinal(place + 1)} argument, {parameter.name},"
         )
+        raise WorksheetError(
+            f"invalid input: {name} expects {expected} to be of type {session.text(kind)}, but received "
+            f"{session.text(value)[:60]}"
+        )
+
+
+def _type(session: Session, parameter: syntax.Parameter) -> Value | None:
+    """Return the type that a parameter declares, if it does."""
+    if parameter.type is None or isinstance(parameter.type, syntax.Name):
+        return None if parameter.type is None else symbol(parameter.type.name)
+    return session.evaluate(parameter.type)
 
 
 def _ordinal(number: int) -> str:

@@ -10,6 +10,7 @@ from symbody.worksheet.reading.parse import tokens_of
 from symbody.worksheet.sheet.source import Line
 
 __all__ = [
+    "has_words",
     "inputs",
     "is_declaration",
     "is_message",
@@ -58,7 +59,7 @@ def split_at_prompt(line: Line) -> Iterator[Line]:
     """
     place = _glued_prompt(line)
     if place is None and not prompt_of(line) and (found := _PROMPT_IN_PROSE.search(line.text)):
-        place = found.start() if _has_words(Line(line.text[: found.start()], line.line)) else None
+        place = found.start() if has_words(Line(line.text[: found.start()], line.line)) else None
     if place is None:
         yield line
     else:
@@ -77,7 +78,7 @@ def _is_in_string(text: str, begin: int, place: int) -> bool:
     return text.count('"', begin, place) % 2 == 1
 
 
-def _has_words(line: Line) -> bool:
+def has_words(line: Line) -> bool:
     """Whether two words stand side by side, or the line tells an author: no code does."""
     tokens = tokens_of(line)
     return any(

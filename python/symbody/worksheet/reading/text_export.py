@@ -15,6 +15,7 @@ from lark import Token
 from symbody.worksheet.reading.interrupted import begins_block, with_whole_blocks
 from symbody.worksheet.reading.parse import TERMINATORS, Failure, next_statement, terminator_after, tokens_of
 from symbody.worksheet.reading.prompts import (
+    has_words,
     inputs,
     is_declaration,
     is_message,
@@ -47,25 +48,43 @@ class _Cells:
     done: list[Cell] = field(default_factory=list)
     input: list[Line] = field(default_factory=list)
     printed: list[str] = field(default_factory=list)
+    printed_at: list[int] = field(default_factory=list)
+    doubtful: list[Line] = field(default_factory=list)
     prose: list[str] = field(default_factory=list)
     held: list[Line] = field(default_factory=list)
 
     def close(self) -> None:
         """Complete the cell, if it has code."""
         if self.input:
-            self.done.append(Cell(tuple(self.input), tuple(self.printed), tuple(self.prose)))
-            self.input, self.printed, self.prose = [], [], []
+            cell = Cell(
+                tuple(self.input),
+                tuple(self.printed),
+                tuple(self.prose),
+                printed_at=tuple(self.printed_at),
+                doubtful=tuple(self.doubtful),
+            )
+            self.done.append(cell)
+            self.input, self.printed, self.printed_at, self.doubtful, self.prose = [], [], [], [], []
 
-    def print(self, block: str) -> None:
+    def print(self, block: str, line: int) -> None:
         """Add a block of output; before the first code, it is prose."""
-        (self.printed if self.input else self.prose).append(block)
-
-    def print_below(self, line: str) -> None:
-        """Add a line of a formula in two dimensions to the block that it belongs to; other lines are blocks."""
-        if self.printed and is_layout(self.printed[-1] + "\n" + line):
-            self.printed[-1] += f"\n{line}"
+        if self.input:
+            self.printed.append(block)
+            self.printed_at.append(line)
         else:
-            self.printed.append(line)
+            self.prose.append(block)
+
+    def print_below(self, line: Line) -> None:
+        """Add a line of a formula in two dimensions to the block that it belongs to; other lines are blocks."""
+        if self.printed and is_layout(self.printed[-1] + "\n" + line.text):
+            self.printed[-1] += f"\n{line.text}"
+        else:
+            self.print(line.text, line.line)
+
+    def doubt(self, line: Line) -> None:
+        """Keep a line below code that is no heading, nor words side by side: it may be output that can't be read."""
+        if self.input and not line.text.startswith("#") and (is_indented(line.text) or not has_words(line)):
+            self.doubtful.append(line)
 
     def expected(self) -> Collection[str]:
         """Return the names of the input, if it has statements that show more than what was printed so far."""
@@ -125,16 +144,17 @@ def _read_code(cells: _Cells, lines: Sequence[Line]) -> None:
                 cells.close()
             cells.input += inputs(line, prompt)
         elif is_declaration(line.text):
-            cells.print(line.text.strip())
+            cells.print(line.text.strip(), line.line)
         elif _is_printed_below(cells.input, lines, index):
-            cells.print_below(line.text)
+            cells.print_below(line)
         elif not cells.printed and _goes_on(cells.input, _unprompted(lines[index:])):
             cells.input.append(line)
         elif _is_output(line.text, cells.expected) or _repeats_target(cells.input, line):
-            cells.print(line.text.strip())
+            cells.print(line.text.strip(), line.line)
         elif ":=" in line.text or line.text.rstrip().endswith((";", ":")):
             cells.input.append(line)  # it can't be read, and the mistake is reported
         else:
+            cells.doubt(line)
             cells.prose.append(line.text.strip())
 
 
@@ -224,10 +244,10 @@ def _read_text(cells: _Cells, lines: Sequence[Line]) -> None:
         return
     if cells.input and _prints(cells.input) and not cells.prose:
         for line in lines:
-            cells.print_below(line.text)
+            cells.print_below(line)
         return
     if cells.input and len(lines) > 1 and is_layout("\n".join(line.text for line in lines)):
-        cells.print("\n".join(line.text for line in lines))
+        cells.print("\n".join(line.text for line in lines), lines[0].line)
         return
     seen: list[str] = []
     for line in lines:
@@ -236,8 +256,9 @@ def _read_text(cells: _Cells, lines: Sequence[Line]) -> None:
             continue
         seen.append(text)
         if _is_output(text, cells.expected) or _repeats_target(cells.input, line):
-            cells.print(text)
+            cells.print(text, line.line)
         else:
+            cells.doubt(line)
             cells.close()
             cells.prose.append(text)
 
