@@ -66,6 +66,8 @@ def test_cases_of_values_declare_no_truth() -> None:
 
 
 def test_formats_have_texts_and_numbers(capsys: pytest.CaptureFixture[str]) -> None:
-    program, _ = made(r'printf("%s = %+06.3f%% of %a\n", "F", evalf(2*Pi), x + 1);')
+    program, _ = made(
+        r'for i to 2 do printf("%s = %+06.3f%% of %a\n", cat("F", i), evalf(i*Pi), x + i) end do;'
+    )
     assert (program.values, program.left_out) == (0, 0)
-    assert capsys.readouterr().out == "F = +6.283% of x + 1\n"
+    assert capsys.readouterr().out == "F1 = +3.142% of x + 1\nF2 = +6.283% of x + 2\n"

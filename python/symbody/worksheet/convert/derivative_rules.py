@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import fields, is_dataclass, replace
 from typing import Any
 
@@ -94,7 +94,7 @@ def shown_by_rules(
         yield shown, lines
 
 
-def has_replaced_rate(names: Names, printed: str) -> bool:
-    """Whether a text that the program prints has a rate for which the sheet has a rule."""
-    rates = names.value(names.rules) if names.rules else None
-    return any(re.search(rf"(?<!\w){re.escape(str(rate))}", printed) for rate in rates or ())
+def has_replaced_rate(names: Iterable[str], printed: str) -> bool:
+    """Whether a text that the program prints has the rate of a function that has a rule among the names."""
+    ruled = (name.removeprefix(PREFIX) for name in names if name.startswith(PREFIX))
+    return any(re.search(rf"(?<!\w){re.escape(function)}'", printed) for function in ruled)

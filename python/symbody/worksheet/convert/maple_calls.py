@@ -307,8 +307,11 @@ def _without_decimals(node: syntax.Expression) -> syntax.Expression:
 
 
 def _texts(text: Writer, arguments: Arguments) -> str:
-    """Return ``cat(a, b)``."""
-    parts = [text.text(each) for each in arguments]
+    """Return ``cat(a, b)`` of texts, which may have integers behind the first."""
+    first, *rest = (text.text(each) for each in arguments)
+    if not isinstance(text.value(first), str):
+        raise NoText("cat")
+    parts = [first, *(f"str({each})" if type(text.value(each)) is int else each for each in rest)]
     if not all(isinstance(text.value(each), str) for each in parts):
         raise NoText("cat")
     return " + ".join(grouped(each, SUM) for each in parts)

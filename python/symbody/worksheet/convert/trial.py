@@ -112,7 +112,7 @@ def _runs(program: Draft, statement: syntax.Statement, changed: Sequence[str]) -
         elif not has(program, name) and not _sorted(program, name) and not _shared(program, name, changed):
             program.reason = f"differs in {name}"
             return False
-    if has_replaced_rate(program.names, printed.getvalue()):
+    if has_replaced_rate(session.names, printed.getvalue()):
         program.reason = "differs in %"
         return False
     if isinstance(statement, syntax.Evaluation) and program.text.shown and session.last:
