@@ -94,7 +94,7 @@ impl Graph {
     fn real_number_of(&self, leaf: Id, point: u64) -> f64 {
         let [first, second] = self.value(leaf).words();
         let drawn = Key::new("real number").word(first).word(second).draw_word(point);
-        let size = f64::from(1 + u32::try_from(drawn % 1999).unwrap_or(0)) / 1000.0;
+        let size = f64::from(1 + drawn % 1999) / 1000.0;
         let is_positive = matches!(self.view(leaf), View::Symbol(_, Assumption::Positive));
         if is_positive || (drawn / 1999) % 2 == 0 { size } else { -size }
     }
