@@ -75,10 +75,10 @@
 //! | `evaluate` | the exact values of nodes in the lanes, and equality |
 //! | `print` | plain text, LaTeX, Maple |
 //! | `canonical` | the constructors: here `x + 0` becomes `x` |
+//! | `tape` | straight-line code in doubles, and its evaluation |
 //! | `calculus` | derivatives, gradients, substitution |
 //! | `rewrite` | expand, collect, factor, combine, simplify: the rewrites that a user asks for |
 //! | `linear` | matrices, vectors, linear systems in symbols |
-//! | `tape` | straight-line code in doubles, and its evaluation |
 //!
 //! No Python, no mechanics, no global state but the watch of a thread over its long work ([`interruptible`]).
 

@@ -16,10 +16,10 @@ const CHAPTERS: [&str; 13] = [
     "evaluate",
     "print",
     "canonical",
+    "tape",
     "calculus",
     "rewrite",
     "linear",
-    "tape",
 ];
 
 /// Files that are not in a folder: the front page, and the errors that every chapter reports.

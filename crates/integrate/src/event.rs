@@ -4,12 +4,10 @@ use crate::dynamics::{Dynamics, EventKind};
 use crate::excursion::{Point, may_pass, noise, point_beyond, three};
 use crate::failure::Failure;
 use crate::machine_code::BoundCode;
+use crate::part::{PARTS, end_of_part};
 use crate::projection::Projection;
 use crate::stepper::{Sight, Stepper};
 use crate::tolerances::Tolerances;
-
-/// The number of parts of a step at whose ends signs are compared, because a long step may contain many zeros.
-pub const PARTS: usize = 10;
 
 /// An event that happened.
 #[derive(Clone, Debug, PartialEq)]
@@ -277,12 +275,6 @@ fn until_terminal(mut found: Vec<Occurrence>, kinds: &[EventKind]) -> Vec<Occurr
         found.retain(|occurrence| occurrence.t <= t);
     }
     found
-}
-
-/// The instant at which a part of a step ends.
-#[allow(clippy::cast_precision_loss, reason = "there are few parts")]
-pub fn end_of_part(part: usize, start: f64, end: f64) -> f64 {
-    if part == PARTS { end } else { start + (end - start) * part as f64 / PARTS as f64 }
 }
 
 /// Whether a function that changes from one value to another passes zero in a direction; a start at zero does not

@@ -6,8 +6,8 @@
 //! Algorithms for Minimization without Derivatives (1973), chapter 5, and by points that shorten the longer side. An
 //! excursion within the tolerances of the integration is none, since its errors would decide on it.
 
-use crate::event::PARTS;
 use crate::failure::Failure;
+use crate::part::PARTS;
 use crate::tolerances::Tolerances;
 
 /// An instant and a value there.
@@ -101,7 +101,7 @@ fn next(before: Point, lowest: Point, after: Point) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::{may_pass, point_beyond, three};
-    use crate::event::{PARTS, end_of_part};
+    use crate::part::{PARTS, end_of_part};
 
     /// A function in a step from 0 to 1: an instant at which it is beyond zero, and the evaluations that found it.
     fn found(function: impl Fn(f64) -> f64, noise: f64) -> (Option<f64>, usize) {

@@ -21,6 +21,7 @@ mod integrate;
 mod lane;
 mod machine_code;
 mod method;
+mod part;
 mod projection;
 mod runge_kutta;
 mod start;

@@ -2,8 +2,9 @@
 //! the dense output of accepted steps, at the same instants as those of a motion alone, and on the constraints.
 
 use crate::dynamics::EventKind;
-use crate::event::{PARTS, crosses, end_of_part};
+use crate::event::crosses;
 use crate::excursion::{may_pass, noise, three};
+use crate::part::{PARTS, end_of_part};
 use crate::tolerances::Tolerances;
 
 use super::columns::{Columns, Waiting, read};
