@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import fields, is_dataclass, replace
-from typing import Any
 
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, number
@@ -18,6 +16,7 @@ from symbody.worksheet.evaluation.condition import truth
 from symbody.worksheet.evaluation.current import flattened
 from symbody.worksheet.evaluation.session import Scope, Session, sequence
 from symbody.worksheet.sheet import syntax
+from symbody.worksheet.sheet.within import replaced
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.numeric import as_float, as_integer
 from symbody.worksheet.values.structure import tree_of
@@ -171,25 +170,6 @@ def product(session: Session, body: syntax.Expression, *rest: syntax.Expression)
         at = syntax.Integer(k, place=body.place)
         total = binary(session, "*", total, session.evaluate(replaced(_unquoted(body), found[0], at)))
     return total
-
-
-def replaced(node: Any, name: str, value: syntax.Expression) -> Any:
-    """Return syntax with a name replaced, also inside quotes."""
-    if isinstance(node, syntax.Name):
-        return value if node.name == name else node
-    if isinstance(node, syntax.Delayed) and isinstance(node.body, syntax.Name) and node.body.name == name:
-        return value
-    if isinstance(node, tuple):
-        return tuple(replaced(each, name, value) for each in node)
-    if not is_dataclass(node) or isinstance(node, syntax.Place):
-        return node
-    changes = {
-        each.name: new
-        for each in fields(node)
-        if each.name != "place"
-        and (new := replaced(getattr(node, each.name), name, value)) is not getattr(node, each.name)
-    }
-    return replace(node, **changes) if changes else node  # type: ignore[type-var]
 
 
 def dollar(session: Session, body: syntax.Expression, right: syntax.Expression) -> Value:

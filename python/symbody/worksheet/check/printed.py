@@ -10,7 +10,7 @@ import math
 import re
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass, fields, is_dataclass
+from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
@@ -22,6 +22,7 @@ from symbody.symbolic import Expr, UndefinedFunction, number, pi, symbol, t
 from symbody.worksheet.reading.parse import Failure, next_statement, terminator_after, tokens_of
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.sheet.source import Line
+from symbody.worksheet.sheet.within import nodes_in
 from symbody.worksheet.values.complex_number import normal
 from symbody.worksheet.values.value import (
     Listed,
@@ -130,18 +131,7 @@ def _complete_part(tokens: list[Token]) -> list[Token]:
 
 def functions_in(node: object) -> frozenset[str]:
     """Return the names that a text uses as functions of time: ``x(t)``, or with primes."""
-    return frozenset(name for part in _parts(node) for name in _function_in(part))
-
-
-def _parts(node: object) -> Iterator[object]:
-    stack = [node]
-    while stack:
-        part = stack.pop()
-        if isinstance(part, tuple):
-            stack += part
-        elif is_dataclass(part):
-            yield part
-            stack += [getattr(part, each.name) for each in fields(part) if each.name != "place"]
+    return frozenset(name for part in nodes_in(node) for name in _function_in(part))
 
 
 def _function_in(part: object) -> Iterator[str]:
@@ -213,7 +203,7 @@ def value_of(node: syntax.Expression, functions: frozenset[str]) -> Value:
     Raises:
         NotComparable: something in it has no value here.
     """
-    is_complex = any(isinstance(part, syntax.Name) and part.name == "I" for part in _parts(node))
+    is_complex = any(isinstance(part, syntax.Name) and part.name == "I" for part in nodes_in(node))
     try:
         return _Values(functions, is_complex).value(node)
     except (SymbodyError, ArithmeticError, TypeError, RecursionError) as error:

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import fields, is_dataclass, replace
-from typing import Any
 
 from symbody.worksheet.check.printed import functions_in
 from symbody.worksheet.convert.names import Names, NoText
 from symbody.worksheet.convert.writer import Writer
 from symbody.worksheet.sheet import syntax
+from symbody.worksheet.sheet.within import replaced
 
 __all__ = ["PREFIX", "by_rules", "has_replaced_rate", "rule_lines", "shown_by_rules"]
 
@@ -51,20 +50,8 @@ def _rate(value: syntax.Expression) -> syntax.Expression:
 
 def _of_time(node: syntax.Expression, parameter: str) -> syntax.Expression:
     """Return an expression with the time in place of a name."""
-    made: syntax.Expression = _renamed(node, parameter)
+    made: syntax.Expression = replaced(node, parameter, syntax.Name("t", place=node.place))
     return made
-
-
-def _renamed(node: Any, parameter: str) -> Any:
-    if isinstance(node, syntax.Name):
-        return replace(node, name="t") if node.name == parameter else node
-    if isinstance(node, tuple):
-        return tuple(_renamed(each, parameter) for each in node)
-    if is_dataclass(node) and not isinstance(node, type):
-        return replace(
-            node, **{each.name: _renamed(getattr(node, each.name), parameter) for each in fields(node)}
-        )
-    return node
 
 
 def by_rules(names: Names, code: Sequence[str]) -> Iterator[list[str]]:

@@ -11,9 +11,9 @@ from typing import Any
 
 from symbody.worksheet.convert.draft import Draft, FileUse
 from symbody.worksheet.convert.names import identifier
-from symbody.worksheet.convert.statement_kinds import mentions
 from symbody.worksheet.convert.written_values import source_of
 from symbody.worksheet.sheet import syntax
+from symbody.worksheet.sheet.within import mentions
 from symbody.worksheet.values.value import ProcedureValue
 
 __all__ = ["leave_alone", "note_files"]

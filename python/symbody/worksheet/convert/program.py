@@ -31,7 +31,6 @@ from symbody.worksheet.convert.statement_kinds import (
     is_loading,
     is_restart,
     loop_variables,
-    mentions,
 )
 from symbody.worksheet.convert.trial import as_code, prepare
 from symbody.worksheet.convert.written_values import as_values, update
@@ -40,6 +39,7 @@ from symbody.worksheet.interpreter.interpret import Interpreter, Stop
 from symbody.worksheet.reading import names_in_code, statements
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.sheet.source import Cell, Remark, SyntaxMistake
+from symbody.worksheet.sheet.within import mentions
 
 __all__ = ["Converted", "converted"]
 

@@ -11,9 +11,10 @@ from symbody.worksheet.convert.frames import components
 from symbody.worksheet.convert.names import NoText, identifier
 from symbody.worksheet.convert.operations import SUM, grouped
 from symbody.worksheet.convert.selections import word_of
-from symbody.worksheet.convert.unrolled import at_values, mentions_joined_names
+from symbody.worksheet.convert.unrolled import at_values
 from symbody.worksheet.convert.writer import Writer
 from symbody.worksheet.sheet import syntax
+from symbody.worksheet.sheet.within import mentions
 
 __all__ = ["columns", "comprehension", "item", "items", "listed", "matrix"]
 
@@ -67,7 +68,7 @@ def comprehension(to: Writer, each: syntax.Expression, span: syntax.Expression) 
     match span:
         case syntax.Infix(
             operator="=", left=variable, right=syntax.Infix(operator="..", left=a, right=b)
-        ) if mentions_joined_names(each):
+        ) if mentions(each, syntax.Concatenation):
             with contextlib.suppress(NoText):
                 return _comprehension(to, each, span)
             return f"[{items(to, tuple(at_values(to, each, word_of(variable), a, b)))}]"

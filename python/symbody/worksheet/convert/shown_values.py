@@ -17,8 +17,9 @@ from symbody.worksheet.convert.modes import mode_lines
 from symbody.worksheet.convert.names import NoText
 from symbody.worksheet.convert.sequences import item as opened
 from symbody.worksheet.convert.sequences import items
-from symbody.worksheet.convert.statement_kinds import acts, mentions
+from symbody.worksheet.convert.statement_kinds import acts
 from symbody.worksheet.sheet import syntax
+from symbody.worksheet.sheet.within import mentions
 
 __all__ = ["value_lines"]
 

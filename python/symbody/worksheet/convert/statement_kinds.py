@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import fields, is_dataclass
+from dataclasses import fields
 from typing import Any
 
 from symbody.worksheet.convert.files import FILES
@@ -18,7 +18,6 @@ __all__ = [
     "is_loading",
     "is_restart",
     "loop_variables",
-    "mentions",
 ]
 
 _LOADING = frozenset(
@@ -109,12 +108,3 @@ def is_loading(statement: syntax.Statement) -> bool:
         ):
             return name in _LOADING
     return isinstance(statement, syntax.Empty)
-
-
-def mentions(node: Any, kind: type) -> bool:
-    """Whether a node holds one of a kind."""
-    if isinstance(node, kind):
-        return True
-    if isinstance(node, tuple):
-        return any(mentions(each, kind) for each in node)
-    return is_dataclass(node) and any(mentions(getattr(node, each.name), kind) for each in fields(node))

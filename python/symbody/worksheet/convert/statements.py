@@ -15,8 +15,9 @@ from symbody.worksheet.convert.names import Names, NoText, identifier
 from symbody.worksheet.convert.operators import condition
 from symbody.worksheet.convert.sequences import items
 from symbody.worksheet.convert.shown_values import value_lines
-from symbody.worksheet.convert.unrolled import at_values, mentions_joined_names
+from symbody.worksheet.convert.unrolled import at_values
 from symbody.worksheet.sheet import syntax
+from symbody.worksheet.sheet.within import mentions
 
 __all__ = ["INDENT", "block", "branch_words", "lines_of"]
 
@@ -109,7 +110,7 @@ def _loop(text: PythonText, loop: syntax.For) -> list[str]:
     is_counted = (
         loop.variable is not None and loop.items is None and loop.step is None and loop.condition is None
     )
-    if not is_counted or not mentions_joined_names(loop.body):
+    if not is_counted or not mentions(loop.body, syntax.Concatenation):
         return _for(text, loop)
     before = dict(text.names.values)
     with contextlib.suppress(NoText):

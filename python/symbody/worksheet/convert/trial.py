@@ -128,9 +128,9 @@ def _shows_the_same(program: Draft, expression: syntax.Expression) -> bool:
     with contextlib.chdir(program.folder):
         *texts, last = program.text.shown
         made = [
-            value
+            each
             for text in (*texts, "last" if program.keeps else last)
-            for value in (program.names.value(f"[{text}]") or [None])
+            for each in (program.names.value(f"[{text}]") or [None])
         ]
     if same(session, made[-1], value, program.names.small):
         return True

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
-from dataclasses import fields, is_dataclass
 
 from symbody.worksheet.sheet import syntax
+from symbody.worksheet.sheet.within import nodes_in
 
 __all__ = ["PRINTING", "lists_a_table", "prints_code", "prints_text"]
 
@@ -20,7 +19,7 @@ PRINTING = re.compile(r"\b(printf|Matlab|[Ff]ortran)\s*\(|\b(codegen|CodeGenerat
 
 def prints_text(statement: syntax.Statement | None) -> bool:
     """Whether a statement calls ``printf``, in a loop too."""
-    return any(_called(node) in _TEXTS for node in _nodes(statement))
+    return any(_called(node) in _TEXTS for node in nodes_in(statement))
 
 
 def prints_code(statement: syntax.Statement | None) -> bool:
@@ -33,7 +32,7 @@ def prints_code(statement: syntax.Statement | None) -> bool:
 
 def lists_a_table(statement: syntax.Statement | None) -> bool:
     """Whether a statement takes the entries of a table in a list: Maple's order isn't that of this run."""
-    return any(_called(node) in _OF_TABLES for node in _nodes(statement))
+    return any(_called(node) in _OF_TABLES for node in nodes_in(statement))
 
 
 def _called(node: object) -> str:
@@ -45,14 +44,3 @@ def _called(node: object) -> str:
         ) if package in _PACKAGES:
             return name
     return ""
-
-
-def _nodes(node: object) -> Iterator[object]:
-    stack = [node]
-    while stack:
-        part = stack.pop()
-        if isinstance(part, tuple):
-            stack += part
-        elif is_dataclass(part):
-            yield part
-            stack += [getattr(part, each.name) for each in fields(part) if each.name != "place"]
