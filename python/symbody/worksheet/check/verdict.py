@@ -21,7 +21,7 @@ from symbody.worksheet.sheet.source import Cell
 __all__ = ["Verdict", "verdicts"]
 
 _MESSAGE = re.compile(r"\s*(Warning|Error|MBSymba)\b")
-_DRAWING = re.compile(r"\[Plot: .*\]")
+_DRAWING = re.compile(r"\[Plot(: .*)?\]")
 _INDEX = re.compile(r"\s*\d+\s*,")
 
 
