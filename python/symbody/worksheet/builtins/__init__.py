@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import difflib
 import inspect
 from collections.abc import Callable, Iterator
 
 from symbody.symbolic import Expr
+from symbody.symbolic.given.similar_name import did_you_mean
 from symbody.worksheet.builtins import (
     algebra,
     arrays,
@@ -155,9 +155,8 @@ def notice_unknown_member(session: Session, package: str, name: str, *, is_packa
             session.notice(f"the package {package} is not known; {package}:-{name} comes back unevaluated")
         return
     known = [*mbsymba.COMMANDS] if is_mbsymba else [*PACKAGES[package]]
-    close = difflib.get_close_matches(name, known, 1, 0.75)
-    hint = f"; did you mean {close[0]}?" if close else ""
-    session.notice(f"{package}[{name}] is not known; it comes back unevaluated{hint}")
+    hint = did_you_mean([name], known)
+    session.notice(f"{package}[{name}] is not known; it comes back unevaluated{hint and f'; {hint}'}")
 
 
 def member(session: Session, package: str, names: list[str]) -> Value | None:

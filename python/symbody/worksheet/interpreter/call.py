@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Callable
 from typing import Any
 
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, UndefinedFunction, t
+from symbody.symbolic.given.similar_name import did_you_mean
 from symbody.worksheet import builtins
 from symbody.worksheet.evaluation import arithmetic
 from symbody.worksheet.evaluation.current import flattened
@@ -235,9 +235,9 @@ def _notice_unknown(session: Session, name: str, arguments: tuple[Value, ...]) -
         )
         return
     likeness = _NEARLY_THE_SAME if of_symbol else _ALIKE
-    close = difflib.get_close_matches(name, builtins.known_names(session), 1, likeness)
-    if close:
-        session.notice(f"{name} is not a command; did you mean {close[0]}?")
+    hint = did_you_mean([name], builtins.known_names(session), most=1, similar=likeness)
+    if hint:
+        session.notice(f"{name} is not a command; {hint}")
 
 
 def _procedure(session: Session, node: syntax.Procedure | syntax.Arrow) -> Value:
