@@ -13,25 +13,31 @@ from symbody import (
     System,
     bushing,
     contact,
+    cos,
     functions_of_time,
     gradient,
     ground,
     hamilton,
     kinetic_energy,
     lagrange_equations,
+    linear_tire,
     mechanical_energy,
     newton_euler,
     origin,
     potential_energy,
     rotate,
     simulate,
+    sin,
     spring,
     symbols,
     t,
     time_derivative,
+    tire,
+    tire_shape,
     torsion_spring,
     translate,
 )
+from symbody.multibody import TireShape
 
 x, phi = functions_of_time("x phi")
 k, k3, m, J = symbols("k k3 m J", positive=True)
@@ -45,6 +51,8 @@ ELEMENTS: dict[str, Callable[[Expr], Element]] = {
     "free angle": lambda more: torsion_spring(phi, k, free_angle=more, on=slider),
     "bushing": lambda more: bushing(slider.frame, ground, [k + more, k, k, k, k, k], on=slider),
     "contact": lambda more: contact(P, 1, k + more, plane=rotate("Y", 1), on=slider),
+    "radius": lambda more: contact(P, 1 + more, k, plane=rotate("Y", 1), on=slider),
+    "exponent": lambda more: contact(P, 1, k, exponent=2 + more, plane=rotate("Y", 1), on=slider),
 }
 
 
@@ -68,6 +76,30 @@ def test_a_law_that_depends_on_time_alone_has_one(name: str) -> None:
         -residual.subs({x.diff(t, 2): 0, phi.diff(t, 2): 0}) for residual in newton_euler(system).residuals
     ]
     assert forces == [x_, phi_]
+
+
+def test_a_tyre_whose_stiffness_or_radius_changes_has_no_energy() -> None:
+    """Its profile may depend on the camber, which is its shape; a deformation is beside the force."""
+    lean, sag, z = functions_of_time("lean sag z")
+    hub = translate(x, 0, z) * rotate("X", lean)
+    wheel = Body(hub * rotate("Y", phi), m, J, J, J)
+
+    def potential(radius: Expr | int | TireShape, stiffness: Expr) -> Expr | None:
+        law = linear_tire()
+        return tire(wheel, radius, law, stiffness=stiffness, carrier=hub, least_speed=1).potential
+
+    for changing in (
+        potential(1, k + k3 * x**2),
+        potential(1 + k3 * x**2, k),
+        potential(tire_shape(0, 1, z_deformation=sag), k),
+    ):
+        assert changing is None
+    for constant in (
+        potential(1, k + t),
+        potential(1 + t, k),
+        potential(tire_shape(-sin(lean), cos(lean)), k),
+    ):
+        assert constant is not None
 
 
 def test_the_work_of_a_hardening_spring_is_that_of_its_force() -> None:

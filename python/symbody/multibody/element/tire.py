@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import partial
 from inspect import signature
 from typing import Annotated, NamedTuple, TypeAlias
@@ -103,7 +104,8 @@ def tire(
 
     Returns:
         An element with the quantities "load", "kappa", "lateral_slip", "camber", "deflection", "Fx", "Fy", "Mx", "My",
-        "Mz", "VS", "VN" and "VR", and the potential of the vertical spring.
+        "Mz", "VS", "VN" and "VR", and the potential of the vertical spring, unless its stiffness or the radius is a
+        function of time, such as a coordinate.
 
     >>> from symbody import Body, functions_of_time, linear_tire, rotate, symbols, translate
     >>> (y, psi), (R, C, N, V) = functions_of_time("y psi"), symbols("R C N V", positive=True)
@@ -135,7 +137,9 @@ def tire(
             carrier=carrier,
             spin_axis=spin_axis,
         )
-        vertical = _vertical(contact, load, 0 if stiffness is None else stiffness, damping)
+        vertical = _vertical(
+            contact, load, 0 if stiffness is None else stiffness, damping, _shape(radius, crown_radius)
+        )
         slip = _slips(contact, relaxation, expression(least_speed), name)
         _check_forces(law, stiffness, acts=load_acts)
         found = _rolling(law, contact, vertical.load, slip, expression(least_speed))
@@ -319,13 +323,30 @@ def _check_forces(law: TireLaw, stiffness: Scalar | None, *, acts: bool) -> None
         )
 
 
-def _vertical(contact: TireKinematics, load: Scalar | None, k: Scalar, c: Scalar) -> _Vertical:
-    """Return the vertical load and its potential; a load that is given has none."""
+def _vertical(
+    contact: TireKinematics, load: Scalar | None, k: Scalar, c: Scalar, shape: Sequence[Expr]
+) -> _Vertical:
+    """Return the vertical load and its potential; a load that is given has none.
+
+    Args:
+        contact: the kinematics of the wheel.
+        load: the load that is given.
+        k: the vertical stiffness.
+        c: the vertical damping.
+        shape: what the potential must not depend on by functions of time, besides the stiffness.
+    """
     if load is not None:
         return _Vertical(expression(load), None)
     depth, damping = contact.deflection, expression(c)
     push = k * depth if damping.is_zero else k * depth + damping * contact.sinking
-    return _Vertical(Max(push, 0), stored_energy(k * Max(depth, 0) ** 2 / 2, expression(k)))
+    return _Vertical(Max(push, 0), stored_energy(k * Max(depth, 0) ** 2 / 2, expression(k), *shape))
+
+
+def _shape(radius: Shape, crown_radius: Scalar) -> tuple[Expr, ...]:
+    """Return the radii, or the rates at which a tyre is deformed: its profile may depend on the camber."""
+    if isinstance(radius, TireShape):
+        return radius.y_rate, radius.z_rate
+    return expression(radius), expression(crown_radius)
 
 
 class _Slips(NamedTuple):
