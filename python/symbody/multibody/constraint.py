@@ -50,6 +50,11 @@ class Constraint:
         self.multiplier = multiplier
         self.on = tuple(on)
 
+    @property
+    def label(self) -> str:
+        """What stands before the condition where it is shown: ``constraint``, with the name if there is one."""
+        return f"constraint {self.name}".strip()
+
     def written(self, condition: Expr) -> Constraint:
         """Return the constraint with its condition in another form."""
         return Constraint(condition, self.name, multiplier=self.multiplier, on=self.on)

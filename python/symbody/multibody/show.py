@@ -16,7 +16,7 @@ from symbody.symbolic import Expr, Matrix, cost, free_symbols, time_derivative
 from symbody.symbolic.calculus.reader import Reader
 from symbody.symbolic.calculus.shown_form import shown_form
 from symbody.symbolic.expression.container import text_of
-from symbody.symbolic.expression.text_layout import ends, hanging, listed
+from symbody.symbolic.expression.text_layout import ends, hanging, listed, names_text
 from symbody.symbolic.given.arguments import brief, counted
 
 from .body import Body
@@ -216,10 +216,10 @@ def _system(system: System, style: _Style) -> str:
     is_long = sum(len(kind.parts) for kind in kinds) > _MANY
     counts = (counted(len(kind.parts), kind.noun) for kind in kinds if kind.parts and is_long)
     head = "SYSTEM" if not system.name else f"{system.name} = SYSTEM"
-    lines = [f"coordinates: {_names(system.coordinates)}"]
+    lines = [f"coordinates: {names_text(system.coordinates, _MOST_NAMES)}"]
     if system.quasi_velocities:
         kind = "momenta" if system.momenta else "quasi-velocities"
-        lines.append(f"{kind}: {_names(system.quasi_velocities)}")
+        lines.append(f"{kind}: {names_text(system.quasi_velocities, _MOST_NAMES)}")
     *others, constraints = (kind.lines(is_long=is_long) for kind in kinds)
     lines += [line for each in others for line in each]
     if system.gravity is not None:
@@ -295,13 +295,7 @@ def _kinds(system: System, style: _Style) -> list[_Kind]:
 
 
 def _condition(multiplier: Expr, constraint: Constraint, style: _Style) -> str:
-    name = f"constraint {constraint.name}" if constraint.name else "constraint"
-    return f"{name}: {style.text(constraint.condition)} = 0, multiplier {multiplier}"
-
-
-def _names(names: Sequence[Expr]) -> str:
-    """Return names; of very many the first and the last."""
-    return ", ".join("..." if name is None else str(name) for name in ends(names, _MOST_NAMES))
+    return f"{constraint.label}: {style.text(constraint.condition)} = 0, multiplier {multiplier}"
 
 
 _MANY, _MOST_NAMES = 30, 100

@@ -268,7 +268,8 @@ def _loads(motion: DrawableMotion, system: System, members: Sequence[Body]) -> I
 def _is_balanced(motion: DrawableMotion, acting: Sequence[_Acting]) -> bool:
     """Return whether forces and moments are an action and its reaction: they have no resultant."""
     places = paths(motion, [each.at for each in acting])[:, 0]
-    vectors, is_moment = _vectors(motion, acting), np.array([each.is_moment for each in acting])
+    vectors = arrows(motion, [each.vector for each in acting])[:, 0]
+    is_moment = np.array([each.is_moment for each in acting])
     forces, arms = vectors[~is_moment], (places - places[0])[~is_moment]
     turning = np.vstack([vectors[is_moment], np.cross(arms, forces)])
     scale = np.abs(vectors).max(initial=0.0) * max(1.0, np.abs(arms).max(initial=0.0))
@@ -337,12 +338,6 @@ def _three_digits(size: float) -> str:
     """Return a magnitude with three digits: 4320 and 0.0123, and powers of ten for what is much larger or smaller."""
     rounded = float(f"{size:.3g}")
     return np.format_float_positional(rounded, trim="-") if 1e-3 <= rounded < 1e6 else f"{rounded:g}"
-
-
-def _vectors(motion: DrawableMotion, given: Sequence[_Acting]) -> Array:
-    """Return the components of forces and moments in the axes of the root, shape (count, 3)."""
-    components = [c for each in given for c in each.vector.projected(each.vector.frame.ancestor).components]
-    return values(motion, components).reshape(-1, 3)
 
 
 def _without_what_hides(content: dict[str, Any]) -> list[dict[str, Any]]:

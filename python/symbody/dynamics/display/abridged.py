@@ -52,7 +52,7 @@ def _constraints(page: Page) -> list[tuple[str, list[str]]]:
     for each in page.conditions:
         shared, (text,) = printed([shorter(each.condition, reader)], "text", page.system)
         texts = [*(f"{name} := {value}" for name, value in shared), f"{text} = 0"]
-        made.append((f"constraint {each.name}".strip(), texts))
+        made.append((each.label, texts))
     return made
 
 

@@ -52,7 +52,7 @@ class CanonicalPage:
         names = (self._name_of_h, *self.rates)
         texts = [f"{name} := {value}" for name, value in definitions]
         texts += [f"{name} = {side}" for name, side in zip(names, sides[:n], strict=True)]
-        constraints = (f"constraint {each.name}".strip() for each in self.system.conditions)
+        constraints = (each.label for each in self.system.conditions)
         texts += [f"{name}: {side} = 0" for name, side in zip(constraints, sides[n:], strict=True)]
         return "\n".join(
             [f"CANONICAL EQUATIONS of {self._title}", *(line for text in texts for line in indented(text))]

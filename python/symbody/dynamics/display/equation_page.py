@@ -52,7 +52,7 @@ class EquationPage:
     def texts(self) -> list[str]:
         """The names with what they stand for, then the equation."""
         definitions, (left, right, *kept) = self._row("text")
-        names = (f"constraint {each.name}".strip() for each in self.conditions)
+        names = (each.label for each in self.conditions)
         return [
             *(f"{name} := {value}" for name, value in definitions),
             f"{left} = {right}",

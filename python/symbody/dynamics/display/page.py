@@ -88,7 +88,7 @@ class Page:
         n, m = len(self.balances), len(self.conditions)
         texts = [f"{name} := {value}" for name, value in definitions]
         texts += sides[:n]
-        names = (f"constraint {each.name}".strip() for each in self.conditions)
+        names = (each.label for each in self.conditions)
         texts += [f"{name}: {side}" for name, side in zip(names, sides[n : n + m], strict=True)]
         last = len(sides) - len(self.state_rates)
         texts += [f"kinematics: {side}" for side in sides[n + m : last]]

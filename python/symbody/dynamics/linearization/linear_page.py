@@ -8,7 +8,7 @@ from typing import NamedTuple
 from symbody.symbolic import Expr, Matrix, cost, latex, readable, time_derivative
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.expression.latex_layout import aligned, bmatrix
-from symbody.symbolic.expression.text_layout import LINE, ends, row_lines
+from symbody.symbolic.expression.text_layout import LINE, names_text, row_lines
 from symbody.symbolic.given.arguments import counted
 
 from .second_order import SecondOrder
@@ -82,7 +82,7 @@ class LinearPage(NamedTuple):
             equation = f"E x' = A0 x{' + B0 r' if self.inputs else ''}"
             names, matrices = {"x": tuple(self.states)}, dict(zip(("E", "A0", "B0"), self.first, strict=True))
         names |= {"r": tuple(self.inputs)} if self.inputs else {}
-        lines = [equation, *(f"    {name} = ({_listed(each)})" for name, each in names.items())]
+        lines = [equation, *(f"    {name} = ({names_text(each, _WIDE)})" for name, each in names.items())]
         if self._is_wide:
             sizes = (f"    {name}: {_size(matrix)}" for name, matrix in matrices.items() if matrix.columns)
             return "\n".join([*lines, *sizes, f"    {_ADVICE}"])
@@ -126,11 +126,6 @@ def _size(matrix: Matrix) -> str:
     return f"{matrix.rows} x {matrix.columns}, {counted(count, 'entry')} other than zero".replace(
         "entrys", "entries"
     )
-
-
-def _listed(names: Sequence[Expr]) -> str:
-    """Return names; of many the first and the last."""
-    return ", ".join("..." if name is None else str(name) for name in ends(names, _WIDE))
 
 
 _ADVICE = (

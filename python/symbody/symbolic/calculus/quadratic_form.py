@@ -6,13 +6,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
-from math import isqrt
 
 from symbody.deferred import cached_property
 from symbody.symbolic._core import Expr, number
 
 from .reading import parts_of
 from .rewrite import expand
+from .squares import square_root
 from .summands import summands
 
 Pair = tuple[Expr, Expr]
@@ -67,7 +67,7 @@ class QuadraticForm:
 
 
 def _root_of_square(form: Mapping[Pair, Fraction]) -> Expr | None:
-    sizes = {one: _root(square) for (one, other), square in form.items() if one == other}
+    sizes = {one: square_root(square) for (one, other), square in form.items() if one == other}
     if not sizes or None in sizes.values():
         return None
     lead = next(iter(sizes))
@@ -78,13 +78,6 @@ def _root_of_square(form: Mapping[Pair, Fraction]) -> Expr | None:
     square = {_pair(a, b): 2 * root[a] * root[b] for a, b in combinations(root, 2)}
     square |= {(each, each): factor**2 for each, factor in root.items()}
     return sum((factor * each for each, factor in root.items()), start=number(0)) if square == form else None
-
-
-def _root(square: Fraction) -> Fraction | None:
-    if square < 0:
-        return None
-    root = Fraction(isqrt(square.numerator), isqrt(square.denominator))
-    return root if root**2 == square else None
 
 
 def _factors(term: Expr) -> tuple[Fraction, list[Expr]]:

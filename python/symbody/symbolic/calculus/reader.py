@@ -7,7 +7,6 @@ from fractions import Fraction
 
 from symbody.symbolic._core import Expr, number
 from symbody.symbolic.expression.functions import Abs, sign
-from symbody.symbolic.expression.traverse import post_order
 
 from .by_parameters import by_lengths, by_parameters
 from .cost import cost
@@ -212,8 +211,7 @@ def _best(forms: Iterable[Expr], value: Expr) -> Expr:
 
 def _by_signs(form: Expr) -> Expr:
     """Return a form with signs in the place of quotients: ``x - a*sign(x)`` for ``x - a*Abs(x)/x``."""
-    nodes = post_order([form], lambda node: node.args, lambda node: node.id)
-    sizes = [node for node in nodes if node.kind == "function" and node.name == "Abs"]
+    sizes = [node for node in nodes_of(form) if node.kind == "function" and node.name == "Abs"]
     if not sizes:
         return form
     (found,) = substitute([form], {size: sign(size.args[0]) * size.args[0] for size in sizes})
@@ -223,8 +221,7 @@ def _by_signs(form: Expr) -> Expr:
 
 def _with_positive_outside(form: Expr) -> Expr:
     """Return a form with positive factors outside of absolute values: ``a*Abs(x)/b`` for ``Abs(a*b*x)/b**2``."""
-    nodes = post_order([form], lambda node: node.args, lambda node: node.id)
-    sizes = {node: node.args[0] for node in nodes if node.kind == "function" and node.name == "Abs"}
+    sizes = {node: node.args[0] for node in nodes_of(form) if node.kind == "function" and node.name == "Abs"}
     apart = {
         size: _apart(parts_of(inner, "product")) for size, inner in sizes.items() if inner.kind == "product"
     }

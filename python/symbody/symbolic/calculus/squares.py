@@ -96,12 +96,18 @@ def _root(term: Expr) -> Expr | None:
     return _core.product_of(found) if len(found) == len(factors) else None
 
 
+def square_root(square: Fraction) -> Fraction | None:
+    """Return the root of the square of a rational number; None of others."""
+    if square < 0:
+        return None
+    root = Fraction(isqrt(square.numerator), isqrt(square.denominator))
+    return root if root**2 == square else None
+
+
 def _root_of_factor(factor: Expr) -> Expr | None:
     if factor.is_number:
-        top, bottom = factor.ratio if not factor.is_decimal else (-1, 1)
-        roots = [isqrt(abs(part)) for part in (top, bottom)]
-        is_square = top > 0 and [root**2 for root in roots] == [top, bottom]
-        return _core.number(Fraction(*roots)) if is_square else None
+        root = None if factor.is_decimal else square_root(Fraction(*factor.ratio))
+        return None if root is None else _core.number(root)
     if factor.kind == "power" and factor.args[1].is_number and not factor.args[1].is_decimal:
         top, bottom = factor.args[1].ratio
         return factor.args[0] ** (top // 2) if bottom == 1 and top % 2 == 0 else None

@@ -8,7 +8,7 @@ from typing import TypeVar
 
 from .line_break import Role, Token, rows
 
-__all__ = ["LINE", "ends", "hanging", "lines", "listed", "matrix_text", "named", "row_lines"]
+__all__ = ["LINE", "ends", "hanging", "lines", "listed", "matrix_text", "named", "names_text", "row_lines"]
 
 LINE = 110
 """The most characters of a line of text."""
@@ -30,6 +30,15 @@ def ends(items: Sequence[Item], most: int = 2 * _SHOWN) -> list[Item | None]:
     [0, 1, 2, 3, None, 16, 17, 18, 19]
     """
     return [*items] if len(items) <= most else [*items[:_SHOWN], None, *items[-_SHOWN:]]
+
+
+def names_text(names: Sequence[object], most: int) -> str:
+    """Return names with commas; of more than so many the first and the last.
+
+    >>> names_text("abc", 4), names_text("abcdefghijk", 10)
+    ('a, b, c', 'a, b, c, d, ..., h, i, j, k')
+    """
+    return ", ".join("..." if name is None else str(name) for name in ends(names, most))
 
 
 def lines(text: str, line: int = LINE) -> list[str]:
