@@ -10,7 +10,16 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.optimize import brentq
 
-from symbody import SteadyMotion, ground, origin, project, resultant, simulate, time_derivative
+from symbody import (
+    SteadyMotion,
+    ground,
+    kinetic_energy,
+    origin,
+    project,
+    resultant,
+    simulate,
+    time_derivative,
+)
 from symbody.models import flexible_motorcycle, motorcycle, touring_motorcycle
 from tests.models.running import Array, Motorcycle, flexible
 from tests.reference.mechanisms.problem import reference
@@ -101,6 +110,17 @@ def test_numbers_of_the_motorcycle_are_those_of_sharp() -> None:
     straight = SHARP.moving(15.0)
     load = straight[SHARP.equations.multipliers[2]]
     assert load == pytest.approx(PUBLISHED["front_load_lbf"] * PUBLISHED["units"]["lbf"], rel=1e-2)
+
+
+def test_the_flexible_motorcycle_is_one_system_at_all_speeds() -> None:
+    """So `flexible` may derive its equations once."""
+    slow, fast = (flexible_motorcycle(speed).system for speed in (20.0, 60.0))
+    assert kinetic_energy(slow.bodies) == kinetic_energy(fast.bodies)
+    assert [each.vector.components for each in slow.actions] == [
+        each.vector.components for each in fast.actions
+    ]
+    assert slow.state_rates == fast.state_rates
+    assert slow.constraints == fast.constraints
 
 
 MACHINES: dict[str, Callable[[float], Motorcycle]] = {

@@ -68,7 +68,9 @@ def test_many_motions_see_the_same_excursions_as_one(place: Expr) -> None:
         assert alone.events[0].t == several.results.t_reached[case]
 
 
-def test_an_excursion_within_the_tolerances_is_none() -> None:
+@pytest.mark.parametrize(("options", "count"), [({}, 0), ({"rtol": 1e-13, "atol": 1e-15}, 2)])
+def test_an_excursion_within_the_tolerances_is_none(options: dict[str, float], count: int) -> None:
     for phase in PHASES[::8]:
-        motion = simulate(oscillator(x), {}, start(1 + 1e-11, phase), t=(0, phase + 1), events=[Event(x - 1)])
-        assert not motion.events
+        beyond, event = start(1 + 1e-11, phase), Event(x - 1)
+        motion = simulate(oscillator(x), {}, beyond, t=(0, phase + 1), events=[event], **options)
+        assert len(motion.events) == count
