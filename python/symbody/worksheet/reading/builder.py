@@ -48,7 +48,9 @@ class Builder:
 
     def evaluation(self, place: Place, parts: Items) -> Statement:
         match parts[0]:
-            case syntax.Call(function=syntax.Name(name="RETURN"), arguments=values):  # as until Maple 5
+            case syntax.Call(
+                function=syntax.Name(name="RETURN"), arguments=values
+            ):  # syntax of Maple V and earlier
                 return syntax.Return(_together(values, place), place=place)
             case syntax.Call(function=syntax.Name(name="ERROR"), arguments=values):
                 return syntax.Raise(values, place=place)
@@ -334,7 +336,7 @@ def _bare(part: Expression) -> Expression:
 
 
 def _together(values: tuple[Expression, ...], place: Place) -> Expression | None:
-    """Return several expressions as one, or nothing."""
+    """Return a single expression or a sequence of several; None if there are none."""
     if len(values) < 2:
         return values[0] if values else None
     return syntax.SequenceDisplay(values, place=place)

@@ -60,9 +60,9 @@ def unclosed_vector(cell: Cell, tokens: Sequence[Token], index: int) -> SyntaxMi
 
 
 def unread(cell: Cell, tokens: Sequence[Token], begin: int) -> SyntaxMistake:
-    """Return the mistake of a statement behind too many others: the rest of the cell isn't read."""
+    """Return the mistake of a statement after too many mistakes: the rest of the cell isn't read."""
     message = (
-        "there are too many mistakes before this statement: neither it nor what follows in this cell is read"
+        "there are too many mistakes before this statement: neither it nor the rest of this cell is read"
     )
     return _told(cell, one_place(tokens[begin]), message)
 

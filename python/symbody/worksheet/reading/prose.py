@@ -81,7 +81,7 @@ def begins_with_words(text: Sequence[Token]) -> bool:
 
 
 def has_bracketed_word(text: Sequence[Token], used: Collection[str]) -> bool:
-    """Whether words or a unit in brackets begin a text, and a word follows that isn't of the code: ``(m) lateral``."""
+    """Whether a text is words or a unit in brackets, then a word that the code doesn't use: ``(m) lateral``."""
     end = next((k for k, token in enumerate(text) if token.type in CLOSING), 0)
     inner = text[1:end]
     if text[0].type not in OPENING or not any(token.type == "NAME" for token in inner):
@@ -104,9 +104,9 @@ def is_used(line: Sequence[Token], index: int) -> bool:
 
 
 def holds_code(text: Sequence[Token], used: Collection[str]) -> bool:
-    """Whether a remark may have been meant as code: it calculates, or begins with an item, or a name of the code.
+    """Whether a remark may have been meant as code: it calculates, or begins with an item or a name of the code.
 
-    A bracket may have been an index, or an item: ``a  [m]`` and ``x, (m) lateral``, where m is a name of the code.
+    A bracket may be an index or an item: ``a  [m]`` and ``x, (m) lateral``, where m is a name of the code.
     """
     if any(token.type in _CALCULATIONS or token == ":=" for token in text):
         return True

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 
 from lark import Token
 
-from symbody.worksheet.reading.behind_mistake import next_begin
+from symbody.worksheet.reading.after_mistake import next_begin
 from symbody.worksheet.reading.block_remark import without_block_remarks
 from symbody.worksheet.reading.builder import one_place
 from symbody.worksheet.reading.code_names import used_names
@@ -197,7 +197,7 @@ def _prompt_ends(cell: Cell, tokens: Sequence[Token], begin: int, failure: Failu
 def _mistake_before(
     cell: Cell, tokens: Sequence[Token], begin: int, failure: Failure, following: int
 ) -> SyntaxMistake:
-    """Return the mistake of a statement; what it needs is missing before the statement behind it.
+    """Return the mistake of a statement; a missing end is reported before the next statement.
 
     Args:
         cell: the cell.

@@ -82,7 +82,7 @@ class _Cells:
             self.print(line.text, line.line)
 
     def doubt(self, line: Line) -> None:
-        """Keep a line below code that is no heading, nor words side by side: it may be output that can't be read."""
+        """Keep a line below code that is neither a heading nor words: it may be output that can't be read."""
         if self.input and not line.text.startswith("#") and (is_indented(line.text) or not has_words(line)):
             self.doubtful.append(line)
 

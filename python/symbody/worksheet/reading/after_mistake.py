@@ -1,7 +1,7 @@
-"""Where reading goes on behind a mistake: behind its terminator, or before it, where the next statement begins.
+"""Where reading resumes after a mistake: after its terminator, or earlier, where the next statement begins.
 
-A bracket, a quote or a string that is never closed has no terminator of its own: the one of the next statement isn't
-its end.
+A statement with a bracket, quote or string that is never closed has no terminator of its own: the terminator of the
+next statement doesn't end it.
 """
 
 from __future__ import annotations
@@ -15,28 +15,28 @@ from symbody.worksheet.reading.prose import CLOSING, OPENING
 
 __all__ = ["next_begin"]
 
-#: Words that begin a statement, and stand within no expression.
+#: Words that begin a statement and never occur in an expression.
 _STATEMENTS = frozenset({"FOR", "TRY", "READ", "SAVE", "DECLARED"})
 _OF_TARGETS = OPENING | CLOSING | {"NAME", "BACKQUOTED", "COMMA", "INTEGER", "STRING", "QUOTE"}
 _STRING_MARKS = frozenset({'"', "`"})
 
-#: Signs that go on with the line before: a line that begins with one is no statement behind a prompt.
+#: Signs that continue the line before: after a prompt, a line that begins with one is not a statement.
 _SIGNS = frozenset({"PLUS", "MINUS", "SEMICOLON", "COLON"})
 
-#: How many tokens are read to find out whether a statement begins behind a prompt.
+#: How many tokens are read to find out whether a statement begins after a prompt.
 _LONGEST = 200
 
 
 def next_begin(tokens: Sequence[Token], begin: int, index: int, prompted: Collection[int]) -> int:
-    """Return where the next statement begins behind a mistake, outside of all loops and procedures.
+    """Return where the next statement after a mistake begins, outside of all loops and procedures.
 
-    A command of the system, ``!ls``, and a string that isn't closed end with their line.
+    A command of the system, ``!ls``, and an unclosed string end with their line.
 
     Args:
         tokens: those of the cell.
         begin: where the statement with the mistake begins.
-        index: the token that can't follow.
-        prompted: the numbers of the lines behind a prompt.
+        index: the index of the unexpected token.
+        prompted: the numbers of the lines after a prompt.
     """
     depth, ending = 0, _ending_line(tokens, begin, index)
     for place in range(begin, len(tokens)):
@@ -53,13 +53,13 @@ def next_begin(tokens: Sequence[Token], begin: int, index: int, prompted: Collec
 
 
 def _ending_line(tokens: Sequence[Token], begin: int, index: int) -> int | None:
-    """Return the line with whose end a command of the system ends, or a string that isn't closed; else None."""
+    """Return the line at whose end a command of the system or an unclosed string ends; None if there is neither."""
     is_string = index < len(tokens) and tokens[index] in _STRING_MARKS
     return tokens[index if is_string else begin].line if is_string or tokens[begin] == "!" else None
 
 
 def _begins(tokens: Sequence[Token], place: int, prompted: Collection[int]) -> bool:
-    """Whether a statement begins with a line: it assigns something, or it is complete behind a prompt."""
+    """Whether a line begins a statement: an assignment, or a complete statement after a prompt."""
     if tokens[place].type in _STATEMENTS or _is_assigned(tokens, place):
         return True
     if tokens[place].line not in prompted or tokens[place].type in _SIGNS:
@@ -70,7 +70,7 @@ def _begins(tokens: Sequence[Token], place: int, prompted: Collection[int]) -> b
 
 
 def _is_assigned(tokens: Sequence[Token], place: int) -> bool:
-    """Whether a line begins with the target of an assignment, in whose line no bracket of lines before is closed."""
+    """Whether a line begins with the target of an assignment and closes no bracket of an earlier line."""
     depth, is_target, line = 0, False, tokens[place].line
     for token in tokens[place:]:
         if token.line != line or (is_target and token.type in TERMINATORS):

@@ -114,6 +114,6 @@ def test_a_cell_of_mistakes_is_given_up_and_says_so() -> None:
     *_, last = statements(cell)
     assert isinstance(last, SyntaxMistake)
     assert last.message == (
-        f"line {last.place.line}, column 3: there are too many mistakes before this statement: neither it nor what"
-        " follows in this cell is read\n  b\n  ^"
+        f"line {last.place.line}, column 3: there are too many mistakes before this statement: neither it nor the"
+        " rest of this cell is read\n  b\n  ^"
     )
