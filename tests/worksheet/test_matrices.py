@@ -156,10 +156,10 @@ def test_matrices(sheet: str, expected: list[str]) -> None:
     assert printed(sheet) == expected
 
 
-def test_parts_that_do_not_fit_are_told() -> None:
+def test_parts_that_do_not_fit_are_reported() -> None:
     assert failures("<<1,2>|<3,4,5>>; <<1|2>,<3|4|5>>; Vector(2,{3=a}); Vector(2,{a});") == [
-        "Matrix: parts of 2 and 3 rows side by side; expected as many rows in each",
-        "Matrix: parts of 2 and 3 columns below each other; expected as many columns in each",
-        "Vector: the place 3 is outside of 1 .. 2",
-        "Vector: the entry a; expected one such as (1) = a",
+        "Matrix: blocks side by side have 2 and 3 rows; expected the same number of rows in each",
+        "Matrix: blocks below each other have 2 and 3 columns; expected the same number of columns in each",
+        "Vector: the index is 3; expected 1 .. 2",
+        "Vector: the entry is a; expected an equation such as (1) = a",
     ]

@@ -130,12 +130,12 @@ def test_solving(sheet: str, expected: list[str]) -> None:
     assert printed(sheet) == expected
 
 
-def test_solve_tells_that_an_expression_is_taken_for_a_name() -> None:
+def test_solve_reports_an_expression_that_it_treats_like_a_name() -> None:
     interpreter = Interpreter()
     sheet = "solve({x*y=1, x^2=4}, {x*y, x^2}); solve(cos(x)=1, cos(x)); solve(x^2=4, x^2);"
     printed(sheet, interpreter=interpreter)
-    told = "solved for as a name; other terms in its parts are known"
-    assert interpreter.session.notices == [f"solve: x*y, x^2 are {told}", f"solve: x^2 is {told}"]
+    told = "treated like a name; other terms in its variables count as known"
+    assert interpreter.session.notices == [f"solve: x*y, x^2 are each {told}", f"solve: x^2 is {told}"]
 
 
 def test_solutions_have_no_pivots_that_vanish() -> None:

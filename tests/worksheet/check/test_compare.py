@@ -77,7 +77,7 @@ DIFFERENT = [
     ("abs(x)", "x^2/2", "the file has abs(x), the run 1/2*x^2"),
     ("g := x -> x^3", "g := x -> x^2", "the file has x^3, the run x^2"),
     ("g := (u,v) -> u*v + u", "g := (x,y) -> x*y", "the file has u*v+u, the run x*y"),
-    ("g := (u,v) -> u", "g := u -> u", "the file has an operator of 2, the run one of 1"),
+    ("g := (u,v) -> u", "g := u -> u", "the number of parameters is 2 in the file, 1 in the run"),
     ("table([b = 1, a = 2])", "table([a = 1, b = 1])", "a: the file has 2, the run 1"),
     (
         "p := proc(x) x^3 end proc",

@@ -38,7 +38,7 @@ def test_tables_have_no_order() -> None:
         check(text.replace("[y]", "[z]")),
         check(text.replace("entries(T), ", "").replace("[y], [x], ", "")),
     ]
-    order = "in another order, since tables have none"
+    order = "in another order, because tables are unordered"
     assert [(one.kind, one.reason) for (one,) in kinds] == [
         ("equal", order),
         ("differs", "[1] [1] the file has z, the run x"),
@@ -122,7 +122,7 @@ v := Vector[column](%id = 18446744078)
         (
             "> a+1;\n   note\n> 2*z;\n  3*z\n",
             [
-                "1 not comparable: what stands below it is not read as a value: note",
+                "1 not comparable: the text below it can't be read as a value: note",
                 "3 differs: the file has 3*z, the run 2*z",
             ],
         ),
@@ -152,15 +152,15 @@ def test_what_stands_directly_below_a_statement_is_its_output(text: str, expecte
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
-        ("> x;\n   y\n", ["1 not comparable: what stands below it is not read as a value: y"]),
+        ("> x;\n   y\n", ["1 not comparable: the text below it can't be read as a value: y"]),
         (
             "> a+1;\n\nb\n\n> 2*z;\n\n2*z\n",
-            ["1 not comparable: what stands below it is not read as a value: b", "5 equal"],
+            ["1 not comparable: the text below it can't be read as a value: b", "5 equal"],
         ),
         (
             "> restart:\n> a*c;\n   a^b^c\n> a*c;\n  a*d\n",
             [
-                "2 not comparable: what stands below it is not read as a value: a^b^c",
+                "2 not comparable: the text below it can't be read as a value: a^b^c",
                 "4 differs: the file has a*d, the run a*c",
             ],
         ),

@@ -140,11 +140,11 @@ def package_command(session: Session, name: str, indices: tuple[syntax.Expressio
 
 
 def notice_unknown_member(session: Session, package: str, name: str, *, is_package: bool = False) -> None:
-    """Tell that a package has no such command; nothing of another name, which may hold a table.
+    """Report that a package has no such command; report nothing for other names, which may be tables.
 
     Args:
         session: the session.
-        package: what stands before the command.
+        package: the name before the command.
         name: the command.
         is_package: whether a name without a value is a package, ``package:-name``.
     """

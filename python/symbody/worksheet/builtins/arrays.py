@@ -1,4 +1,4 @@
-"""Matrices and vectors that are made: of lists, of functions, of both kinds."""
+"""Commands that make matrices and vectors from lists and functions, of both packages."""
 
 from __future__ import annotations
 
@@ -245,7 +245,7 @@ def _vector_command(kind: str) -> Command:
 
 
 def _are_placed(value: Value) -> bool:
-    """Whether a list names the places of entries: ``[(1) = a]``."""
+    """Whether a list gives entries by index: ``[(1) = a]``."""
     items = value.items if isinstance(value, Listed) else ()
     return bool(items) and all(
         isinstance(each, Relation) and each.operator == "=" and as_integer(each.left) is not None
@@ -254,15 +254,17 @@ def _are_placed(value: Value) -> bool:
 
 
 def _at_places(session: Session, items: tuple[Value, ...], size: int, kind: str) -> list[Value]:
-    """Return zeros and the entries that equations name: ``{(1) = a, (2) = b}``."""
+    """Return the entries that equations give, ``{(1) = a, (2) = b}``, and zeros elsewhere."""
     session.limits.check_items(size)
     entries: list[Value] = [number(0)] * size
     for each in items:
         place = as_integer(each.left) if isinstance(each, Relation) else None
         if not isinstance(each, Relation) or place is None:
-            raise WorksheetError(f"{kind}: the entry {session.text(each)}; expected one such as (1) = a")
+            raise WorksheetError(
+                f"{kind}: the entry is {session.text(each)}; expected an equation such as (1) = a"
+            )
         if not 1 <= place <= size:
-            raise WorksheetError(f"{kind}: the place {place} is outside of 1 .. {size}")
+            raise WorksheetError(f"{kind}: the index is {place}; expected 1 .. {size}")
         entries[place - 1] = each.right
     return entries
 

@@ -1,4 +1,4 @@
-"""Matrices of parts side by side and below each other: ``<A, B>``, ``<A | B>``, ``Matrix([[A, B], [C, D]])``."""
+"""Matrices of blocks side by side and below each other: ``<A, B>``, ``<A | B>``, ``Matrix([[A, B], [C, D]])``."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def from_rows(session: Session, items: tuple[Value, ...]) -> Value:
 
 
 def of_blocks(session: Session, rows: Listed) -> Array | None:
-    """Return the matrix of a list of rows or columns, or of rows of blocks; None where no entry is an array."""
+    """Return the matrix of a list of rows or columns, or of rows of blocks; None if no entry is an array."""
     parts = [session.resolve(each) for each in rows.items]
     if parts and all(isinstance(each, Array) for each in parts):
         arrays = _arrays(parts)
@@ -68,8 +68,10 @@ def _side_by_side(session: Session, arrays: Items[Array]) -> Array:
 
 
 def _common(counts: set[int], what: str, where: str) -> int:
-    """Return how many rows or columns all parts have."""
+    """Return the number of rows or columns that all blocks have in common."""
     if len(counts) > 1:
         told = " and ".join(map(str, sorted(counts)))
-        raise WorksheetError(f"Matrix: parts of {told} {what} {where}; expected as many {what} in each")
+        raise WorksheetError(
+            f"Matrix: blocks {where} have {told} {what}; expected the same number of {what} in each"
+        )
     return counts.pop()

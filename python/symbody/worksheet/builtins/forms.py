@@ -315,7 +315,7 @@ def _aliases_of(session: Session, value: Value) -> None:
 
 
 def macro(session: Session, *nodes: syntax.Expression) -> Value:
-    """macro(C1 = cos(theta), R = rotate): names for what is on the right, which results don't show again."""
+    """macro(C1 = cos(theta), R = rotate): names for the right sides; results do not contain these names."""
     for node in nodes:
         name = _unquoted(node.left) if isinstance(node, syntax.Infix) and node.operator == "=" else None
         if not isinstance(node, syntax.Infix) or not isinstance(name, syntax.Name):

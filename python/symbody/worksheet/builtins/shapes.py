@@ -1,4 +1,4 @@
-"""Shapes of matrices: which entries follow from others, ``Matrix(3, shape = symmetric, ..)``."""
+"""Shapes of matrices, which determine some of their entries: ``Matrix(3, shape = symmetric, ..)``."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ _HELD: dict[str, Callable[[int, int], bool]] = {
     "triangular[upper]": lambda row, column: row <= column,
     "triangular[lower]": lambda row, column: row >= column,
 }
-"""Which entries a shape holds; the others are zero."""
+"""The entries that a shape contains; the others are zero."""
 
 
 def on_diagonal(session: Session, content: Value, kind: str) -> Array | None:
-    """Return a matrix with the items of a list or a vector on its diagonal; None for another content."""
+    """Return a matrix with the items of a list or a vector on its diagonal; None for other content."""
     found = session.resolve(content)
     if isinstance(found, Array) and 1 in (found.rows, found.columns):
         items = [session.current(each) for each in found.entries]
@@ -41,7 +41,7 @@ def on_diagonal(session: Session, content: Value, kind: str) -> Array | None:
 
 
 def shaped(array: Array, shape: str, fill: Value | None) -> Array:
-    """Return a matrix with the entries that its shape says: of identity and diagonal, ``fill`` on the diagonal."""
+    """Return a matrix with the entries of its shape: on the diagonal, 1 for identity and ``fill`` for diagonal."""
     entries = list(array.entries)
     held = _HELD.get(shape)
     diagonal = number(1) if shape == "identity" else fill if shape == "diagonal" else None
@@ -62,7 +62,7 @@ def _opposite(entry: Value, shape: str) -> Value:
 
 
 def _is_empty(value: Value) -> bool:
-    """Whether an entry is zero, or one of an old array that has no value."""
+    """Whether an entry is zero, or an entry of an old-style array that has no value."""
     return isinstance(value, Expr) and (
         value == _ZERO or (value.kind == "symbol" and value.name.startswith("?["))
     )

@@ -1,4 +1,4 @@
-"""Unknowns of ``solve`` that are expressions, ``diff(x(t),t)^2`` or ``x*y``: they are solved for as names would be."""
+"""Unknowns of ``solve`` that are expressions, ``diff(x(t),t)^2`` or ``x*y``, and are treated like names."""
 
 from __future__ import annotations
 
@@ -19,24 +19,24 @@ __all__ = ["names_of_unknowns", "with_names"]
 _NAMES = frozenset({"symbol", "time_function"})
 _CALLS = frozenset({"application", "function"})
 
-#: In how many brackets within each other an unknown is looked for.
+#: How deeply nested in brackets an unknown is searched.
 _DEEPEST = 8
 
 
 def names_of_unknowns(session: Session, unknowns: Sequence[Expr]) -> dict[Expr, Expr]:
-    """Return names for the unknowns that are none, such as ``laplace(x(t), t, s)``, ``cos(x)`` and ``x*y``."""
+    """Return names for the unknowns that are not names, such as ``laplace(x(t), t, s)``, ``cos(x)`` and ``x*y``."""
     found = {x: symbol(f"_unknown{k}") for k, x in enumerate(unknowns) if x.kind not in _NAMES}
     composed = [session.text(x) for x in found if x.kind not in _CALLS]
     if composed:
-        verb = "is" if len(composed) == 1 else "are"
+        verb = "is" if len(composed) == 1 else "are each"
         session.notice(
-            f"solve: {', '.join(composed)} {verb} solved for as a name; other terms in its parts are known"
+            f"solve: {', '.join(composed)} {verb} treated like a name; other terms in its variables count as known"
         )
     return found
 
 
 def with_names(session: Session, residual: Expr, names: dict[Expr, Expr]) -> Expr:
-    """Return an equation with names in the place of unknowns, also of their powers: of sums by division."""
+    """Return an equation with names in place of unknowns and of their powers; sums are replaced by division."""
     for unknown, name in names.items():
         if unknown.kind in _CALLS:
             residual = residual.subs({unknown: name})
@@ -48,7 +48,7 @@ def with_names(session: Session, residual: Expr, names: dict[Expr, Expr]) -> Exp
 
 
 def _with_multiples(session: Session, residual: Expr, unknown: Expr, name: Expr) -> Expr:
-    """Return an equation with powers of a name for those of a product: ``x^2*y^3`` is ``(x*y)^2*y``."""
+    """Return an equation with powers of a name in place of powers of a product: ``x^2*y^3`` is ``(x*y)^2*y``."""
     own = _exponents(tree_of(unknown))
     for _ in range(_DEEPEST):
         made: dict[Value, Value] = {}
@@ -63,7 +63,7 @@ def _with_multiples(session: Session, residual: Expr, unknown: Expr, name: Expr)
 
 
 def _exponents(tree: Tree) -> dict[Expr, Fraction]:
-    """Return the exponents that are numbers in a product, by what is raised to them."""
+    """Return the numeric exponents in a product by their bases."""
     found = {}
     for part in tree.parts if tree.kind == "product" else (tree,):
         base, exponent = (
@@ -77,7 +77,7 @@ def _exponents(tree: Tree) -> dict[Expr, Fraction]:
 
 
 def _power(exponents: dict[Expr, Fraction], own: dict[Expr, Fraction]) -> int:
-    """Return which power of an unknown a product holds; a single power is left alone if it isn't one of it."""
+    """Return which power of an unknown a product contains; 0 if it contains none."""
     ratios = [exponents.get(base, Fraction(0)) / n for base, n in own.items()]
     if len(own) == 1:
         return int(ratios[0]) if ratios[0].denominator == 1 else 0

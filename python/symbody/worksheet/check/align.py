@@ -22,7 +22,7 @@ class Block:
         text: its text.
         cell: the number of its cell.
         index: its place among the outputs of this cell.
-        line: its line, where outputs stand between the lines of code; else 0.
+        line: its line if outputs stand between the lines of code, else 0.
     """
 
     text: str
@@ -42,7 +42,7 @@ class Output:
     statement: syntax.Statement | None = None
 
 
-#: The weights of what two outputs have in common; a place directly below weighs more than the texts.
+#: The weights of what two outputs have in common; a place directly below a statement outweighs the texts.
 _ALIKE, _NEAR, _OTHER_NAME = 2.0, 3.0, 0.25
 
 _HEAD = re.compile(r"\s*(`[^`]*`|\w+(?:\[[^\]]*\])?(?:\(\w+\))?)\s*(:=|=)")
@@ -51,8 +51,8 @@ _HEAD = re.compile(r"\s*(`[^`]*`|\w+(?:\[[^\]]*\])?(?:\(\w+\))?)\s*(:=|=)")
 def aligned(blocks: Sequence[Block], outputs: Sequence[Output]) -> list[Output | None]:
     """Return the partner of each block: those with the best sum of likenesses, in the order of both.
 
-    Outputs can stand cells further down than their statement, but not before it. What stands directly below a
-    statement is that one's, whatever another one printed: else a wrong value would pass as that of a neighbour.
+    An output may stand several cells below its statement, but not above it. An output directly below a statement
+    belongs to it, whatever other statements printed; otherwise a wrong value would pass as that of a neighbour.
     """
     nearest = _nearest(blocks, outputs)
     rows = [[0.0] * (len(outputs) + 1)]
@@ -86,10 +86,10 @@ def _head(text: str) -> str:
 
 
 def _nearest(blocks: Sequence[Block], outputs: Sequence[Output]) -> list[int]:
-    """Return, for each block, the line of the statement that it stands directly below, 0 if that isn't known.
+    """Return, for each block, the line of the statement directly above it; 0 if that isn't known.
 
-    It is the last one above the block, in its cell, that printed something, unless a picture below the block may be
-    its output.
+    It is the last statement above the block, in its cell, that printed something, unless a picture below the block may
+    be the output of this statement.
     """
     pictured: set[tuple[int, int]] = set()
     found = []
@@ -103,13 +103,13 @@ def _nearest(blocks: Sequence[Block], outputs: Sequence[Output]) -> list[int]:
 
 
 def _likeness(block: Block, head: str, output: Output, other: str, *, near: bool) -> float:
-    """Return how much an output looks like a block, 0 if it can't be its partner.
+    """Return how similar an output and a block are; 0 if they can't be partners.
 
     Args:
         block: the block.
-        head: what it assigns.
+        head: the name that the block assigns to.
         output: the output.
-        other: what that one assigns.
+        other: the name that the output assigns to.
         near: whether the block stands directly below the output's statement.
     """
     if output.cell > block.cell or is_picture(block.text):

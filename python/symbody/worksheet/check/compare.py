@@ -99,9 +99,9 @@ class _Comparison:
         """Compare objects, tables, operators and calls.
 
         Args:
-            kind: what the file has: the type of an object, or the name of a function.
+            kind: the kind that the file has: the type of an object, or the name of a function.
             file: its fields or arguments.
-            other: what the run has.
+            other: the kind that the run has.
             run: its fields or arguments.
             cut: whether the file's output was cut.
         """
@@ -115,10 +115,10 @@ class _Comparison:
         return self._fields(file, run, cut=cut)
 
     def _bodies(self, file: tuple[Value, ...], run: tuple[Value, ...]) -> str:
-        """Compare what operators give, whatever their parameters are called."""
+        """Compare the bodies of operators, whose parameters may have different names."""
         (left, *names), (right, *others) = file, run
         if len(names) != len(others):
-            return f"the file has an operator of {len(names)}, the run one of {len(others)}"
+            return f"the number of parameters is {len(names)} in the file, {len(others)} in the run"
         assert isinstance(left, Expr)
         assert isinstance(right, Expr)
         if not self._scalars(left, right):
@@ -167,7 +167,7 @@ class _Comparison:
         return f"the file doesn't have {_short(more[0])}" if more else ""
 
     def _orders(self, file: tuple[Value, ...], run: tuple[Value, ...]) -> str:
-        """Return an item of the file that the run doesn't have, each counted as often as it occurs."""
+        """Report an item that only the file or only the run has; items count as often as they occur."""
         left = list(run)
         for item in file:
             found = next((k for k, other in enumerate(left) if self._is_equal(item, other)), None)

@@ -101,7 +101,7 @@ def _with_products(tokens: list[Token]) -> list[Token]:
 
 
 def place_of(index: int) -> Expr:
-    """Return what stands for a parameter, by its place, in the body of an operator or a procedure."""
+    """Return the symbol for the parameter at an index in the body of an operator or a procedure."""
     return symbol(f"_place{index}")
 
 
@@ -272,7 +272,7 @@ class _Values:
         return self._operator("->", node.parameters, self._scalar(node.body))
 
     def procedure(self, node: syntax.Procedure) -> Value:
-        """Return a procedure of one expression like an operator, which Maple prints as one with these options."""
+        """Return a procedure of one expression like an operator: Maple prints operators as such procedures."""
         kind = "->" if {"operator", "arrow"} <= set(node.options) else "proc"
         match node.body:
             case (syntax.Evaluation(expression=body) | syntax.Return(value=body),) if body is not None:

@@ -74,7 +74,7 @@ def _doubted(cells: Sequence[Cell], outputs: Sequence[Output]) -> Iterator[Verdi
 
     Args:
         cells: the cells.
-        outputs: those outputs of the run that no output in the file belongs to.
+        outputs: the outputs of the run that have no partner in the file.
     """
     seen: set[int] = set()
     for number, cell in enumerate(cells):
@@ -83,7 +83,7 @@ def _doubted(cells: Sequence[Cell], outputs: Sequence[Output]) -> Iterator[Verdi
             above = [each for each in of_cell if each.line < line.line and each.number not in seen]
             if above:
                 seen.add(above[-1].number)
-                reason = f"what stands below it is not read as a value: {_shown(line.text.strip())}"
+                reason = f"the text below it can't be read as a value: {_shown(line.text.strip())}"
                 yield Verdict(above[-1].line, "not comparable", reason)
 
 
@@ -118,7 +118,7 @@ def _together(group: Sequence[Verdict]) -> Verdict:
 
 
 def _outputs(outcomes: Sequence[Outcome]) -> Iterator[Output]:
-    """Return the outputs of the run, without the names of files with drawings, which Maple has none of."""
+    """Return the outputs of the run, without the names of files with drawings, which Maple doesn't print."""
     for number, outcome in enumerate(outcomes):
         is_text = prints_text(outcome.statement)
         for text in outcome.printed:
@@ -136,7 +136,7 @@ def _blocks(cells: Sequence[Cell]) -> Iterator[Block]:
 
 
 def _line(cells: Sequence[Cell], block: Block) -> int:
-    """Return the line of code that a block stands below."""
+    """Return the line of code above a block."""
     lines = [line.line for line in cells[block.cell].input]
     return max((line for line in lines if line < block.line), default=lines[-1])
 
@@ -164,9 +164,9 @@ def _verdict(block: Block, output: Output, outputs: Sequence[Output]) -> Verdict
     if not reason:
         return Verdict(output.line, "equal", "as far as it is printed" if is_cut(block.text) else "")
     if lists_a_table(output.statement) and not difference(block.text, output.text, in_any_order=True):
-        return Verdict(output.line, "equal", "in another order, since tables have none")
+        return Verdict(output.line, "equal", "in another order, because tables are unordered")
     if isinstance(output.statement, syntax.For) and _is_elsewhere(block, output, outputs):
-        return Verdict(output.line, "equal", "in another order, since sets have none")
+        return Verdict(output.line, "equal", "in another order, because sets are unordered")
     if _counts_items(output.statement):
         return Verdict(output.line, "not comparable", f"a count, which depends on the form: {reason}")
     return Verdict(output.line, "differs", reason)

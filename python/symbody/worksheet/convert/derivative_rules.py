@@ -67,7 +67,7 @@ def by_rules(names: Names, code: Sequence[str]) -> Iterator[list[str]]:
 def shown_by_rules(
     names: Names, shown: Sequence[str], code: Sequence[str]
 ) -> Iterator[tuple[list[str], list[str]]]:
-    """Return expressions that are shown, and the lines that show them, with the rates put in once and twice."""
+    """Yield the expressions that are shown, and the lines that show them, with rates substituted once and twice."""
     if not names.rules or any(each.startswith("*") for each in shown):
         return
     shown, lines = list(shown), list(code)
@@ -75,13 +75,13 @@ def shown_by_rules(
         found = [f"sb.subs({each}, {names.rules})" for each in shown]
         for before, after in zip(shown, found, strict=True):
             if sum(line.count(before) for line in lines) != 1:
-                return  # which of them is shown isn't known
+                return  # it isn't known which of them is shown
             lines = [line.replace(before, after) for line in lines]
         shown = found
         yield shown, lines
 
 
 def has_replaced_rate(names: Iterable[str], printed: str) -> bool:
-    """Whether a text that the program prints has the rate of a function that has a rule among the names."""
+    """Whether a printed text contains the rate of a function for which the names contain a rule."""
     ruled = (name.removeprefix(PREFIX) for name in names if name.startswith(PREFIX))
     return any(re.search(rf"(?<!\w){re.escape(function)}'", printed) for function in ruled)

@@ -307,7 +307,7 @@ def _without_decimals(node: syntax.Expression) -> syntax.Expression:
 
 
 def _texts(text: Writer, arguments: Arguments) -> str:
-    """Return ``cat(a, b)`` of texts, which may have integers behind the first."""
+    """Return ``cat(a, b)`` of texts; integers may follow the first one."""
     first, *rest = (text.text(each) for each in arguments)
     if not isinstance(text.value(first), str):
         raise NoText("cat")

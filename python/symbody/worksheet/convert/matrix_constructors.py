@@ -69,7 +69,7 @@ def _matrix_options(text: Writer, arguments: Arguments) -> tuple[Arguments, str,
 def _of_indices(
     node: syntax.Expression, count: int
 ) -> tuple[syntax.Expression, tuple[syntax.Parameter, ...]] | None:
-    """Return the body and the indices of ``(i, j) -> e``; None for another content."""
+    """Return the body and the indices of ``(i, j) -> e``; None for other content."""
     match node:
         case syntax.Arrow(parameters=parameters, body=body) if len(parameters) == count:
             return None if isinstance(body, syntax.If) else (body, parameters)

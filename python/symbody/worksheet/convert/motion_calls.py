@@ -114,7 +114,7 @@ def _residual_item(text: Writer, node: syntax.Expression) -> str:
 
 
 def _times(text: Writer, arguments: Arguments, begins: set[str]) -> str:
-    """Return the times of a motion: those of the option ``range``, or ten units from its beginning."""
+    """Return the times of a motion: those of the option ``range``, or ten units of time from its start."""
     for argument in arguments:
         match argument:
             case syntax.Infix(

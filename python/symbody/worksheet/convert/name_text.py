@@ -45,7 +45,7 @@ def concatenation(to: Writer, node: syntax.Concatenation, *, is_function: bool =
 
 
 def joined_name(to: Writer, node: syntax.Concatenation) -> str:
-    """Return the name that pieces make where they are numbers and words: ``crank||2``."""
+    """Return the name that is concatenated from words and numbers: ``crank||2``."""
     right = to.text(node.right)
     if not right.isdigit():
         raise NoText("target")

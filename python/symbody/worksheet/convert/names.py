@@ -61,7 +61,7 @@ class NoText(Exception):
 def identifier(name: str) -> str:
     """Return a name of Python for a name of Maple: ``_gravity`` becomes ``gravity``, ``theta[1]`` ``theta_1``."""
     text = re.sub(r"\W+", "_", name).lstrip("_")
-    if not name.endswith("_"):  # theta_ beside theta
+    if not name.endswith("_"):  # theta_ and theta are different names
         text = text.rstrip("_")
     text = text or "name"
     if text[0].isdigit():

@@ -171,12 +171,12 @@ class _Comparison:
         if not all(isinstance(side, Expr) for side in sides):
             named = self.named_object(left) if isinstance(right, Unevaluated) else None
             if named is not None:
-                return self.object(made, named)  # ``P = POINT(..)``, of which show may leave out the frame
+                return self.object(made, named)  # ``P = POINT(..)``, where show may leave out the frame
             return isinstance(made, _HELD) and self.same(made, right)
         return isinstance(made, Expr) and self.equal(made, sides[0] - sides[1])  # type: ignore[operator]
 
     def named_object(self, name: Value) -> Table | None:
-        """Return the object that a name holds, if it holds one."""
+        """Return the object that is assigned to a name, if there is one."""
         if not isinstance(name, Expr) or name.kind != "symbol" or name.name not in self.session.names:
             return None
         found = self.session.resolve(self.session.names[name.name])
@@ -230,7 +230,7 @@ class _Comparison:
 
 _EXPRESSIONS = (symbol("expr"),)
 _HELD = (Matrix, list, tuple, Frame, Point, Vector, Body, Force, Torque)
-"""What may be the right side of an equation whose left side is its name, as in ``P = POINT(..)``."""
+"""The types of right sides of equations whose left side is a name, as in ``P = POINT(..)``."""
 
 
 def _as_complex(value: Any) -> complex:

@@ -1,4 +1,4 @@
-"""What ``show`` gives in a session, ``VECTOR(frame = .., comps = ..)``, as the object again."""
+"""Objects made from what ``show`` returns in a session, ``VECTOR(frame = .., comps = ..)``."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from symbody.worksheet.values.value import Reference, Relation, Table, Unevaluat
 __all__ = ["shown_object", "without_frame"]
 
 _KINDS = {"POINT": "POINT", "VECTOR": "VECTOR", "BODY": "BODY", "FORCE": "VECTOR", "TORQUE": "VECTOR"}
-"""What is compared of an object: of a load, its vector, as the bodies may be mere names."""
+"""The type of which an object is compared: a load is compared as a vector, because its bodies may be mere names."""
 
 
 def shown_object(session: Session, shown: Unevaluated) -> tuple[Table | None, bool]:
-    """Return the object whose fields are shown, and whether its frame is known; None for what is no object.
+    """Return the object whose fields are shown, and whether its frame is known; None if no object is shown.
 
-    A frame that is shown by its name is that of the session; the name may be one that only ``show`` has given.
+    A frame that is shown by its name is the frame of the session; ``show`` may have made the name up.
     """
     kind = _KINDS.get(getattr(shown.function, "name", ""))
     if kind is None:
@@ -38,7 +38,7 @@ def shown_object(session: Session, shown: Unevaluated) -> tuple[Table | None, bo
 
 
 def without_frame(made: Any) -> Any:
-    """Return an object on the ground: its coordinates, components, or mass and inertia count alone."""
+    """Return an object on the ground with the same coordinates, components, or mass and inertia."""
     match made:
         case Point():
             return Point(ground, *made.coordinates)

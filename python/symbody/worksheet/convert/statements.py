@@ -106,7 +106,7 @@ def _try_out(lines: list[str], values: dict[str, Any]) -> None:
 
 
 def _loop(text: PythonText, loop: syntax.For) -> list[str]:
-    """Return a loop, or its statements for each value of its index where it is in names: ``crank||n := ..``."""
+    """Return a loop, or its statements for each value of the index if names contain it: ``crank||n := ..``."""
     is_counted = (
         loop.variable is not None and loop.items is None and loop.step is None and loop.condition is None
     )
@@ -163,7 +163,7 @@ def _is_new_table(text: PythonText, name: str, made: object) -> bool:
 
 
 def _unbounded(text: PythonText, loop: syntax.For, inner: Names) -> str:
-    """Return the head of a loop that only its condition ends: it counts from 1 if the sheet doesn't say from where."""
+    """Return the head of a loop that only its condition ends; it counts from 1 by default."""
     if loop.condition is None:
         raise NoText("do")
     first, step = ("1" if each is None else text.text(each) for each in (loop.start, loop.step))

@@ -43,7 +43,7 @@ def prepare(program: Draft, statement: syntax.Statement, *, keeps: bool) -> None
             program.code = lines_of(statement, text, keeps=keeps)
     except NoText as error:
         program.reason = str(error)
-    except Exception as error:  # a statement that can't be written costs no other one
+    except Exception as error:  # a statement that can't be written must not affect others
         program.reason = repr(error)
     program.keeps = keeps
 

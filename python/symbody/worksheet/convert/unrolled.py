@@ -1,4 +1,4 @@
-"""Loops over names that are joined of pieces, which are written out: ``crank||n`` is crank1, crank2, crank3."""
+"""Unrolled loops over concatenated names: ``crank||n`` is crank1, crank2, crank3."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from symbody.worksheet.sheet.within import replaced
 
 __all__ = ["at_values"]
 
-#: How many times a loop is written out.
+#: The largest number of passes of a loop that is unrolled.
 _LONGEST = 24
 
 Node = TypeVar("Node")
@@ -21,7 +21,7 @@ Node = TypeVar("Node")
 def at_values(
     to: Writer, node: Node, variable: str, first: syntax.Expression | None, last: syntax.Expression | None
 ) -> Iterator[Node]:
-    """Return a node for each value of an index, with the value in the place of the index.
+    """Yield a node for each value of an index, with the value in place of the index.
 
     Args:
         to: writes the bounds.
@@ -31,7 +31,7 @@ def at_values(
         last: its last value.
 
     Raises:
-        NoText: the bounds are no numbers here, or too far from each other.
+        NoText: the bounds are not known integers, or are too far apart.
     """
     if last is None:
         raise NoText("do")

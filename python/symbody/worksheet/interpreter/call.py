@@ -36,10 +36,10 @@ from symbody.worksheet.values.value import (
 
 __all__ = ["METHODS", "application", "call"]
 
-#: From which length on a name of a function of a symbol, ``name(x)``, may have been meant for a command.
+#: The least length of a name that may be a misspelt command if it is called with a symbol, ``name(x)``.
 _LONG_NAME = 6
 
-#: How much alike a name and that of a command are, from 0 to 1, for the one to have been meant for the other.
+#: The least similarity, from 0 to 1, of a name and the command that may have been meant.
 _ALIKE, _NEARLY_THE_SAME = 0.75, 0.9
 
 

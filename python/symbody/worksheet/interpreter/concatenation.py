@@ -21,7 +21,7 @@ def concatenation(session: Session, node: syntax.Expression) -> str:
 
 
 def _concatenated(session: Session, node: syntax.Concatenation) -> Value:
-    """Return what the name ``a || b`` stands for; ``a || (1..3)`` are several. Behind a string, they are strings."""
+    """Return the value of the name ``a || b``; ``a || (1..3)`` gives several. If a is a string, they are strings."""
     made = String if _is_of_string(node) else functools.partial(named, session)
     return sequence([made(text) for text in _texts(session, node)])
 
@@ -40,7 +40,7 @@ def _texts(session: Session, node: syntax.Expression) -> list[str]:
 
 
 def _is_of_string(node: syntax.Expression) -> bool:
-    """Whether a string begins what is joined: ``"case" || i``."""
+    """Whether a concatenation begins with a string: ``"case" || i``."""
     while isinstance(node, syntax.Concatenation):
         node = node.left
     return isinstance(node, syntax.Text)

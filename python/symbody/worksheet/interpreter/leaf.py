@@ -27,7 +27,7 @@ def _decimal(session: Session, node: syntax.Decimal) -> Value:
     return value if value.is_decimal else number(float(text)) if "." in text or exponent else value
 
 
-#: What has a value in each call of a procedure.
+#: The names that have a value in each call of a procedure.
 OF_CALLS = frozenset({"args", "nargs", "procname"})
 
 

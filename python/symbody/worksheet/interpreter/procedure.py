@@ -220,7 +220,7 @@ def _is_equation(value: Value) -> bool:
 
 
 def _admits_true(session: Session, parameter: syntax.Parameter) -> bool:
-    """Whether the bare name of a keyword stands for ``name = true``; else it is a value as any other."""
+    """Whether the bare name of a keyword stands for ``name = true``; else it is a value like any other."""
     kind = _type(session, parameter)
     return kind is None or has_type(session, Boolean(truth=True), kind)
 
@@ -244,7 +244,7 @@ def _check(
         parameter: the parameter with its type.
         value: the argument.
         name: what the procedure is called by.
-        place: its place, from 0; keywords have none.
+        place: its index, from 0; None for a keyword.
     """
     kind = _type(session, parameter)
     if kind is not None and not has_type(session, value, kind):

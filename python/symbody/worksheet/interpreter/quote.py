@@ -45,13 +45,13 @@ def _kept_call(session: Session, node: syntax.Call) -> Value:
     arguments = flattened(unevaluated(session, each) for each in node.arguments)
     if builtins.command(session, name) is None and all(isinstance(each, Expr) for each in arguments):
         return application(session, name, tuple(arguments))
-    if _has_given(session, node):  # code as it is written would be read outside of the procedure
+    if _has_given(session, node):  # unevaluated code would be evaluated outside of the procedure
         return session.call(symbol(name), tuple(arguments))
     return Quoted(node)
 
 
 def _has_given(session: Session, node: syntax.Call) -> bool:
-    """Whether a call holds what a procedure knows alone, as its head or as an argument."""
+    """Whether the head or an argument of a call is a name that is known in a procedure only."""
     parts = (node.function, *node.arguments)
     return any(isinstance(each, syntax.Name) and at_entry(session, each.name) is not None for each in parts)
 

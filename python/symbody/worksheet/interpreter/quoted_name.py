@@ -1,4 +1,4 @@
-"""Names in quotes: a call of a procedure puts its arguments in the place of its parameters there, too."""
+"""Names in quotes: there, too, a call of a procedure replaces its parameters by its arguments."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ __all__ = ["at_entry", "head_in_quotes"]
 
 
 def at_entry(session: Session, name: str) -> Value | None:
-    """Return what a call puts in the place of a parameter, args, nargs or procname; None for another name."""
+    """Return the value by which a call replaces a parameter, args, nargs or procname; None for other names."""
     if name in OF_CALLS and session.scopes:
         return named(session, name)
     scope = session.scope

@@ -16,14 +16,14 @@ _DIRECT: dict[str, Callable[[Expr], Expr]] = {"asin": sin, "acos": cos, "atan": 
 
 
 def with_exact_angles(value: Expr) -> Expr:
-    """Return a value with multiples of pi/12 for the inverse functions of exact numbers that are such angles."""
+    """Return a value with multiples of pi/12 in place of the inverse functions that are equal to them."""
     found = {node.value: _angle(node.value) for node in walk(tree_of(value)) if node.kind == "function"}
     angles = {node: angle for node, angle in found.items() if angle is not None}
     return value.subs(angles) if angles else value
 
 
 def _angle(node: Expr) -> Expr | None:
-    """Return the multiple of pi/12 that an inverse function of exact numbers is; None if it is none."""
+    """Return the multiple of pi/12 that is equal to an inverse function of exact numbers; None if none is."""
     if node.kind != "function" or node.name not in (*_DIRECT, "atan2") or not node.is_constant:
         return None
     size = as_float(node)
@@ -35,7 +35,7 @@ def _angle(node: Expr) -> Expr | None:
 
 
 def _is_of(node: Expr, angle: Expr) -> bool:
-    """Whether an angle, which numbers show to be near, is exactly the one that an inverse function stands for."""
+    """Whether an angle that is numerically close to an inverse function is exactly equal to it."""
     if node.name == "atan2":
         y, x = node.args
         return bool((y * cos(angle) - x * sin(angle)).is_zero)

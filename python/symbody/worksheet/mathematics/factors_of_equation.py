@@ -1,7 +1,7 @@
-"""Equations in one unknown that fall apart: products, and polynomials in one function of it.
+"""Equations in one unknown that split into simpler ones: products, and polynomials in one function of the unknown.
 
 A product is zero where a factor is: ``a*sin(x)*cos(x) = 0``. A polynomial in ``u = f(x)`` is solved for u first:
-``2*cos(x)^2 - cos(x) - 1 = 0``. Squares of sines and cosines of one angle are taken for each other.
+``2*cos(x)^2 - cos(x) - 1 = 0``. Squares of sines and cosines of one angle are expressed by each other.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ _VALUE = symbol("_value")
 
 
 def simpler_equations(residual: Expr, unknown: Expr) -> list[Expr] | None:
-    """Return equations whose solutions together are those of an equation; None if it doesn't fall apart."""
+    """Return equations whose solutions together are those of an equation; None if it doesn't split."""
     if polynomial_in(residual, unknown) is not None:
         return None
     factors = _factors(residual, unknown)
@@ -35,7 +35,7 @@ def simpler_equations(residual: Expr, unknown: Expr) -> list[Expr] | None:
 
 
 def _factors(residual: Expr, unknown: Expr) -> list[Expr] | None:
-    """Return the factors of a product that can be zero, each once; None if one factor alone holds the unknown."""
+    """Return the factors of a product that can be zero, each once; None if a single factor contains the unknown."""
     tree = tree_of(factor_terms(residual))
     parts = [part for part in (tree.parts if tree.kind == "product" else (tree,)) if part.value.has(unknown)]
     found = [_zero_of(part) for part in parts]
@@ -45,14 +45,14 @@ def _factors(residual: Expr, unknown: Expr) -> list[Expr] | None:
 
 
 def _zero_of(part: Tree) -> Expr | None:
-    """Return what is zero where a factor is; None for one that has no zero."""
+    """Return an expression that is zero where a factor is; None for a factor without zeros."""
     if part.kind == "power" and part.parts[1].value.is_number:
         return part.parts[0].value if part.parts[1].value.ratio[0] > 0 else None
     return None if part.kind == "function" and part.name == "exp" else part.value
 
 
 def _forms(residual: Expr, unknown: Expr) -> Iterator[Expr]:
-    """Return an equation as it stands, and with squares of sines and cosines in the place of each other."""
+    """Yield the given equation, the equation without squares of sines, and the one without squares of cosines."""
     yield residual
     angles = {node.args[0] for node in _functions(residual, unknown) if node.name in {"sin", "cos"}}
     if len(angles) == 1:
@@ -86,12 +86,12 @@ def _by_function(residual: Expr, unknown: Expr) -> list[Expr] | None:
 
 
 def _equal(function: Expr, value: Expr) -> Expr:
-    """Return what is zero where a function has a value: of a tangent, by its angle."""
+    """Return an expression that is zero where a function has a value; for a tangent, in terms of its angle."""
     return function.args[0] - atan(value) if function.name == "tan" else function - value
 
 
 def _powers_of(function: Expr, functions: list[Expr]) -> dict[Expr, Expr]:
-    """Return what becomes of a function, and of ``exp(2*x)`` beside ``exp(x)``."""
+    """Return the replacements of a function by the value, and of ``exp(2*x)`` by its square beside ``exp(x)``."""
     made = {function: _VALUE}
     for other in functions if function.name == "exp" else ():
         ratio = other.args[0] / function.args[0]

@@ -1,4 +1,4 @@
-"""Sines, cosines and tangents of inverse functions, without either: ``cos(arctan(u))`` is ``1/(1+u^2)^(1/2)``."""
+"""Sines, cosines and tangents of inverse functions in algebraic form: ``cos(arctan(u))`` is ``1/(1+u^2)^(1/2)``."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ _INVERSES = frozenset({"asin", "acos", "atan"})
 
 
 def of_inverse(name: str, argument: Expr) -> Expr | None:
-    """Return the sine, cosine or tangent of an inverse function, as Maple evaluates it at once; None for others."""
+    """Return the sine, cosine or tangent of an inverse function, as Maple evaluates it; None for other functions."""
     if argument.kind != "function" or argument.name not in _INVERSES:
         return None
     (u,) = argument.args
@@ -32,7 +32,7 @@ def of_inverse(name: str, argument: Expr) -> Expr | None:
 
 
 def has_inverse(value: Expr) -> bool:
-    """Whether an expression is an inverse function, or holds one."""
+    """Whether an expression is an inverse function or contains one."""
     return any(node.kind == "function" and node.value.name in _INVERSES for node in walk(tree_of(value)))
 
 

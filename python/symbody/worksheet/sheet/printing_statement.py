@@ -1,4 +1,4 @@
-"""Statements that print texts or programs, and not values; and statements that list a table, in any order."""
+"""Statements that print texts or programs instead of values, and statements that list a table in any order."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def prints_code(statement: syntax.Statement | None) -> bool:
 
 
 def lists_a_table(statement: syntax.Statement | None) -> bool:
-    """Whether a statement takes the entries of a table in a list: Maple's order isn't that of this run."""
+    """Whether a statement lists the entries of a table, whose order in Maple differs from the order here."""
     return any(_called(node) in _OF_TABLES for node in nodes_in(statement))
 
 

@@ -33,8 +33,8 @@ class Cell:
     Attributes:
         input: the lines of code; the end of a cell ends a statement.
         printed: blocks of printed text below it, as the file has them, cut or not.
-        printed_at: the line of each block, where blocks stand between the lines of code; else nothing.
-        doubtful: lines below the code that may be output, but can't be read, or words of a remark.
+        printed_at: the line of each block if blocks stand between the lines of code, else empty.
+        doubtful: lines below the code that may be unreadable output, or words of a remark.
         prose: the text before it.
         remarks_lost_marks: text behind the last terminator of a line, without one of its own, is a remark: exports to
             text leave out the marks of remarks.
