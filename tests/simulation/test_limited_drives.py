@@ -21,8 +21,8 @@ from symbody import (
 )
 
 F, top, least = symbols("F top least")
-LARGEST = "an effort of 11.01, and its largest effort is 10, first passed at t = 0 s"
-LEAST = "an effort of -4.962, and its least effort is -1, first passed at t = 1.4 s"
+LARGEST = "an effort of 11.01 from drive, whose largest effort is 10, first exceeded at t = 0 s"
+LEAST = "an effort of -4.962 from drive, whose least effort is -1, first exceeded at t = 1.4 s"
 
 
 @pytest.mark.parametrize(
@@ -50,7 +50,7 @@ def test_the_effort_of_a_motor_with_a_limit_is_solved_for(limit: object, told: l
         )
     assert found.forces[F] == pytest.approx((1.2 + 9.81 * np.cos(found.t**2)) / 2, abs=1e-12)
     assert [str(each.message) for each in caught] == [
-        f"inverse_dynamics: the motion asks drive for {text}: the loads that are found ignore limits; expected a "
-        "slower motion, or a stronger motor"
+        f"inverse_dynamics: the motion needs {text}; the loads are computed without limits; expected a "
+        "slower motion or a stronger motor"
         for text in told
     ]

@@ -52,7 +52,7 @@ BALANCED = 1e-9
 """Forces and moments whose resultant is below this part of the largest are an action and its reaction."""
 
 SAMPLES = 25
-"""The most instants of a motion by which a part is seen from one direction."""
+"""The largest number of instants of a motion that determine the direction from which a part is seen."""
 
 HUGE = 1.5
 """Solids longer than this multiple of the part's extent, as some that are found by inertia, would hide its forces."""
@@ -115,8 +115,8 @@ def free_body_diagram(
     names, in N and N m if the model is in SI units. A moment about an axis towards the viewer is an arc, any other one
     an arrow with two heads. What is zero is not drawn, nor what acts between bodies of the part, such as a spring.
 
-    A part that stays in a plane with its forces is seen along its normal. Any other one is seen from one direction at
-    all instants of a motion, from which points of action are seen apart.
+    A part that stays in a plane with its forces is seen along the normal of the plane. Any other part is seen from one
+    direction at all instants of a motion; this direction separates the points of action.
 
     Args:
         motion: a motion of a system with bodies, an equilibrium, or a steady motion at its first instant; or a system
@@ -170,7 +170,7 @@ def free_body_diagram(
 
 
 def _samples(count: int) -> list[int]:
-    """Return the indices of some of the instants of a motion, the first and the last one among them."""
+    """Return the indices of some instants of a motion, including the first and the last one."""
     return sorted({round(k) for k in np.linspace(0, count - 1, min(count, SAMPLES)).tolist()})
 
 
@@ -304,13 +304,13 @@ def _of_reaction(name: str, found: Reaction) -> Iterator[_Acting]:
 
 
 def _entries(given: Sequence[_Acting], places: Array, vectors: Array, radius: float) -> list[dict[str, Any]]:
-    """Return the arrows at an instant: forces to one scale, and moments to another one.
+    """Return the arrows at an instant, forces at one scale and moments at another.
 
     Args:
         given: the forces and moments.
         places: where they act, shape (count, 3).
         vectors: their components in the axes of the root, shape (count, 3).
-        radius: that of the part.
+        radius: the radius of the part.
     """
     sizes = np.linalg.norm(vectors, axis=1)
     largest = {

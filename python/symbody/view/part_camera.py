@@ -1,4 +1,4 @@
-"""The camera of a free-body diagram: along the normal of a plane part, and from one direction for any other one."""
+"""The camera of a free-body diagram: along the normal of a plane part, and from one direction for any other part."""
 
 from __future__ import annotations
 
@@ -26,14 +26,14 @@ TURNS = (0.0, 15.0, -15.0, 30.0, -30.0)
 def facing(
     view: Mapping[str, Any], places: Array, actions: Sequence[Sequence[Mapping[str, Any]]]
 ) -> dict[str, list[float]]:
-    """Return the camera that faces the plane of a part and of its forces; one near the usual one if there is none.
+    """Return a camera that faces the plane of a part and its forces, or one near the usual camera if there is none.
 
-    Only so are the angles and the lengths in the picture those of the forces. A plane in which a part is at some
-    instants alone, as where a mechanism begins in a plane, does not count.
+    The picture shows the true angles and lengths of the forces only along the normal. The part must stay in the plane
+    at all instants: a mechanism may start in a plane and leave it.
 
     Args:
         view: the usual camera.
-        places: points of the part, at the instant that is drawn, and then at others, shape (count, instants, 3).
+        places: points of the part, first at the instant that is drawn, then at others, shape (count, instants, 3).
         actions: the forces and moments at each of these instants.
     """
     normals = [_normal(places[:, k], each) for k, each in enumerate(actions)]
@@ -50,7 +50,7 @@ def facing(
 
 
 def _normal(places: Array, actions: Sequence[Mapping[str, Any]]) -> Array | None:
-    """Return the normal of the plane of points and forces, along which all moments are; None if there is none."""
+    """Return the normal of the plane of points and forces if all moments are along it; None if there is none."""
     forces = [each["vector"] for each in actions if not each["is_moment"]]
     moments = [each["vector"] for each in actions if each["is_moment"]]
     acting = [np.array(each["at"]) - places[0] for each in actions if not each["is_moment"]]

@@ -240,8 +240,8 @@ MISTAKES: list[Mistake] = [
         errors.ModelError,
         lambda: inverse_dynamics(cart(F**2), {x: time}, {m: 1}, (0, 1), unknowns=[F]),
         (
-            "inverse_dynamics, unknowns: the equations of motion aren't linear in F; expected loads that are, "
-            "such as a force, its amplitude or the effort of a motor"
+            "inverse_dynamics, unknowns: the equations of motion aren't linear in F; expected loads in which they "
+            "are linear, such as a force, its amplitude or the effort of a motor"
         ),
     ),
     (

@@ -294,9 +294,9 @@ def _least(places: Sequence[Array], removed: Sequence[int], count: int) -> float
 
 
 def _ratio(J: Array, count: int) -> float:
-    """Return the ratio of singular values, without as many of the smallest as there are redundant rows.
+    """Return the ratio of the least to the largest singular value, without the smallest `count` of them.
 
-    It is zero of rows that vanish, such as those of conditions that are stationary wherever they are met.
+    It is zero if all rows vanish, such as those of constraints that are stationary wherever they hold.
     """
     rank = len(J) - count
     if not rank:

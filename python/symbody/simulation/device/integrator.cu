@@ -402,7 +402,7 @@ static __device__ __noinline__ void read(const Batch *batch, Lane *lane, Dense *
 /* --- events: event.rs ------------------------------------------------------------------------------------------------ */
 
 #if EVENTS
-/* An instant, and the value of an event there. */
+/* An instant and the value of an event there. */
 struct Point {
     double t, value;
 };
@@ -421,7 +421,7 @@ static __device__ double fraction(double x1, double f1, double x2, double f2, do
     return f1/(f2 - f1)*(f3/(f2 - f3)) + (x3 - x1)/(x2 - x1)*(f1/(f3 - f1))*(f2/(f3 - f2));
 }
 
-/* The value of an event at an instant of the last step; leave the state there in x. */
+/* Return the value of an event at an instant of the last step, and store the state there in x. */
 static __device__ __noinline__ double event_value(
     const Batch *batch, Lane *lane, Dense *dense, int event, double t, double *x)
 {
@@ -431,7 +431,7 @@ static __device__ __noinline__ double event_value(
     return values[event];
 }
 
-/* Find the zero of an event between two points by Chandrupatla's method; leave the state there in x. */
+/* Find the zero of an event between two points by Chandrupatla's method, and store the state there in x. */
 static __device__ __noinline__ double locate(
     const Batch *batch, Lane *lane, Dense *dense, int event, Point before, Point after, double *x)
 {
@@ -451,7 +451,7 @@ static __device__ __noinline__ double locate(
     return zero;
 }
 
-/* Whether a function may pass zero beside the one of three equidistant points at which it has the value `here`. */
+/* Whether a function may pass zero near the one of three equidistant points at which it has the value `here`. */
 static __device__ int may_pass(double a, double b, double c, double here, double noise)
 {
     const double below = fmin(fmin(a, b), c), above = fmax(fmax(a, b), c);
@@ -459,7 +459,7 @@ static __device__ int may_pass(double a, double b, double c, double here, double
     return (below >= 0.0 || above <= 0.0) && fabs(here) <= least && fabs(here) + noise < bend;
 }
 
-/* Find a point of an event beyond zero, by more than the noise, close to the point number `nearest` of three. */
+/* Find a point near the point `nearest` of three at which an event is beyond zero by more than the noise. */
 static __device__ __noinline__ int find_point_beyond(
     const Batch *batch, Lane *lane, Dense *dense, int event, const Point *three, int nearest, double noise, Point *found)
 {
@@ -512,7 +512,7 @@ static __device__ __noinline__ void store_event(double *rows, long long first, l
     EACH(i, 2 + WIDTH) rows[place*(2 + WIDTH) + i] = row[i];
 }
 
-/* Find the zero of an event between two points, if it passes there in its direction; return whether there is room. */
+/* Store the zero of an event between two points, if it passes there in its direction; return 0 if there is no room. */
 static __device__ int note_crossing(
     const Batch *batch, Lane *lane, Dense *dense, int event, Point before, Point after, long long first)
 {
@@ -525,7 +525,7 @@ static __device__ int note_crossing(
     return 1;
 }
 
-/* Note the events of a function between its points in a step: excursions, and changes of sign between two points. */
+/* Store the zeros of an event in a step: in excursions, and between neighbouring points of different signs. */
 static __device__ __noinline__ int note_events(
     const Batch *batch, Lane *lane, Dense *dense, int event, const Point *points, long long first)
 {

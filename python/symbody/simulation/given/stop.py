@@ -27,9 +27,9 @@ def stops(equations: Equations) -> list[Event]:
     reports it. An event is called after its joint, ``A.lower`` or ``A.upper``; if the joint has several coordinates,
     after one of them as well, ``A.phi.lower``. Angles of joints that close loops count all turns in a plane mechanism;
     in space they are known up to whole turns, and are counted from the middle of the limits. A motion that begins at a
-    limit or beyond it and moves outwards, or is accelerated there from rest, is refused: no event would end it. Where a
-    joint passes its limit by more than the tolerances, the motion ends even if it would come back within a part of one
-    step; a motion that begins beyond a limit ends where it leaves the range of the joint again.
+    limit or beyond it and moves outwards, or is accelerated there from rest, is refused: no event would end it. If a
+    joint passes its limit by more than the tolerances, the motion ends, even if the joint returns within one step. A
+    motion that begins beyond a limit and moves inwards ends where it leaves the range of the joint again.
 
     Args:
         equations: those of a system that `assemble` made.

@@ -62,7 +62,7 @@ class DrivingLoads:
     def residuals(self) -> tuple[Expr, ...]:
         """The residuals of the equations of motion, of time, coordinates, speeds and accelerations.
 
-        Efforts that are solved for are not cut off at the limits of their motors.
+        Efforts that are solved for are not clipped at the limits of their motors.
         """
         asked = {drive.given: drive.asked for drive in limited_drives(self.equations.system, self.loads)}
         residuals = substitute(self.equations.residuals, asked) if asked else self.equations.residuals
@@ -114,7 +114,7 @@ class DrivingLoads:
         if curved:
             raise ModelError(
                 f"{self.where}, unknowns: the equations of motion aren't linear in {', '.join(curved)}; expected "
-                "loads that are, such as a force, its amplitude or the effort of a motor"
+                "loads in which they are linear, such as a force, its amplitude or the effort of a motor"
             )
 
     def solution(

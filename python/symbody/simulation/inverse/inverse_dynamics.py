@@ -195,8 +195,8 @@ def inverse_dynamics(
         unknowns: the symbols or functions of time in the loads that are solved for. By default, a generalised force
             along each prescribed coordinate, or each speed of a simulated motion, acts in addition to the loads. With
             an empty list, the multipliers alone balance the loads, as along a motion of `embedded` equations. A state
-            that is solved for does not follow its rate. The effort of a motor with a limit is found as if it had none,
-            and a notice tells where it passes the limit.
+            that is solved for does not follow its rate. The effort of a motor with a limit is computed without the
+            limit, and a notice reports where it exceeds the limit.
         inputs: expressions of time and state for the input functions of time.
         guess: coordinates near the first position, if they are not prescribed.
         initial: the values of states at the first instant, zero by default; a simulated motion has its own.

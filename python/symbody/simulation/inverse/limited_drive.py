@@ -1,4 +1,4 @@
-"""Motors with limits in inverse dynamics: the effort that a motion asks of them, and what they can give."""
+"""Motors with limits in inverse dynamics: the effort that a motion needs, and the effort that they can deliver."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ __all__ = ["LimitedDrive", "limited_drives", "tell_passed_efforts"]
 Array = NDArray[np.float64]
 
 _ROUNDED = 1e-9
-"""The part of a limit by which an effort may pass it: efforts are solutions of linear equations."""
+"""The relative excess of an effort over a limit that counts as rounding: efforts are solutions of linear equations."""
 
 
 class LimitedDrive(NamedTuple):
     """A motor with limits whose effort is solved for.
 
     Attributes:
-        name: what it is called.
-        asked: the effort that is asked for.
-        given: the effort that it gives, cut off at the limits.
-        limits: what each limit is called, its value, and by how much the effort is beyond it.
+        name: its name in messages.
+        asked: the effort without limits.
+        given: the effort that it delivers, clipped at the limits.
+        limits: the name of each limit, its value, and by how much the effort exceeds it.
     """
 
     name: str
@@ -51,7 +51,7 @@ def limited_drives(system: Variables, loads: Collection[Expr]) -> tuple[LimitedD
 
 
 def _limits(motor: Element) -> tuple[tuple[str, Expr, Expr], ...]:
-    """Return the limits of a motor: their names and values, and by how much an effort is beyond them."""
+    """Return the limits of a motor: their names and values, and by how much the effort exceeds them."""
     law = motor.law
     asked, low, high = law["effort"], law.get("least_effort"), law.get("largest_effort")
     if "limit" in law:
@@ -67,7 +67,7 @@ def tell_passed_efforts(
     evaluate: Callable[[Sequence[ExprLike]], Array],
     where: str,
 ) -> None:
-    """Give a notice of each limit that the effort of a motor passes.
+    """Give a notice of each limit that the effort of a motor exceeds.
 
     Args:
         drives: the motors.
@@ -82,7 +82,7 @@ def tell_passed_efforts(
             if passed.any():
                 most, first = int(np.argmax(excess)), int(np.argmax(passed))
                 notify(
-                    f"{where}: the motion asks {drive.name} for an effort of {asked[most]:.4g}, and its {name} effort "
-                    f"is {bound[most]:.4g}, first passed at t = {instants[first]:.6g} s: the loads that are found "
-                    "ignore limits; expected a slower motion, or a stronger motor"
+                    f"{where}: the motion needs an effort of {asked[most]:.4g} from {drive.name}, whose {name} effort "
+                    f"is {bound[most]:.4g}, first exceeded at t = {instants[first]:.6g} s; the loads are computed "
+                    "without limits; expected a slower motion or a stronger motor"
                 )

@@ -53,7 +53,7 @@ def does_uncounted_work(system: System, speeds: Sequence[Expr], by_state: Rate) 
 def _velocities_and_drift(
     system: System, speeds: Sequence[Expr], by_state: Rate
 ) -> tuple[tuple[Expr, ...], tuple[Expr, ...]]:
-    """Return the velocities on which masses and loads depend, and what they are at zero speeds; nothing if all rest."""
+    """Return the velocities on which masses and loads depend, and their values at zero speeds unless all vanish."""
     velocities = by_state(list(_velocities(system)))
     drift = substitute(velocities, dict.fromkeys(speeds, number(0)))
     return velocities, () if all(each.is_zero for each in drift) else drift

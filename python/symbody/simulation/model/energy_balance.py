@@ -1,4 +1,4 @@
-"""The energies of a system, and the power by which their sum changes: the balance that a motion keeps."""
+"""The energies of a system, and the power that changes their sum: the energy balance of a motion."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def energies_of(system: System) -> list[Expr]:
 
 
 def energies_of_bodies(system: System) -> list[Expr]:
-    """Return the energies of the bodies alone: without the potential energy of loads."""
+    """Return the energies of the bodies, without the potential energy of loads."""
     found = [kinetic_energy(system.bodies)]
     if system.gravity is not None and system.root.carrier is None:
         found.append(gravitational_energy(system.bodies, system.gravity))

@@ -51,8 +51,8 @@ class Model:
     """The functions that all simulations of a system share. Each is derived and compiled on first use.
 
     The state is ``(q, u, z)``: coordinates, speeds, and the states beside the mechanics. Where loads or moving
-    constraints do work, it is followed by that work, whose rate is ``dE/dt``: so the balance of energy can be checked
-    along any motion.
+    constraints do work, it is followed by that work, whose rate is ``dE/dt``, so that the balance of energy can be
+    checked along any motion.
 
     Attributes:
         equations: the equations of motion.
@@ -203,7 +203,7 @@ class Model:
             drifts = substitute(self.velocity_constraints, at_rest)
             for multiplier, drift in zip(self.multipliers, drifts, strict=True):
                 total -= multiplier * drift
-        (total,) = without_idle_symbols([total])  # equations that lack them give them no values
+        (total,) = without_idle_symbols([total])  # idle symbols have no values where the equations lack them
         return None if total.is_zero else total
 
     @cached_property

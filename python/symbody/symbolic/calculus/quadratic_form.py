@@ -1,4 +1,4 @@
-"""Quadratic forms with numbers as coefficients, and those that are squares: ``x**2 + 2*x*y + y**2``."""
+"""Quadratic forms with rational coefficients, and the roots of those that are squares: ``x**2 + 2*x*y + y**2``."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class QuadraticForm:
     """A sum of products of two variables.
 
     Attributes:
-        coefficients: the numbers by the variables, of which each pair is in the order of the names.
+        coefficients: the coefficients by pair of variables, each pair in the order of names.
 
     >>> from symbody import symbols
     >>> x, y = symbols("x y")
@@ -36,7 +36,7 @@ class QuadraticForm:
 
     @classmethod
     def of(cls, expression: Expr) -> QuadraticForm | None:
-        """Return the form of a polynomial of degree 2; None of others, and of such with decimals."""
+        """Return the form of a homogeneous polynomial of degree 2 without decimals; None for other expressions."""
         found = dict[Pair, Fraction]()
         for term in summands(expand(expression)):
             coefficient, variables = _factors(term)
@@ -48,12 +48,12 @@ class QuadraticForm:
 
     @cached_property
     def squared(self) -> frozenset[Expr]:
-        """The variables whose squares it has."""
+        """The variables whose squares occur."""
         return frozenset(one for one, other in self.coefficients if one == other)
 
     @cached_property
     def unsquared(self) -> frozenset[Expr]:
-        """The others."""
+        """The variables whose squares do not occur."""
         return frozenset(each for pair in self.coefficients for each in pair) - self.squared
 
     def root_with(self, other: QuadraticForm, sign: int) -> Expr | None:
@@ -81,7 +81,7 @@ def _root_of_square(form: Mapping[Pair, Fraction]) -> Expr | None:
 
 
 def _factors(term: Expr) -> tuple[Fraction, list[Expr]]:
-    """Return the number and the other factors of a product, those of squares twice."""
+    """Return the numeric factor of a product and its other factors, the base of a square twice."""
     coefficient, others = Fraction(1), list[Expr]()
     for factor in parts_of(term, "product"):
         if factor.is_number and not factor.is_decimal:

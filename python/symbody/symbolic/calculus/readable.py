@@ -142,7 +142,7 @@ def _best(forms: Iterable[Expr], given: Expr) -> Expr:
 
 
 def _terms_of_opened(expression: Expr) -> int:
-    """Return about how many terms a sine has when its angle is opened: two for each term, n for a multiple n."""
+    """Return about how many terms the expansion of a sine has: a factor 2 for each term, n for a multiple n."""
     counts = dict[int, int]()
     for wave in waves_in(expression):
         (angle,) = wave.args
@@ -157,7 +157,7 @@ def _terms_of_opened(expression: Expr) -> int:
 
 
 _OPENED = 200
-"""The terms of a sine up to which its angle is opened: one with more is longer than the angle."""
+"""The largest number of terms to which a sine is expanded; an expansion with more is longer than the sine."""
 
 
 def _terms(expression: Expr) -> int:

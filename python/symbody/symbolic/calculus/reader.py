@@ -22,14 +22,14 @@ from .standard_names import AS_GIVEN, StandardNames
 _LARGE = 100
 """Operations from which on an expression stays as it is: nobody reads it."""
 _PART_BY_PART = 400
-"""Operations up to which it is shortened part by part."""
+"""Operations up to which such an expression is shortened part by part."""
 _TOTAL = 1800
 """Operations of all expressions together, after which only small ones are rewritten."""
 _SMALL = 20
 _EXPANDED = 40
 """Operations up to which `textbook_form` looks for the form from the expanded expression, too."""
 _LONGER = 2
-"""The length of a form of more operations than this, at most, in relation to that of the expression."""
+"""How many times longer than an expression of more operations than `_EXPANDED` its form may be."""
 _OF_BODIES, _SHORT = 60, 35
 """Operations up to which, and characters from which on, a form with a term for each body is looked for."""
 _DIVIDED, _SAME = 0.95, 1.2
@@ -64,7 +64,7 @@ class Reader:
         self._read = 0
 
     def all_of(self, expressions: Sequence[Expr]) -> list[Expr]:
-        """Return the forms of expressions; if they are more work than is done, short ones are read first."""
+        """Return the forms of expressions; short ones come first if all together take too much work."""
         sizes = [cost(each).total for each in expressions]
         order = range(len(expressions))
         for k in sorted(order, key=sizes.__getitem__) if sum(sizes) > _TOTAL else order:
@@ -87,9 +87,9 @@ class Reader:
         return self._names.original(textbook_form(self._names.standard(expression)))
 
     def form_of_large(self, expression: Expr) -> Expr:
-        """Return the form for the reader; one that is too large to be read is at least shortened part by part.
+        """Return the form for the reader; an expression that is too large is only shortened part by part.
 
-        So the sum of many angles is found in the weight of a long chain, whose rotations stand inside each other.
+        This finds the sums of angles in the weight of a long chain, whose rotations are nested.
         """
         operations = cost(expression).total
         if not _LARGE < operations <= _PART_BY_PART:
@@ -97,7 +97,7 @@ class Reader:
         return self._names.original(short_form(self._names.standard(expression)))
 
     def shortest_form(self, expression: Expr) -> Expr:
-        """Return the form as of a term of equations, or that of an expression by itself if it is shorter."""
+        """Return the form of a term of equations, or the form of a single expression if that is shorter."""
         standard = self._names.standard(expression)
         forms = [self._read_standard(standard)]
         if _SMALL < cost(standard).total <= _LARGE:
@@ -220,7 +220,7 @@ def _by_signs(form: Expr) -> Expr:
 
 
 def _with_positive_outside(form: Expr) -> Expr:
-    """Return a form with positive factors outside of absolute values: ``a*Abs(x)/b`` for ``Abs(a*b*x)/b**2``."""
+    """Return a form with positive factors moved out of absolute values: ``a*Abs(x)/b`` for ``Abs(a*b*x)/b**2``."""
     sizes = {node: node.args[0] for node in nodes_of(form) if node.kind == "function" and node.name == "Abs"}
     apart = {
         size: _apart(parts_of(inner, "product")) for size, inner in sizes.items() if inner.kind == "product"
@@ -232,7 +232,7 @@ def _with_positive_outside(form: Expr) -> Expr:
 
 
 def _apart(factors: Sequence[Expr]) -> Expr:
-    """Return the absolute value of a product, with positive parameters outside."""
+    """Return the absolute value of a product, with positive parameters factored out."""
     outside, within = number(1), number(1)
     for factor in factors:
         base = factor.args[0] if factor.kind == "power" else factor

@@ -28,7 +28,7 @@ def nodes_of(expression: Expr) -> list[Expr]:
 
 
 def waves_in(expression: Expr) -> list[Expr]:
-    """Return the sines, cosines and tangents of an expression, parts first."""
+    """Return the sines, cosines and tangents of an expression, inner ones first."""
     return [node for node in nodes_of(expression) if node.kind == "function" and node.name in _WAVES]
 
 

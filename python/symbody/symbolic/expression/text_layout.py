@@ -18,13 +18,13 @@ _TOKEN = re.compile(
     r"|(?P<close>[)\]])|[^\s()\[\]*/]+|."
 )
 _SHOWN = 4
-"""The first and the last of many things, so many each, that are listed."""
+"""How many of the first and of the last items of a long list are shown."""
 
 Item = TypeVar("Item")
 
 
 def ends(items: Sequence[Item], most: int = 2 * _SHOWN) -> list[Item | None]:
-    """Return items; of more than so many the first and the last, with None between them.
+    """Return the items; if there are more than `most`, the first and last ones with None between them.
 
     >>> ends(range(20))
     [0, 1, 2, 3, None, 16, 17, 18, 19]

@@ -66,9 +66,9 @@ def eliminated(equations: Sequence[Expr], unknowns: Sequence[Expr]) -> dict[Expr
 
 
 def _pivot(rows: Sequence[dict[int, Expr]], left: set[int]) -> tuple[int, int] | None:
-    """Return the place of the next pivot: that with the least fill, numbers first.
+    """Return the position of the next pivot: the one with the least fill-in, numbers first.
 
-    What depends on variables, such as ``cos(q)``, is a pivot only where nothing else is left: it may be zero.
+    An entry that may be zero, such as ``cos(q)``, is a pivot only if no other entry is left.
     """
     count: dict[int, int] = {}
     for i in left:

@@ -136,14 +136,14 @@ def _continued(equations: Sequence[Expr], unknowns: Sequence[Expr], values: Solu
 
 
 def _put_in(expressions: Sequence[Expr], values: Solution) -> list[Expr]:
-    """Return expressions with values in them, and no ``cos(atan2(s, c))`` of what is a sine and a cosine."""
+    """Return expressions with values substituted; if s and c are a sine and a cosine, ``cos(atan2(s, c))`` is c."""
     found = list(substitute(tuple(expressions), values))
     sides = {node: side for node in _nodes(found) if (side := _side(node)) is not None}
     return list(substitute(tuple(found), sides)) if sides else found
 
 
 def _side(node: Expr) -> Expr | None:
-    """Return c of ``cos(atan2(s, c))``, or s of its sine, where they are those of an angle."""
+    """Return c for ``cos(atan2(s, c))`` and s for its sine, if s and c are the sine and cosine of an angle."""
     if node.kind != "function" or node.name not in {"sin", "cos"}:
         return None
     (angle,) = node.args

@@ -150,7 +150,7 @@ def _deviations(given: ArrayLike, values: Array, place: str) -> Array:
 
 
 def one_or_several(given: object, kind: type[Kind]) -> list[Kind]:
-    """Return what is given as one of a kind, or as a list of such; nothing if it is something else."""
+    """Return one object of a kind, or several of them, as a list; an empty list for anything else."""
     listed = [given] if isinstance(given, kind) else given
     if not isinstance(listed, list | tuple):
         return []
