@@ -124,7 +124,7 @@ def test_short_entries_of_a_long_chain_are_read_and_long_ones_counted() -> None:
     form = newton_euler(System(bodies, [], angles, gravity=DOWN)).matrix_form()
     text = form.description()
     assert "    M69 = M96 = m*l**2*(1 + cos(q7 + q8 + q9) + cos(q8 + q9) + cos(q9))" in text
-    assert re.search(r"longer entries, with their lines: M11 \(\d+\), ", text)
+    assert re.search(r"longer entries and their numbers of lines: M11 \(\d+\), ", text)
     assert "cos(q1)*" not in text  # of weight, found part by part
     assert text.count("\n") < 70
     assert form._repr_latex_() is None

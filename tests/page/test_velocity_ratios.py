@@ -240,7 +240,7 @@ def test_a_report_has_the_short_form_of_rates(tmp_path: Path) -> None:
     report(crank_slider(), tmp_path / "crank.md")
     text = (tmp_path / "crank.md").read_text(encoding="utf-8")
     assert r"\dot{\psi} &= -\frac{r \cos(\phi) \dot{\phi}}{b \cos(\psi)}" in text
-    assert "The constraints on positions, which the equations keep, are" in text
+    assert "The constraints on positions, which the equations satisfy, are" in text
     assert (
         r"\dot{s} &= -\frac{r \sin(\phi - \psi) \dot{\phi}}{\cos(\psi)}" in text
     )  # in the coordinates' order

@@ -85,15 +85,15 @@ def system_on_tyres(
     g: Expr,
     name: str,
 ) -> System:
-    """Return a vehicle on its tyres, with their loads, states and constraints; its weight is along -z.
+    """Return the system of a vehicle with the loads, states and constraints of its tyres; gravity is along -z.
 
     Args:
         bodies: the bodies, wheels included.
         loads: the loads, except those of the tyres.
         coordinates: the coordinates.
         tyres: the tyres.
-        g: the acceleration of weight.
-        name: what the system is called.
+        g: the acceleration of gravity.
+        name: the name of the system.
     """
     return System(
         bodies,

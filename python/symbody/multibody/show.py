@@ -208,8 +208,8 @@ def _value(value: object, style: _Style) -> str:
 def _system(system: System, style: _Style) -> str:
     """Return the parts of a system, with sizes of long expressions and the coordinates on which a long frame depends.
 
-    Of a system of many parts, the first and the last of each kind are shown, and how to see the others. Lines are
-    broken between words; `show` of a body or a load prints all of it.
+    For a system of many parts, the text contains the first and last parts of each kind, and how to see the others.
+    Lines are broken between words; `show` of a body or a load prints all of it.
     """
     style = replace(style, longest=_LONGEST)
     kinds = _kinds(system, style)
@@ -231,13 +231,13 @@ def _system(system: System, style: _Style) -> str:
 
 @dataclass(frozen=True)
 class _Kind:
-    """The parts of a kind that a system has.
+    """The parts of one kind in a system.
 
     Attributes:
         noun: the kind in the singular.
         parts: the parts.
-        line: which writes one of them.
-        advice: how to see one of them, with a place for its number.
+        line: the function that writes one of them.
+        advice: how to see one of them, with a placeholder for its index.
     """
 
     noun: str
@@ -246,7 +246,7 @@ class _Kind:
     advice: str
 
     def lines(self, *, is_long: bool) -> list[str]:
-        """Return a line for each part; of many the first and the last, and one for those between."""
+        """Return a line for each part; if there are many, for the first and last ones, and one for the others."""
         shown = ends(self.parts) if is_long else self.parts
         return [self._between(len(shown) - 1) if part is None else self.line(part) for part in shown]
 
@@ -299,7 +299,7 @@ def _condition(multiplier: Expr, constraint: Constraint, style: _Style) -> str:
 
 
 _MANY, _MOST_NAMES = 30, 100
-"""The parts of a system, and the names of one kind, up to which all are shown."""
+"""The largest numbers of parts in a system, and of names of one kind, that are all shown."""
 
 
 def _broken(line: str) -> list[str]:

@@ -1,4 +1,4 @@
-"""What the variables of equations of motion must be: functions of time, each given once, and conditions on them.
+"""Checks of the variables of equations of motion: functions of time, each given once, and constraints on them.
 
 The checks take `where`, the function that the user called, for their messages.
 """
@@ -26,7 +26,7 @@ __all__ = [
 
 
 def check_unknowns(where: str, coordinates: Sequence[Expr], speeds: Sequence[Expr]) -> None:
-    """Raise an error for a coordinate or quasi-velocity that is no function of time, or that is given twice."""
+    """Raise an error for a coordinate or quasi-velocity that is not a function of time, or is given twice."""
     for coordinate in coordinates:
         check_function_of_time(coordinate, f"{where}: the coordinate")
     for speed in speeds:
@@ -44,7 +44,7 @@ def check_unknowns(where: str, coordinates: Sequence[Expr], speeds: Sequence[Exp
 def check_constraints(
     where: str, conditions: Sequence[Constraint], multipliers: Sequence[Expr], unknowns: Unknowns
 ) -> None:
-    """Raise an error for constraints that are no conditions on the unknowns, or that have not one multiplier each."""
+    """Raise an error for constraints that don't restrict the unknowns or don't have one multiplier each."""
     for k, (condition, multiplier) in enumerate(zip(conditions, multipliers, strict=False), start=1):
         if condition.multiplier not in (None, multiplier):
             raise ConstraintError(
@@ -65,14 +65,14 @@ def check_constraints(
 def check_multipliers(
     where: str, contents: str, multipliers: Sequence[Expr], states: Collection[Expr], taken: Collection[str]
 ) -> None:
-    """Raise an error for a multiplier that is something else as well.
+    """Raise an error for a multiplier that is also a state, a coordinate, or in the contents.
 
     Args:
         where: the function that the user called.
         contents: what the equations are made of.
         multipliers: the multipliers.
         states: the functions of time beside the mechanics.
-        taken: the names of coordinates, and of what is in the contents.
+        taken: the names of coordinates and of symbols in the contents.
     """
     for multiplier in multipliers:
         check_function_of_time(multiplier, f"{where}: the multiplier")
@@ -91,7 +91,7 @@ def check_multipliers(
 
 
 def check_inputs(where: str, inputs: Sequence[Expr], unknowns: Collection[Expr]) -> None:
-    """Raise an error for an input that is no function of time, or that is unknown."""
+    """Raise an error for an input that is not a function of time, or is an unknown."""
     for given in inputs:
         check_function_of_time(given, f"{where}: the input")
         if given in unknowns:

@@ -30,7 +30,7 @@ def kinematics(subject: Subject) -> list[Block]:
     if rates:
         lead = prose(f"The rates of the coordinates, by the {'momenta' if system.momenta else 'speeds'}, are")
         values = [*rates.values()]
-        if system.eliminated:  # what constraints give is as long as their solution
+        if system.eliminated:  # these rates are as long as the solution of the constraints
             values = _shortest(values, subject)
         blocks += equalities(lead, [*map(latex, rates)], values, system if system.eliminated else None)
     if system.constraints:
@@ -39,14 +39,14 @@ def kinematics(subject: Subject) -> list[Block]:
             lead, ["0"] * len(system.constraints), _shortest(system.constraints, subject), system
         )
     if kept := system.eliminated_constraints:
-        lead = prose("The constraints on positions, which the equations keep, are")
+        lead = prose("The constraints on positions, which the equations satisfy, are")
         blocks += equalities(lead, ["0"] * len(kept), _shortest(kept, subject), system)
     blocks += _centres(subject)
     return blocks
 
 
 def _shortest(expressions: Sequence[Expr], subject: Subject) -> list[Expr]:
-    """Return expressions in their shortest forms; of a large system, as they are."""
+    """Return expressions in their shortest forms; those of a large system stay unchanged."""
     reader = reader_of(subject.system)
     return [each if subject.is_large else shorter(each, reader) for each in expressions]
 

@@ -1,4 +1,4 @@
-"""How equations of motion are shown: as a page if they are short enough to be read, or by their sizes."""
+"""The display of equations of motion: written out if they are short enough to be read, otherwise as sizes."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ _AT_ONCE = 500
 
 
 class Shown(Protocol):
-    """What is known of equations that are shown."""
+    """The equations that a display shows."""
 
     @property
     def system(self) -> Variables:
@@ -41,7 +41,7 @@ class Shown(Protocol):
 
     @property
     def residuals(self) -> Sequence[Expr]:
-        """The equations, expressions that are zero."""
+        """The residuals of the equations of motion."""
 
     @property
     def mass_matrix(self) -> Matrix:
@@ -65,16 +65,16 @@ class Shown(Protocol):
 
     @property
     def whole(self) -> Shown | None:
-        """Of embedded equations: those with the constraints."""
+        """The equations with constraints from which embedded equations were derived, else None."""
 
     @property
     def display(self) -> Display:
-        """How they are shown."""
+        """Their display."""
 
 
 @dataclass(frozen=True, eq=False)
 class Display:
-    """The ways of showing equations: text, LaTeX, one equation, matrices, below the cell of a notebook.
+    """Equations in all notations: text, LaTeX, a single equation, matrices, the output of a notebook cell.
 
     Attributes:
         shown: the equations.
@@ -89,7 +89,7 @@ class Display:
 
     @cached_property
     def page(self) -> Page:
-        """The equations row by row in their form for the reader."""
+        """The equations row by row, in the form for the reader."""
         shown = self.shown
         rows, matrix = balances(
             shown.system, shown.residuals, shown.mass_matrix, shown.bias, shown.constraint_jacobian
@@ -98,7 +98,7 @@ class Display:
 
     @cached_property
     def page_with_lines(self) -> Page:
-        """The same with names of forces along lines if it is shorter so."""
+        """The same page with names for forces along lines, if that is shorter."""
         shown = self.shown
         return with_lines_if_shorter(self.page, shown.residuals, shown.bias, shown.constraint_jacobian)
 
@@ -135,7 +135,7 @@ class Display:
         return self._is_printed and not self._printed_page.has_names_of_sums
 
     def description(self, *, whole: bool = False) -> str:
-        """Return the equations as text, or the sizes of those that are too long.
+        """Return the equations as text, or their sizes if they are too long.
 
         Args:
             whole: whether equations of at most 1000 operations are written out, however many pages they fill.
@@ -174,7 +174,7 @@ class Display:
         return replace(found, conditions=self._printed_page.conditions) if is_embedded else found
 
     def _row(self, k: int) -> EquationPage:
-        """Return the equation of a speed of a large system by its place."""
+        """Return one equation of a large system by the index of its speed."""
         shown, system = self.shown, self.system
         given = (shown.residuals, shown.bias, shown.constraint_jacobian)
         rows, _ = balances(system, given[0], shown.mass_matrix, *given[1:], places=[k])

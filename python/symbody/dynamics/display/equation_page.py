@@ -32,7 +32,7 @@ class EquationPage:
         speed: the coordinate whose speed it is, or the quasi-velocity.
         balance: the equation.
         named: names in it, and what they stand for.
-        conditions: of embedded equations, the constraints on positions on whose coordinates it depends.
+        conditions: the constraints on positions that determine its coordinates, for an embedded equation.
     """
 
     system: Variables

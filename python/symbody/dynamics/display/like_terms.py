@@ -72,8 +72,8 @@ def _with_sums_squared(
 
     Args:
         terms: coefficients, and the sums of products of speeds that they multiply.
-        reader: which finds their forms.
-        known: the quadratic forms of sums that were found before.
+        reader: the reader that writes them.
+        known: the quadratic forms found so far, by sum.
     """
     known |= {total: QuadraticForm.of(total) for _, total in terms if total not in known}
     forms = [known[total] for _, total in terms]

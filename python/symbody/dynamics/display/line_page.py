@@ -61,11 +61,11 @@ def row_with_lines_if_shorter(
     bias: Sequence[Expr],
     jacobian: Matrix,
 ) -> EquationPage:
-    """Return the page of one equation of a large system likewise.
+    """Return the page of one equation of a large system, with names for forces along lines if that is shorter.
 
     Args:
-        page: the page on which these forces are written as other loads are.
-        place: the place of the equation.
+        page: the page on which these forces are written like other loads.
+        place: the index of the equation.
         mass_matrix: M, n x n.
         residuals: the equations, expressions that are zero.
         bias: the residuals at zero accelerations and multipliers.
@@ -73,7 +73,7 @@ def row_with_lines_if_shorter(
     """
     given = (page.balance,)
     equations = _Equations(page.system, given, mass_matrix, residuals, bias, jacobian, [place])
-    written = equations.written(ByForce)  # as in whole pages, where a force stands in several rows
+    written = equations.written(ByForce)  # as in whole pages, where a force occurs in several rows
     if not written.named:
         return page
     named = replace(page, balance=written.balances[0], named=written.named)
@@ -104,7 +104,7 @@ _DEFINED = "     := "
 
 
 class _Written(NamedTuple):
-    """Equations in which forces along lines are written in a way, their mass matrix, and the names in them."""
+    """Equations with forces along lines in one notation, their mass matrix, and the names in them."""
 
     balances: tuple[Balance, ...]
     mass_matrix: Matrix
@@ -113,7 +113,7 @@ class _Written(NamedTuple):
 
 @dataclass(frozen=True)
 class _Equations:
-    """Equations in which forces along lines are written as other loads are.
+    """Equations in which forces along lines are written like other loads.
 
     Attributes:
         system: the system to which they belong.
@@ -122,7 +122,7 @@ class _Equations:
         residuals: the equations, expressions that are zero.
         bias: the residuals at zero accelerations and multipliers.
         jacobian: phi_q, m x n.
-        places: the rows that are wanted, of large systems; by default all.
+        places: the indices of the rows to write, for large systems; by default all.
     """
 
     system: Variables
@@ -134,7 +134,7 @@ class _Equations:
     places: Sequence[int] | None = None
 
     def written(self, way: type[LineTerms]) -> _Written:
-        """Return the equations with forces along lines in a way; as given if these can't be told apart."""
+        """Return the equations with forces along lines in one notation; unchanged if these can't be separated."""
         system, reader = self.system, self._reader
         lines, rest = self._with_roots if way is InFull else self._all
         if rest is None or not isinstance(system, System):
@@ -225,7 +225,7 @@ def _short_bias(
         rest: the bias without lines.
         lines: the forces along lines.
         actions: those of the other loads.
-        places: the rows that are wanted; the others are as they are.
+        places: the indices of the rows to write; the others stay unchanged.
     """
     forces = generalized_forces(system, actions)
     totals = [

@@ -28,12 +28,12 @@ from .row import printed
 from .short_names import Definition, in_order_of_use, shortened
 
 _FEW = 3
-"""The lines of an entry up to which it is written out among many."""
+"""An entry of at most so many lines is written out in an abridged description."""
 _ADVICE = """\
 Too long to be read at once. One entry: form.mass_matrix[0, 0], or form.coriolis[0, 0];
 all of the {count} lines: print(form.description(whole=True))."""
 _BY_SPEEDS = 1.25
-"""The length of an entry of C with a term for each speed, at most, in relation to another form."""
+"""How many times longer than another form an entry of C with one term for each speed may be."""
 _TWO_DIGITS = 10
 """Speeds from which on indices have two digits."""
 _NAMED = 3
@@ -83,7 +83,7 @@ class MatrixForm:
 
         Equal entries of M and of C stand on one line, and an opposite of an entry above is written as such. A matrix of
         whose name the model has a parameter is written with its arguments, ``M(q)``. Loads that have names are listed.
-        If all this fills more than two pages, short entries are returned, and how many lines the others have.
+        If all this fills more than two pages, only short entries are written out, and the lines of the others counted.
 
         Args:
             whole: whether all entries are written out, however many pages they fill.
@@ -98,7 +98,7 @@ class MatrixForm:
         return "\n".join([self._equation(), *(line for text in made for line in _indented(text))])
 
     def _abridged(self, count: int) -> str:
-        """Return the entries that take few lines, the sizes of the others, and how to see these."""
+        """Return the entries of few lines, the number of lines of each other entry, and how to see these."""
         value_of, shown, long = dict(self._labelled()), [*self._named_causes()], list[str]()
         shown += [f"{name} := {value}" for name, value in self._printed([], "text")[0]]
         for equal, right in self._entries():
@@ -112,7 +112,7 @@ class MatrixForm:
             else:
                 shown.append(row + texts[0])
         lines = [line for text in shown for line in _indented(text)]
-        others = wrap(f"longer entries, with their lines: {', '.join(long)}", LINE - 8)
+        others = wrap(f"longer entries and their numbers of lines: {', '.join(long)}", LINE - 8)
         advice = _ADVICE.format(count=count).splitlines()
         return "\n".join([self._equation(), *lines, *(f"    {line}" for line in (*others, *advice))])
 

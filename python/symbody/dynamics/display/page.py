@@ -59,14 +59,14 @@ class Page:
 
     @cached_property
     def conditions(self) -> tuple[Constraint, ...]:
-        """The constraints; of embedded equations, those on positions that give coordinates on which rows depend."""
+        """The constraints, and for embedded equations the constraints on positions on which their rows depend."""
         system = self.system
         own = (each.written(form) for each, form in zip(system.conditions, self.constraints, strict=True))
         return (*own, *self._kept) if system.eliminated_constraints else tuple(own)
 
     @property
     def _kept(self) -> list[Constraint]:
-        """The eliminated constraints with dependent coordinates that occur in rows, or in another of these."""
+        """The eliminated constraints that contain dependent coordinates of the rows, or of each other."""
         whole = self.system.whole
         on_positions = {whole.conditions[k]: whole.constraints[k].free_symbols for k in whole.holonomic}
         values = (value for _, value in (*self.rates, *self.named))

@@ -15,8 +15,8 @@ from .reader_of import reader_of
 from .velocity_ratio import VelocityRatios, velocity_ratios
 
 _LONGER = 1.25
-"""The length with velocity ratios, at most, in relation to that without, of mechanisms that may come to a dead centre;
-those without quotients, wheels and blades have less."""
+"""How many times longer a page with velocity ratios may be than one without, for mechanisms that may reach a dead
+centre. For others, such as wheels and blades, whose ratios have no quotients, it must be shorter."""
 _SHORTER = 0.8
 """The length of the form of a sum, at most, in relation to its terms, each with the mass of a body."""
 _DEFINED = len("     := ")
@@ -120,9 +120,9 @@ class _Rows:
         return self._sum(self._ratio(u, i) * term for u, balance in rows for term in kind(balance))
 
     def _sum(self, terms: Iterable[Expr]) -> tuple[Expr, ...]:
-        """Return terms together: of one freedom by its speed v, those of each power together.
+        """Return the sum of terms; with a single speed v, its terms are collected by powers of v.
 
-        A term ``c*v**k`` is c where v is 1; divided by ``v**k``, its form might be 0/0 at rest.
+        The coefficient of ``c*v**k`` is its value at v = 1; dividing by ``v**k`` might give a form that is 0/0 at rest.
         """
         moving = [each for each in substitute([*terms], self._moving) if not each.is_zero]
         if not self._ratios.has_one_speed or not moving:
@@ -167,13 +167,13 @@ def _degree(term: Expr, v: Expr) -> int:
 
 
 def _size(page: Page, length: Callable[[Expr], int], order: int) -> int:
-    """Return the characters of the rows, of what names stand for, and of rates up to an order: speeds have 1."""
+    """Return the length of the rows, of the named values, and of rates up to an order (1 for speeds)."""
     rows = [term for balance in page.balances for term in (*balance.left, *balance.right)]
     pairs = [*page.named, *(pair for pair in page.rates if pair[0].order <= order)]
     return sum(map(length, rows)) + sum(length(name) + _DEFINED + length(value) for name, value in pairs)
 
 
 def _is_quotient(form: Expr) -> bool:
-    """Return whether something that moves stands in a divisor."""
+    """Return whether a divisor contains a function of time."""
     divisors = (node.args[0] for node in nodes_of(form) if is_divisor(node))
     return any(leaf.kind == "time_function" for each in divisors for leaf in each.free_symbols)

@@ -21,7 +21,7 @@ from .summary import READABLE
 _MOST = 30
 """The values up to which they are written out."""
 _AT_ONCE = 200
-"""Operations of all values up to which the shortest form of each is looked for."""
+"""The shortest form of each value is searched if all values have at most so many operations."""
 
 
 @dataclass(frozen=True)

@@ -2,8 +2,8 @@
 
 With them the equation of a mechanism of one freedom is Eksergian's: ``J(q) q'' + C(q) q'**2 = Q`` with
 ``J = sum of m_i K_i**2`` and ``C = sum of m_i K_i L_i``. With more freedoms, each dependent speed has a ratio to each
-independent one, and L_i holds the products of speeds. Where constraints hold the time, ``u_i = sum of K_ij v_j + B_i``
-[Kane & Levinson 1985, sec. 2.13], and L_i holds the rate of B_i.
+independent one, and L_i contains the products of speeds. If constraints depend on time, ``u_i = sum of K_ij v_j + B_i``
+[Kane & Levinson 1985, sec. 2.13], and L_i contains the rate of B_i.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ class VelocityRatios:
         ratios: K_i by the dependent speed, one for each independent speed: names, or what is short without.
         changes: L_i by the dependent speed: of one freedom the factor of v**2, else with the products of speeds.
         named: the names, and what they stand for; each uses only those before it.
-        given: B_i by the dependent speed, where constraints hold the time: what it is if the others vanish.
+        given: B_i by dependent speed, if constraints depend on time: its value if the independent speeds vanish.
     """
 
     system: Variables
@@ -50,12 +50,12 @@ class VelocityRatios:
 
     @property
     def has_one_speed(self) -> bool:
-        """Whether all dependent speeds are multiples of one."""
+        """Whether all dependent speeds are multiples of a single independent speed."""
         return len(self.system.speeds) == 1 and not self.given
 
     @property
     def squares(self) -> Expr:
-        """What a change multiplies: v**2, or 1 if not all are multiples of one speed v."""
+        """The factor of a change: v**2 if all dependent speeds are multiples of one speed v, else 1."""
         return self.system.speeds[0] ** 2 if self.has_one_speed else number(1)
 
     def speed(self, dependent: Expr) -> Expr:
@@ -76,7 +76,7 @@ class VelocityRatios:
 
 
 def velocity_ratios(system: Variables) -> VelocityRatios | None:
-    """Return the velocity ratios of an embedded system; None where none needs a name: equations without are short."""
+    """Return the velocity ratios of an embedded system; None if none needs a name because all are short."""
     dependent, at_rest = system.eliminated, dict.fromkeys(system.speeds, number(0))
     if not dependent:
         return None
@@ -120,7 +120,7 @@ def _with_ratios(bare: VelocityRatios, names: Mapping[Expr, tuple[Expr, ...]]) -
 
 
 def _of_speeds(loop: _Loop, system: Variables) -> list[Expr]:
-    """Return the conditions of a loop without what the time brings."""
+    """Return the conditions of a loop without the terms that remain at zero speeds."""
     at_rest = substitute(loop.conditions, dict.fromkeys(system.whole.speeds, number(0)))
     return [each - rest for each, rest in zip(loop.conditions, at_rest, strict=True)]
 
@@ -128,7 +128,7 @@ def _of_speeds(loop: _Loop, system: Variables) -> list[Expr]:
 def _with_given(
     bare: VelocityRatios, names: Mapping[Expr, Expr], rest: Mapping[Expr, Expr]
 ) -> VelocityRatios:
-    """Return the same with what the dependent speeds are if the independent ones vanish."""
+    """Return the ratios, and the values of the dependent speeds at zero independent speeds."""
     system = bare.system
     given, named = dict[Expr, Expr](), [*bare.named]
     for loop in _loops(system):
@@ -233,7 +233,7 @@ def _rates(expressions: Sequence[Expr], system: Variables) -> tuple[Expr, ...]:
 def _entered(reader: Reader, name: Expr, values: Iterable[Expr], named: list[tuple[Expr, Expr]]) -> Expr:
     """Return a name for the shortest form of a value, and enter it; the form itself if it is short or constant."""
     forms = [form for each in values for form in (each, reader(each))]
-    # In standard names, a divisor such as s*sin(q)**2 + s*cos(q)**2 is s: of equal lengths, the shorter text is taken.
+    # In standard names, a divisor such as s*sin(q)**2 + s*cos(q)**2 is s; of equal lengths, take the shorter text.
     value = min(forms, key=lambda form: (reader.length(form), len(str(form))))
     most = _PLAIN if any(leaf.kind == "time_function" for leaf in value.free_symbols) else _CONSTANT
     if reader.length(value) <= most:
@@ -252,7 +252,7 @@ def _name(letter: str, dependent: Expr, independent: Expr, system: Variables) ->
 
 
 def _letters(system: Variables) -> list[str]:
-    """Return the letters of ratios, changes, and what is given: the first ones that the model doesn't have."""
+    """Return the letters of ratios, changes and given speeds: the first ones that the model doesn't use."""
     taken = {leaf.name.rstrip("0123456789").partition("_")[0] for leaf in system.leaves}
     return [
         next((letter for letter in letters if letter not in taken), letters[0] * 2)

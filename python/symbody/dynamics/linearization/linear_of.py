@@ -101,7 +101,7 @@ def linear_of(
 def _matrices(
     columns: Columns, left: Matrix, rows: Matrix, of_outputs: Matrix, kept: Sequence[int]
 ) -> dict[str, Matrix]:
-    """Return the matrices of the first order, by the names that `Linear` gives them.
+    """Return the first-order matrices by their names in `Linear`.
 
     Args:
         columns: the columns of the deviations.

@@ -52,7 +52,7 @@ def dependent_speeds(eqs: Equations, dependent: Speeds) -> dict[Expr, Expr]:
 
 
 def place_of(speed: Expr, eqs: Equations, where: str) -> int:
-    """Return the place of a speed among those of equations; `where` is the function that the user called."""
+    """Return the index of a speed in the equations; `where` is the function that the user called."""
     if speed not in eqs.speeds:
         raise ConstraintError(
             f"{where}: {brief(speed)} is not a speed; expected some of "

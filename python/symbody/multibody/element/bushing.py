@@ -64,7 +64,7 @@ def bushing(
         name: what the bushing is called where it is shown.
 
     Returns:
-        An element with a potential, unless K changes with coordinates, and the quantities "x", "y", "z", "rotation x",
+        An element with a potential, unless K depends on coordinates, and the quantities "x", "y", "z", "rotation x",
         "rotation y" and "rotation z".
 
     >>> from symbody import Body, functions_of_time, ground, rotate, symbols, translate

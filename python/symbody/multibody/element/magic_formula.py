@@ -1,4 +1,4 @@
-"""The law of a tyre by the Magic Formula: its coefficients, and what it is asked for.
+"""The Magic Formula as the law of a tyre: its coefficients and its use.
 
 The equations are in `slip_forces.py` [Pacejka, Tire and Vehicle Dynamics, 3rd ed. 2012, sec. 4.3.2].
 """

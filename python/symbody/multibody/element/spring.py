@@ -39,7 +39,7 @@ def spring(
         at: the point of the body.
         to: the other point.
         stiffness: k, in N/m. If it or the free length is a function of time, such as a coordinate or a state, the force
-            is still the one above, and the element has no potential: this force is not the slope of one that is known.
+            is still the one above, but the element has no potential, since no potential is known for this force.
         free_length: l0, the length without force, in m.
         damping: c, in N s/m.
         on: the body.

@@ -1,4 +1,4 @@
-"""The potential energy of an elastic law, where the law has one."""
+"""The potential energy of an elastic law, if the law has one."""
 
 from __future__ import annotations
 
@@ -6,10 +6,10 @@ from symbody.symbolic import Expr, t
 
 
 def stored_energy(potential: Expr, *given: Expr) -> Expr | None:
-    """Return the potential energy of a law with given sizes; None if one of them is a function of time.
+    """Return the potential energy of a law; None if one of its given sizes is a function of time.
 
-    With a stiffness k(q), the force -k(q) x is not the slope of k(q) x^2/2, which has the term k'(q) x^2/2 besides. So
-    the energy is not known, and the force is a load like any other. What depends on t alone has no such term.
+    With a stiffness k(q), the gradient of k(q) x^2/2 has the additional term k'(q) x^2/2, so this energy does not match
+    the force -k(q) x. Such a force is a load like any other. Sizes that depend on t alone add no such term.
 
     >>> from symbody import functions_of_time, symbols
     >>> x, k = functions_of_time("x"), symbols("k")

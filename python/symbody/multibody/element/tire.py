@@ -196,7 +196,7 @@ _POSITIVE = (
 def _sizes(
     law: TireLaw, radius: Shape, rolling_radius: Scalar | None, relaxation: Lengths | None
 ) -> dict[str, Expr]:
-    """Return the radii, the sizes in the law, and the relaxation lengths: they make no sense below zero."""
+    """Return the sizes that must not be negative: radii, sizes in the law, and relaxation lengths."""
     wheel_radius = None if isinstance(radius, TireShape) else radius
     radii = not_negative(_WHERE, radius=wheel_radius, rolling_radius=rolling_radius)
     of_law = radii | (law.sizes if isinstance(law, LinearTire | MagicFormula) else {})

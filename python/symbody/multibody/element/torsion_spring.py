@@ -39,7 +39,7 @@ def torsion_spring(
     Args:
         angle: phi, the coordinate of the hinge between the bodies, or a difference of absolute angles, in rad.
         stiffness: k, in N m/rad. If it or the free angle is a function of time, such as a coordinate or a state, the
-            torque is still the one above, and the element has no potential.
+            torque is still the one above, but the element has no potential.
         free_angle: phi0, the angle without torque, in rad.
         damping: c, in N m s/rad.
         on: the body.
