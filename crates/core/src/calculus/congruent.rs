@@ -1,28 +1,29 @@
-//! What goes by form obeys the law: derivatives and substitutions of equal expressions are equal.
+//! Derivatives and substitutions of equal expressions are equal.
 //!
-//! A derivative follows the form of an expression, rule by rule. Two forms of one value give the same value, as far as the
-//! lanes know all that the equality of the forms rests on. Where they don't, as at moduli of what may not be real or at
-//! parts of pi that no lane has, the result for the representative counts, if both results are the same in numbers.
+//! A derivative is found from the form of an expression, rule by rule. Two forms of one value have derivatives of one value,
+//! as far as the lanes know the identities that make the forms equal. They do not know all of them: a root may not be real
+//! in a lane, and no lane has an angle of pi/13. There, the result for the representative is taken instead, provided
+//! that both results have the same real values in double precision.
 //!
-//! The results of both forms are compared, and the result is that of what was asked for wherever they agree. So neither
-//! texts nor numbers depend on which form was met first: at a jump, at a pole, or where what is below is not real, forms that
-//! are equal elsewhere have values of their own, and keep these.
+//! Wherever the lanes find both results equal, the result is that of the form that was asked for. So neither the text nor
+//! the value of a result depends on which form was met first. At a jump, at a pole, and where an intermediate result is
+//! not real, equal forms may have different values, and each keeps its own.
 
 use crate::error::Error;
 use crate::graph::{Assumption, Flags, Graph, Id, View};
 use crate::tape::Evaluator;
 use crate::value::Key;
 
-/// At how many points results are compared in numbers: some need positive variables, or small ones.
+/// The number of random points at which results are compared. Many are real only where variables are positive, or small.
 const POINTS: u64 = 32;
 
-/// The relative difference of numbers that rounding explains.
+/// The largest relative difference that is attributed to rounding.
 const ROUNDING: f64 = 1e-6;
 
 impl Graph {
-    /// The rows of an operation for some expressions, each equal to that for what is known to be equal to the expression.
+    /// The rows of results of an operation, one for each expression; expressions that are equal have equal rows.
     ///
-    /// Only expressions with one of the flags are compared: the values of others follow all equalities by themselves.
+    /// Only expressions with one of the flags are checked: the lanes know the results of all others to be equal.
     ///
     /// # Errors
     /// Those of the operation.
@@ -38,7 +39,7 @@ impl Graph {
         if stand_ins == ids {
             return Ok(rows);
         }
-        // outside of the derivation in progress, which takes its own form for all forms of a value
+        // Outside of the derivation in progress, which would use its own form for all forms of a value.
         let classes = self.classes.take();
         let others = operation(self, &stand_ins);
         self.classes = classes;
@@ -62,7 +63,8 @@ impl Graph {
         Ok(self.congruent(ids, flags, one_each)?.into_iter().flatten().collect())
     }
 
-    /// A row of results; the entries of another row take the place of those that are equal to them in numbers only.
+    /// A row of results. An entry that the lanes do not find equal to that of the other row, though both have the same real
+    /// values, is replaced by it.
     fn agreed(&mut self, row: Vec<Id>, other: Vec<Id>) -> Vec<Id> {
         let mut chosen = |(id, other)| {
             let is_own = self.equal(id, other) || !self.agree_in_numbers(id, other);
@@ -71,7 +73,8 @@ impl Graph {
         row.into_iter().zip(other).map(&mut chosen).collect()
     }
 
-    /// Whether two expressions have the same real numbers at some points, and different ones or one of both at none.
+    /// Whether two expressions have the same real values at random points: at each point both are real and equal, or neither
+    /// is real; and both are real at one point at least.
     fn agree_in_numbers(&self, a: Id, b: Id) -> bool {
         let leaves = self.variables(&[a, b]);
         let [Ok(one), Ok(two)] = [a, b].map(|id| self.tape(&leaves, &[id])) else { return false };
@@ -90,7 +93,7 @@ impl Graph {
         are_same
     }
 
-    /// The number of a variable at a point: up to two, and of each sign unless the variable is positive.
+    /// The value of a variable at a random point: at most two, and of either sign unless the variable is positive.
     fn real_number_of(&self, leaf: Id, point: u64) -> f64 {
         let [first, second] = self.value(leaf).words();
         let drawn = Key::new("real number").word(first).word(second).draw_word(point);

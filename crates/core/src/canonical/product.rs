@@ -376,8 +376,8 @@ impl Graph {
         self.collect_rest(out, rest, exponent)
     }
 
-    /// Add the root of a negative number times positive factors, where a derivation knows that the other ones are that
-    /// number: the sign stays with the factors, as in the root of a multiple.
+    /// Add the root of a negative number times positive factors. The sign stays with the factors, as in the root of a
+    /// multiple. The number is the value that a derivation knows of the other factors.
     fn collect_negative_multiple(
         &mut self,
         out: &mut Collector,

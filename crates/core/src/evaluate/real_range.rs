@@ -50,7 +50,7 @@ impl Graph {
                 .unwrap_or(Any),
             View::Product(factors) => self.range_of_product(factors, of),
             View::Function(Function::Sin | Function::Cos | Function::Tan, args)
-                if self.holds_root_of_unit_circle(self.representative(args.get(0))) =>
+                if self.contains_arc(self.representative(args.get(0))) =>
             {
                 Any // cos(asin(x)) is the root of 1 - x^2
             }
@@ -63,8 +63,8 @@ impl Graph {
         }
     }
 
-    /// Whether an angle holds arc sines or cosines, which are real for arguments in [-1, 1] only.
-    fn holds_root_of_unit_circle(&self, angle: Id) -> bool {
+    /// Whether an angle contains arc sines or arc cosines, which are real only for arguments in [-1, 1].
+    fn contains_arc(&self, angle: Id) -> bool {
         let parts = self.parts_first(&[angle], |id| self.flags(id).has(Flags::INVERSE));
         let is_arc = |id: Id| matches!(self.view(id), View::Function(Function::Asin | Function::Acos, _));
         parts.into_iter().any(is_arc)

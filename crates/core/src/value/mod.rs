@@ -25,6 +25,7 @@ mod odd_root;
 mod prime;
 mod quadratic;
 mod radical;
+mod rational_power;
 mod unramified;
 
 pub(crate) use adic::{Adic, Adics};
