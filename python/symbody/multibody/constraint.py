@@ -14,6 +14,7 @@ from symbody.symbolic.expression.container import Container, contains
 from symbody.symbolic.given.arguments import brief
 
 from .body import Body
+from .data_sheet import DataSheet, Row, WithSheet
 
 __all__ = ["Condition", "Constraint", "as_constraint"]
 
@@ -21,7 +22,7 @@ Parts: TypeAlias = Annotated[Sequence[Body | Frame], "a list of bodies and frame
 
 
 @final
-class Constraint:
+class Constraint(WithSheet):
     """A condition that a system keeps, with a name and a multiplier.
 
     On position (holonomic) it is ``phi(q, t) = 0``; its rates are ``A u + b = 0`` and ``A u' + c = 0``, with ``A =
@@ -58,6 +59,16 @@ class Constraint:
     def written(self, condition: Expr) -> Constraint:
         """Return the constraint with its condition in another form."""
         return Constraint(condition, self.name, multiplier=self.multiplier, on=self.on)
+
+    @property
+    def sheet(self) -> DataSheet:
+        """What is shown of it."""
+        rows = [Row("condition", self.condition, "= 0")]
+        if self.multiplier is not None:
+            rows.append(Row("multiplier", self.multiplier))
+        if self.on:
+            rows.append(Row("connects", ", ".join(map(brief, self.on))))
+        return DataSheet(self.label, tuple(rows))
 
     def __str__(self) -> str:
         return f"{self.name}, {brief(self.condition)} = 0" if self.name else f"{brief(self.condition)} = 0"

@@ -12,6 +12,7 @@ from symbody.errors import ModelError, notify
 from symbody.geometry import Frame, Point, Vector, cross, dot, origin
 from symbody.geometry.given.argument import checked
 from symbody.multibody import Body, Constraint, Link, Load, System
+from symbody.multibody.data_sheet import DataSheet, Row, WithSheet
 from symbody.multibody.joint.closure import Closure
 from symbody.multibody.joint.joint import Joint
 from symbody.multibody.joint.placed_joint import PlacedJoint
@@ -38,7 +39,7 @@ Side: TypeAlias = Annotated[Body | Link | Frame | str | None, "one of the two pa
 
 @final
 @dataclass(frozen=True, eq=False)
-class Reaction:
+class Reaction(WithSheet):
     """A force and a moment on a body, by what holds it.
 
     Attributes:
@@ -71,6 +72,14 @@ class Reaction:
         """Return the same action in the axes of another frame."""
         return Reaction(self.force.projected(frame), self.moment.projected(frame), self.at, self.on)
 
+    @property
+    def sheet(self) -> DataSheet:
+        """What is shown of it: its components, the point of the moment, and the axes."""
+        components = zip(_COMPONENTS, (*self.force.components, *self.moment.components), strict=True)
+        point, axes = brief(self.at), brief(self.force.frame)
+        given = f"reaction on {self.on} about {point}, in the axes of {axes}"
+        return DataSheet(given, tuple(Row(name, value) for name, value in components))
+
     def __neg__(self) -> Reaction:
         return Reaction(-self.force, -self.moment, self.at, self.on)
 
@@ -79,6 +88,8 @@ class Reaction:
         place, axes = brief(self.at), brief(self.force.frame)
         return f"Reaction(on {self.on}: force {force}, moment {moment} about {place}, in the axes of {axes})"
 
+
+_COMPONENTS = ("Fx", "Fy", "Fz", "Mx", "My", "Mz")
 
 contains(
     Reaction,

@@ -14,8 +14,10 @@ from math import inf
 from typing import Any
 
 from symbody.geometry import Frame, Point, Vector, cross, dot, origin
+from symbody.multibody.data_sheet import DataSheet, Row, WithSheet
 from symbody.symbolic import Expr
 from symbody.symbolic.expression.container import Container, contains
+from symbody.symbolic.given.arguments import brief
 
 __all__ = [
     "AXES",
@@ -34,7 +36,7 @@ AXES = "XYZ"
 
 
 @dataclass(frozen=True, eq=False)
-class Closure:
+class Closure(WithSheet):
     """A condition that a joint keeps, and what the parent exerts on the child per unit of its multiplier.
 
     Attributes:
@@ -54,6 +56,20 @@ class Closure:
     def moment_about(self, point: Point) -> Vector:
         """Return the moment about a point, with that of the force."""
         return self.moment + cross(self.at - point, self.force)
+
+    @property
+    def sheet(self) -> DataSheet:
+        """What is shown of it."""
+        return DataSheet(
+            f"condition {self.name}", (Row("condition", self.condition, "= 0"), self.reaction_row)
+        )
+
+    @property
+    def reaction_row(self) -> Row:
+        """What is shown of the force or the couple that it exerts on the child."""
+        is_couple = all(component.is_zero for component in self.force.components)
+        kind, vector = ("moment", self.moment) if is_couple else ("force", self.force)
+        return Row(f"{kind} {self.name}", vector.components, f"in the axes of {brief(vector.frame)}")
 
 
 def _rebuilt(closure: Closure, parts: Sequence[Any]) -> Closure:

@@ -7,6 +7,7 @@ from typing import final
 
 from symbody.geometry import Frame, Point, angular_velocity, dot, frozen_velocity
 from symbody.geometry.motion.floating import rate_by
+from symbody.multibody.data_sheet import DataSheet, Row, WithSheet
 from symbody.symbolic import Expr, atan2, cos, sin
 
 from .pair import Travel
@@ -16,7 +17,7 @@ __all__ = ["Freedom"]
 
 @final
 @dataclass(frozen=True, eq=False)
-class Freedom:
+class Freedom(WithSheet):
     """One way in which a joint lets its child move: ``mechanism.joint("C").freedom("phi")``.
 
     Attributes:
@@ -72,6 +73,14 @@ class Freedom:
         """Return the value beyond another one; of an angle that jumps, from -pi to pi."""
         beyond = self.value - start
         return atan2(sin(beyond), cos(beyond)) if self.jumps and not start.is_zero else beyond
+
+    @property
+    def sheet(self) -> DataSheet:
+        """What is shown of it."""
+        return DataSheet(f"freedom {self}", (Row("value", self.value), Row("rate", self.rate)))
+
+    def __repr__(self) -> str:
+        return f"Freedom({self})"
 
     def __str__(self) -> str:
         return f"{self.name} of {self.joint}"

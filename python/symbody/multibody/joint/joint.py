@@ -9,11 +9,12 @@ from typing import Annotated, TypeAlias, final
 from symbody.errors import JointError
 from symbody.geometry import Frame, Scalar
 from symbody.geometry.component.triple import expression
+from symbody.multibody.data_sheet import DataSheet, Row, WithSheet
 from symbody.symbolic import Expr, functions_of_time
 from symbody.symbolic.given.arguments import brief, counted
 
 from .limit import Limit, given_limits
-from .link import Link, Place, fixed_place
+from .link import Link, Place, fixed_place, shown_place
 from .pair import Pair
 
 __all__ = ["Coordinates", "Joint", "Mounting", "Part", "joined"]
@@ -48,10 +49,28 @@ class Mounting:
     to: Frame
     loop: bool | None
 
+    @property
+    def rows(self) -> list[Row]:
+        """What is shown of it."""
+        found = [
+            Row("parent", brief(self.parent)),
+            Row("at", shown_place(self.at)),
+            Row("child", brief(self.child)),
+            Row("to", shown_place(self.to)),
+        ]
+        if self.loop is not None:
+            found.append(Row("loop", "closes a loop" if self.loop else "opens the tree"))
+        return found
+
+    def coupling_rows(self, coupled: Sequence[object]) -> list[Row]:
+        """Return what is shown of it for a gear or a rack, which couples two joints."""
+        ends = Row("parent", brief(self.parent)), Row("child", brief(self.child))
+        return [*ends, Row("couples", " and ".join(map(str, coupled)))]
+
 
 @final
 @dataclass(frozen=True, eq=False)
-class Joint:
+class Joint(WithSheet):
     """A joint between a parent and a child, made by `revolute`, `prismatic` and the like.
 
     Where it opens a tree, it places the child by its coordinates. Where it closes a loop, it keeps conditions. Either
@@ -100,6 +119,23 @@ class Joint:
                 f"{self}: {counted(len(self.coordinates), 'coordinate')}, expected one; use coordinates"
             )
         return self.coordinates[0]
+
+    @property
+    def sheet(self) -> DataSheet:
+        """What is shown of it."""
+        rows = [
+            *(self.mounting.coupling_rows(self.pair.coupled) if self.pair.coupled else self.mounting.rows),
+            *self.coordinate_rows(self.coordinates),
+            *(row for each in self.limits for row in each.rows),
+            *(Row(size.name, size.value) for size in self.pair.sizes),
+        ]
+        return DataSheet(str(self), tuple(rows))
+
+    def coordinate_rows(self, coordinates: Sequence[Expr]) -> list[Row]:
+        """Return a row for each coordinate of the joint."""
+        names = self.pair.names
+        named = zip(names, coordinates, strict=True) if len(names) == len(coordinates) else ()
+        return [Row(f"coordinate {name}", value) for name, value in named]
 
     def __repr__(self) -> str:
         return f"{self.kind} {self.name}"

@@ -11,6 +11,7 @@ from symbody.errors import JointError
 from symbody.geometry import Scalar
 from symbody.geometry.component.triple import expression
 from symbody.geometry.given.annotation import accepts
+from symbody.multibody.data_sheet import DataSheet, Row, WithSheet
 from symbody.symbolic import Expr, atan2, cos, pi, sin
 from symbody.symbolic.expression.container import Container, contains
 from symbody.symbolic.given.arguments import brief, counted, described
@@ -33,7 +34,7 @@ LimitsByName: TypeAlias = Annotated[
 
 @final
 @dataclass(frozen=True, eq=False)
-class Limit:
+class Limit(WithSheet):
     """The least and the largest value of a coordinate, or of the angle of a cone; None for no limit.
 
     Attributes:
@@ -84,6 +85,17 @@ class Limit:
         if self.value is not None and self.high is not None:
             found["upper"] = self.value - self.high
         return found
+
+    @property
+    def sheet(self) -> DataSheet:
+        """What is shown of it."""
+        return DataSheet(f"limits of {self.name}", tuple(self.rows))
+
+    @property
+    def rows(self) -> list[Row]:
+        """The limits that there are, as rows."""
+        ends = (("least", self.low), ("largest", self.high))
+        return [Row(f"{which} {self.name}", value) for which, value in ends if value is not None]
 
 
 def _is_a_turn(span: Expr) -> bool:

@@ -6,11 +6,13 @@ from collections.abc import Sequence
 from typing import Annotated, TypeAlias, final
 
 from symbody.errors import JointError
-from symbody.geometry import Frame, Scalar, origin, translate
+from symbody.geometry import Frame, Scalar, ground, origin, translate
 from symbody.geometry.component.triple import expression, triple
 from symbody.geometry.given.argument import checked
 from symbody.multibody.body import Body, varying_inertia
+from symbody.multibody.data_sheet import DataSheet, Row, WithSheet
 from symbody.multibody.inertia_matrix import Tensor, central_inertia
+from symbody.symbolic import Expr
 from symbody.symbolic.given.arguments import brief, counted
 
 Place: TypeAlias = Annotated[
@@ -33,8 +35,14 @@ def fixed_place(where: str, place: Place) -> Frame:
     return place
 
 
+def shown_place(place: Frame) -> Frame | tuple[Expr, ...]:
+    """Return a place in a body for the reader: its coordinates, or a frame if it is turned."""
+    is_turned = any(place.matrix[i, j] != int(i == j) for i in range(3) for j in range(3))
+    return place if is_turned else origin(place).projected(ground).coordinates
+
+
 @final
-class Link:
+class Link(WithSheet):
     """A rigid body of a mechanism before it is placed: its mass, centre of mass and inertia in its own axes.
 
     `assemble` places links by their joints and makes a `Body` of each. Two links are never equal.
@@ -118,6 +126,13 @@ class Link:
     def body(self, frame: Frame) -> Body:
         """Return the body of the link, whose axes are those of a frame."""
         return Body(frame * self.center, self.mass, *self.moments, *self.products, name=self.name)
+
+    @property
+    def sheet(self) -> DataSheet:
+        """What is shown of it."""
+        inertia = self.body(ground).inertia
+        center = Row("centre of mass", shown_place(self.center))
+        return DataSheet(f"link {self.name}", (center, Row("mass", self.mass), Row("inertia", inertia)))
 
     def __repr__(self) -> str:
         return self.name

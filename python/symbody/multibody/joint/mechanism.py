@@ -185,7 +185,7 @@ class Mechanism:
 
     def description(self) -> str:
         """Return what `show` prints: one line per joint, with its part in the spanning tree."""
-        return "\n".join([str(self), *(joint.description() for joint in self.joints)])
+        return "\n".join([str(self), *(joint.line for joint in self.joints)])
 
     def __repr__(self) -> str:
         parts = [

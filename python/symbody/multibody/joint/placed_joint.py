@@ -10,6 +10,7 @@ from typing import Annotated, Any, TypeAlias, final
 from symbody.errors import JointError
 from symbody.geometry import Frame, Point
 from symbody.geometry.given.argument import checked
+from symbody.multibody.data_sheet import DataSheet, Row, WithSheet
 from symbody.symbolic import Expr
 from symbody.symbolic.expression.container import Container, contains
 from symbody.symbolic.given.arguments import brief, counted
@@ -30,7 +31,7 @@ FreedomName: TypeAlias = Annotated[
 
 @final
 @dataclass(frozen=True, eq=False)
-class PlacedJoint:
+class PlacedJoint(WithSheet):
     """A joint of a mechanism, with the frames on which it is.
 
     Attributes:
@@ -201,8 +202,25 @@ class PlacedJoint:
         """The cosines of angles between axes that its conditions allow to be opposite; empty where it places a link."""
         return {} if self.opens else self.joint.pair.senses(self.sides)
 
-    def description(self) -> str:
-        """Return one line: what it joins, its coordinates or its conditions."""
+    @property
+    def sheet(self) -> DataSheet:
+        """What is shown of it: also the constraints, and what it can exert on the child."""
+        (parent, one), (child, other) = self.ends
+        rows = [
+            Row("parent", parent or brief(self.joint.parent)),
+            Row("axes on the parent", str(one)),
+            Row("child", child or brief(self.joint.child)),
+            Row("axes on the child", str(other)),
+            *self.joint.coordinate_rows(self.coordinates),
+            *(row for limit in self.limits for row in limit.rows),
+            *(Row(f"constraint {self.name}.{each.name}", each.condition, "= 0") for each in self.active),
+            *(each.reaction_row for each in (self.closures if self.opens else self.active)),
+        ]
+        return DataSheet(f"{self}, which {'opens the tree' if self.opens else 'closes a loop'}", tuple(rows))
+
+    @property
+    def line(self) -> str:
+        """One line: what it joins, its coordinates or its conditions, as `show` prints of a mechanism."""
         parent, child = self.joint.parent, self.joint.child
         text = f"{self.joint}: {brief(parent)} -> {brief(child)}"
         if self.opens and self.coordinates:

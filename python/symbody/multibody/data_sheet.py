@@ -1,0 +1,121 @@
+"""Data sheets: what a joint, a link or a reaction is, in rows, as text, in LaTeX and in notebooks."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, NamedTuple, final
+
+from symbody.symbolic import Expr, latex
+from symbody.symbolic.calculus.shown_form import shown_form
+from symbody.symbolic.expression.container import Container, contains, text_of
+from symbody.symbolic.expression.html_table import html_table
+from symbody.symbolic.expression.latex_layout import aligned, upright
+
+__all__ = ["DataSheet", "Row", "WithSheet"]
+
+
+class Row(NamedTuple):
+    """A label and what belongs to it: words, or an expression, a frame, or a tuple of these, with words after it."""
+
+    label: str
+    value: Any
+    words: str = ""
+
+    @property
+    def is_formula(self) -> bool:
+        """Whether the value is more than words."""
+        return not isinstance(self.value, str)
+
+
+@final
+@dataclass(frozen=True, eq=False)
+class DataSheet:
+    r"""A title, and rows of a label and a value.
+
+    >>> from symbody import symbols
+    >>> sheet = DataSheet("Rod", (Row("made of", "steel"), Row("mass", symbols("rho") * 2)))
+    >>> print(sheet.text)
+    Rod
+        made of: steel
+        mass: 2*rho
+    >>> print(sheet.latex)
+    \begin{aligned} \text{made of} &: \text{steel} \\ \text{mass} &: 2 \rho \end{aligned}
+    """
+
+    title: str
+    rows: tuple[Row, ...]
+
+    @property
+    def text(self) -> str:
+        """What `show` prints: a line for each row."""
+        return "\n".join([self.title, *(f"    {row.label}: {self._entry(row)}" for row in self.rows)])
+
+    @property
+    def latex(self) -> str:
+        """The rows as one formula."""
+        return latex(self)
+
+    @property
+    def html(self) -> str:
+        """The rows as a table of a notebook, in which long values are shortened."""
+        return html_table(
+            self.title, ["field", "value"], [[row.label, self._entry(row)] for row in self.rows]
+        )
+
+    def _entry(self, row: Row) -> str:
+        return f"{_text(row.value)} {row.words}".strip()
+
+
+class WithSheet(ABC):
+    """A thing that `show`, `latex` and notebooks show by its data sheet."""
+
+    @property
+    @abstractmethod
+    def sheet(self) -> DataSheet:
+        """What is shown of it."""
+
+    def description(self) -> str:
+        """Return what `show` prints."""
+        return self.sheet.text
+
+    def latex(self) -> str:
+        """Return the rows of the data sheet in LaTeX, without dollar signs."""
+        return self.sheet.latex
+
+    def _repr_html_(self) -> str:
+        return self.sheet.html
+
+
+def _text(value: Any) -> str:
+    if isinstance(value, Expr):
+        return str(shown_form(value))
+    return text_of(value, _text) or str(value)
+
+
+def _layout(sheet: DataSheet, texts: list[str]) -> str:
+    formulas = iter(texts)
+    rows = []
+    for label, value, words in sheet.rows:
+        formula = upright(value) if isinstance(value, str) else next(formulas)
+        rows.append(rf"{upright(label)} &: {formula}" + (rf"\ {upright(words)}" if words else ""))
+    return aligned(rows)
+
+
+def _formulas(sheet: DataSheet) -> Sequence[Any]:
+    return [row.value for row in sheet.rows if row.is_formula]
+
+
+def _rebuilt(sheet: DataSheet, parts: Sequence[Any]) -> DataSheet:
+    values = iter(parts)
+    return DataSheet(
+        sheet.title,
+        tuple(row._replace(value=next(values)) if row.is_formula else row for row in sheet.rows),
+    )
+
+
+contains(
+    DataSheet,
+    Container(_formulas, _rebuilt, layout=_layout, advice="the thing that it describes may have one"),
+)

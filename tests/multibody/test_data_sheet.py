@@ -1,0 +1,114 @@
+"""Joints, links, constraints and reactions as `show`, `latex` and notebooks show them."""
+
+from __future__ import annotations
+
+from symbody import (
+    Constraint,
+    Link,
+    Vector,
+    assemble,
+    describe,
+    functions_of_time,
+    gear,
+    ground,
+    latex,
+    newton_euler,
+    prismatic,
+    reaction,
+    revolute,
+    rotate,
+    symbols,
+    translate,
+)
+from symbody.multibody.data_sheet import WithSheet
+
+m, a, b, l, g = symbols("m a b l g")
+crank, slider = Link("crank", m, center=(a, 0, 0)), Link("slider", m)
+rod = Link("rod", m, Ix=a, Cxy=b, center=rotate("X", b))
+A, B = revolute("A", ground, crank, limits=(None, 2)), revolute("B", crank, rod, at=(a, 0, 0))
+C = revolute("C", rod, slider, at=translate(l, 0, 0) * rotate("Z", b), loop=True)
+D = prismatic("D", ground, slider)
+mechanism = assemble([A, B, C, D])
+
+SHEETS: dict[str, WithSheet] = {
+    "link rod\n"
+    '    centre of mass: rotate("X", b)\n'
+    "    mass: m\n"
+    "    inertia: Matrix([[a, -b, 0], [-b, 0, 0], [0, 0, 0]])": rod,
+    "revolute C\n"
+    "    parent: rod\n"
+    '    at: translate(l, 0, 0) * rotate("Z", b)\n'
+    "    child: slider\n"
+    "    to: (0, 0, 0)\n"
+    "    loop: closes a loop\n"
+    "    coordinate phi: phi_C": C,
+    "revolute A, which opens the tree\n"
+    "    parent: ground\n"
+    "    axes on the parent: ground\n"
+    "    child: crank\n"
+    '    axes on the child: rotate("Z", phi_A)\n'
+    "    coordinate phi: phi_A\n"
+    "    largest phi: 2\n"
+    "    force x: (1, 0, 0) in the axes of ground\n"
+    "    force y: (0, 1, 0) in the axes of ground\n"
+    "    force z: (0, 0, 1) in the axes of ground\n"
+    "    moment about x: (1, 0, 0) in the axes of ground\n"
+    "    moment about y: (0, 1, 0) in the axes of ground": mechanism.joint(A),
+    "revolute C, which closes a loop\n"
+    "    parent: rod\n"
+    '    axes on the parent: rod * translate(l, 0, 0) * rotate("Z", b)\n'
+    "    child: slider\n"
+    "    axes on the child: slider\n"
+    f"    constraint C.x: {mechanism.constraints[0].condition} = 0\n"
+    f"    constraint C.y: {mechanism.constraints[1].condition} = 0\n"
+    "    force x: (1, 0, 0) in the axes of ground\n"
+    "    force y: (0, 1, 0) in the axes of ground": mechanism.joint(C),
+    "gear G\n    parent: crank\n    child: rod\n    couples: revolute A and revolute E\n"
+    "    radius1: a\n    radius2: b": gear("G", A, revolute("E", ground, rod, at=(a + b, 0, 0)), a, b),
+    "freedom s of prismatic D\n    value: s_D\n    rate: s_D'": mechanism.joint(D).freedom(),
+    "limits of phi\n    largest phi: 2": A.limits[0],
+    f"condition x\n    condition: {mechanism.constraints[0].condition} = 0\n"
+    "    force x: (1, 0, 0) in the axes of ground": mechanism.joint(C).active[0],
+    "constraint rope\n    condition: a - s_D = 0\n    multiplier: P\n    connects: crank, slider": Constraint(
+        a - D.coordinate,
+        "rope",
+        multiplier=functions_of_time("P"),
+        on=[mechanism.body(crank), mechanism.body(slider)],
+    ),
+}
+
+
+def test_text_and_latex_and_table_have_the_same_rows() -> None:
+    for text, thing in SHEETS.items():
+        assert describe(thing) == text
+        rows = [line.strip().split(": ", 1)[0] for line in text.splitlines()[1:]]
+        assert latex(thing).count("&:") == len(rows)
+        table = thing._repr_html_()
+        assert all(f">{row}</td>" in table for row in rows)
+
+
+def test_a_reaction_is_shown_by_its_components() -> None:
+    bob = Link("bob", m, center=(0, -l, 0))
+    pin = revolute("P", ground, bob)
+    pendulum = assemble([pin])
+    equations = newton_euler(pendulum.system(gravity=Vector(ground, 0, -g, 0)))
+    found = reaction(equations, pin, frame=pendulum.frame(bob))
+    assert describe(found) == (
+        "reaction on bob about P, in the axes of bob\n"
+        "    Fx: m*(l*phi_P'' + g*sin(phi_P))\n"
+        "    Fy: m*(l*phi_P'**2 + g*cos(phi_P))\n"
+        "    Fz: 0\n    Mx: 0\n    My: 0\n    Mz: 0"
+    )
+    assert latex(found).startswith(
+        r"\begin{aligned} \text{Fx} &: m \left(l \ddot{\phi}_{P} + g \sin(\phi_{P})\right) \\ \text{Fy} &: "
+    )
+    assert ">reaction on bob about P, in the axes of bob<" in found._repr_html_()
+
+
+def test_latex_of_words_and_formulas() -> None:
+    assert latex(C) == (
+        r"\begin{aligned} \text{parent} &: \text{rod} \\ \text{at} &: \begin{bmatrix} \cos(b) & -\sin(b) & 0 & l \\ "
+        r"\sin(b) & \cos(b) & 0 & 0 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix} \\ \text{child} &: \text{slider} "
+        r"\\ \text{to} &: \left(0, 0, 0\right) \\ \text{loop} &: \text{closes a loop} \\ \text{coordinate phi} &: "
+        r"\phi_{C} \end{aligned}"
+    )
