@@ -20,6 +20,7 @@ KINDS = (
     "spherical",
     "screw",
     "point_on_curve",
+    "rolling",
 )
 FORMS = [(kind, form) for kind in KINDS for form in ("tree", "loop")]
 CASES = [*((*form, 0) for form in FORMS), *repeated((*form, 1) for form in FORMS)]
@@ -66,6 +67,8 @@ def test_the_power_along_a_freedom_is_the_effort_times_its_rate(kind: str, form:
         )
     moves = []
     for name in placed.joint.pair.names:
+        if kind == "rolling" and form == "loop" and name in "xy":
+            continue  # of the lowest centre of a cross-section, which is no point of the wheel
         freedom = placed.freedom(name)
         drive = motor(freedom, 3, on=on, reaction=reaction)
         spring = torsion_spring(freedom, 2, free_angle=1, on=on, reaction=reaction)

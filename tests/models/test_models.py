@@ -123,7 +123,7 @@ def test_names_of_models_are_their_own() -> None:
 def test_mistakes() -> None:
     with pytest.raises(ModelError) as caught:
         models.n_pendulum(0)
-    assert str(caught.value) == "n_pendulum: n is 0; expected the number of links, at least 1"
+    assert str(caught.value) == "n_pendulum: n is 0; expected a whole number of links, at least 1"
     with pytest.raises(ModelError) as caught:
         models.n_pendulum(1)["theta"]
     assert (
@@ -147,6 +147,6 @@ def test_embedding_removes_the_multipliers_of_all() -> None:
 
 @pytest.mark.parametrize("n", [True, 0, 1.0])
 def test_the_number_of_links_is_a_number(n: object) -> None:
-    with pytest.raises(ModelError, match="expected the number of links, at least 1"):
+    with pytest.raises(ModelError, match="expected a whole number of links, at least 1"):
         models.n_pendulum(n)  # type: ignore[arg-type]
     assert models.n_pendulum(1).system.name == "Pendulum of 1 mass"

@@ -11,6 +11,7 @@ from symbody import (
     Body,
     ModelNotice,
     System,
+    diff,
     floating_frame,
     functions_of_time,
     generalized_force,
@@ -23,6 +24,7 @@ from symbody import (
     saturated,
     simulate,
     sin,
+    sqrt,
     symbols,
     t,
     time_derivative,
@@ -53,6 +55,16 @@ def test_a_slide_takes_a_force_along_it() -> None:
     (action,) = motor(x, M, on=cart).actions
     assert action.is_force
     assert action.vector.components == (M, 0, 0)
+
+
+def test_an_effort_along_an_expression_of_the_coordinates_of_a_joint() -> None:
+    """A rope to a puck, and a product: the generalised forces are the effort times the partial derivatives."""
+    a, b = functions_of_time("a b")
+    puck = Body(translate(a, b, 0), m, name="puck")
+    for driven in (sqrt(a**2 + b**2), a * b):
+        pull = motor(driven, M, on=puck)
+        assert power(pull) == M * time_derivative(driven)
+        assert generalized_force(pull, [a, b]) == [M * diff(driven, a), M * diff(driven, b)]
 
 
 def test_the_motor_of_an_elbow_does_its_power_alone() -> None:

@@ -6,6 +6,7 @@ from symbody.geometry import Vector, ground
 from symbody.multibody import Link, assemble, motor, revolute
 from symbody.multibody.joint.joint import Joint
 from symbody.symbolic import functions_of_time, symbols
+from symbody.symbolic.given.arguments import counted
 
 from .classic_system import ClassicSystem
 from .pendulums import check_count, indexed
@@ -39,7 +40,7 @@ def planar_arm(n: int = 2) -> ClassicSystem:
     ]
     parameters = dict.fromkeys((*m, *l[: n - 1]), 1.0) | dict.fromkeys(lc, 0.5) | dict.fromkeys(I, 1 / 12)
     return ClassicSystem(
-        mechanism.system(motors, gravity=Vector(ground, 0, -g, 0), name=f"Plane arm of {n} links"),
+        mechanism.system(motors, gravity=Vector(ground, 0, -g, 0), name=f"Plane arm of {counted(n, 'link')}"),
         "Spong, The swing up control problem for the Acrobot, IEEE Control Systems Magazine 15 (1995), p. 49",
         parameters | {g: 9.81},
         {q[0]: -1.0},

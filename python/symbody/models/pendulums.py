@@ -20,7 +20,7 @@ def indexed(names: str, n: int) -> list[tuple[Expr, ...]]:
 def check_count(where: str, n: object) -> None:
     """Check the number of links that a model is to have."""
     if not isinstance(n, int) or isinstance(n, bool) or n < 1:
-        raise ModelError(f"{where}: n is {n!r}; expected the number of links, at least 1")
+        raise ModelError(f"{where}: n is {n!r}; expected a whole number of links, at least 1")
 
 
 def _angles(n: int) -> tuple[Expr, ...]:

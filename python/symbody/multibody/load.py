@@ -115,7 +115,12 @@ class Load(ABC):
         """The actions of the load, body by body."""
 
     def _repr_html_(self) -> str:
-        return html_table(self.name or type(self).__name__, COLUMNS, self.rows)
+        return html_table(self.label, COLUMNS, self.rows)
+
+    @property
+    def label(self) -> str:
+        """What the load is called in tables: its name, or its kind."""
+        return self.name or type(self).__name__
 
     @property
     def rows(self) -> list[tuple[object, ...]]:

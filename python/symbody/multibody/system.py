@@ -288,7 +288,8 @@ class System(Variables):
 
 def _label(thing: Body | Load, number: int) -> str:
     """Return the name of a body or a load, or its kind and its number."""
-    return thing.name or f"{type(thing).__name__} {number}"
+    kind = thing.label if isinstance(thing, Load) else type(thing).__name__
+    return thing.name or f"{kind} {number}"
 
 
 def _ordered(things: Collection[Thing]) -> tuple[Thing, ...]:

@@ -17,7 +17,7 @@ LINE = 13
 FARTHEST = 12
 """The most lines by which a label is moved if a nearer place lies on a shaft."""
 
-CROSSING = 2.5
+CROSSING = 5.0
 """What it costs that a label lies on a shaft, in lines by which it would be moved instead."""
 
 LEFT = 0.5

@@ -171,9 +171,12 @@ MISTAKES: list[Mistake] = [
         lambda: (
             assemble([free("F", ground, A), rolling("K", ground, A, radius=1, loop=True)])
             .joint("K")
-            .freedom("phi")
+            .freedom("x")
         ),
-        "rolling K: it closes a loop, where phi isn't known; let another joint close the loop by loop=True",
+        (
+            "rolling K: it closes a loop, where the motion along x isn't known; expected one of 'psi', 'theta', "
+            "'phi', or let another joint close the loop by loop=True"
+        ),
     ),
     (
         errors.JointError,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import pytest
 
@@ -24,13 +24,28 @@ from symbody import (
     prismatic,
     rack,
     revolute,
-    rolling,
     rotate,
     spherical,
     translate,
 )
-from symbody.multibody.joint.joint import Joint
+from symbody.geometry import Frame
+from symbody.multibody.joint.closure import Closure, Sides, along
+from symbody.multibody.joint.joint import Joint, joined, mounted
+from symbody.multibody.joint.pair import Pair
+from symbody.symbolic import Expr
 from tests.errors.given import A, B, Mistake, a, b, check, pin, x
+
+
+class Slot(Pair):
+    """A kind of joint that does not tell its coordinate from the axes of both sides."""
+
+    names = ("s",)
+
+    def motion(self, coordinates: Sequence[Expr]) -> Frame:
+        return translate(coordinates[0], 0, 0)
+
+    def closures(self, sides: Sides) -> tuple[Closure, ...]:
+        return (along(sides, 1),)
 
 
 def meshed(mesh: Callable[..., Joint], second: Joint, *sizes: object) -> Mechanism:
@@ -96,10 +111,15 @@ MISTAKES: list[Mistake] = [
     (
         errors.JointError,
         lambda: assemble(
-            [free("F", ground, A), rolling("K", ground, A, radius=1, loop=True, limits={"theta": (0, 1)})]
+            [
+                pin,
+                joined(
+                    "slot", mounted("slot", "K", (ground, A), (0, 1, 0), (0, 0, 0)), Slot(), limits=(0, 1)
+                ),
+            ]
         ),
         (
-            "assemble: rolling K closes a loop, where theta isn't known, and it has limits of it; let another joint "
+            "assemble: slot K closes a loop, where s isn't known, and it has limits of it; let another joint "
             "close the loop by loop=True, or leave these limits out"
         ),
     ),

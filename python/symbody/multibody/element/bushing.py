@@ -52,7 +52,8 @@ def bushing(
 
     d is the displacement of the origin, and a the sine of the angle of rotation times its axis, ``(R - R^T)/2`` as a
     vector, both in the axes of the other frame. For small rotations a is the vector of angles. The torque is such that
-    the potential ``x K x/2`` holds for rotations of any size; beyond a right angle it gets smaller.
+    the potential ``x K x/2`` holds for rotations of any size: about one axis it is ``-k sin(angle) cos(angle)``, which
+    is largest at 45 degrees, vanishes at a right angle, and has the other sign beyond it.
 
     Args:
         frame: the frame of the body.

@@ -108,7 +108,12 @@ class Element(Load):
     def fields(self) -> Mapping[str, object]:
         """What `show` prints of the element."""
         potential = {} if self.potential is None else {"potential": self.potential}
-        return {"kind": self.kind, "actions": self.actions, **potential}
+        law = {name: value for name, value in self.law.items() if not value.is_zero}
+        return {"kind": self.kind, **law, "actions": self.actions, **potential}
+
+    @property
+    def label(self) -> str:
+        return self.name or self.kind
 
     @property
     def rows(self) -> list[tuple[object, ...]]:

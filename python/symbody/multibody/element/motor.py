@@ -44,7 +44,8 @@ def motor(
     About a hinge it is a torque about the axis, along a slide a force. The other body takes the opposite effort.
 
     Args:
-        coordinate: the coordinate of the joint between the bodies, or a difference of absolute ones.
+        coordinate: the coordinate of the joint between the bodies, a difference of absolute ones, or another expression
+            of the coordinates of this joint.
         effort: the torque in N m, or the force in N, in the direction of the coordinate: a parameter, an input, or a
             law of the state, such as that of a controller.
         on: the body that is driven.

@@ -157,8 +157,11 @@ class PlacedJoint(WithSheet):
         chosen = name or names[0]
         travel = self.joint.pair.travel(self.sides, chosen)
         if travel is None and not self.opens:
+            known = [name for name in names if self.joint.pair.travel(self.sides, name) is not None]
+            others = f"expected one of {', '.join(map(repr, known))}, or " if known else ""
             raise JointError(
-                f"{self}: it closes a loop, where {chosen} isn't known; let another joint close the loop by loop=True"
+                f"{self}: it closes a loop, where the motion along {chosen} isn't known; {others}let another joint "
+                "close the loop by loop=True"
             )
         (parent, one), (child, other) = self.ends
         if self.opens and travel is not None and travel.is_rotation:

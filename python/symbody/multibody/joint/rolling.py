@@ -13,9 +13,10 @@ from symbody.symbolic import Expr, number, pi, sqrt, time_derivatives
 
 from .closure import Closure, Sides
 from .joint import Coordinates, Joint, Loop, Part, joined, mounted
+from .joint_angle import angles, turning_axis
 from .limit import Limit, LimitsByName
 from .link import Place
-from .pair import Pair, Size
+from .pair import Pair, Size, Travel, turns_back
 
 
 @checked(JointError)
@@ -37,7 +38,8 @@ def rolling(
     It keeps three conditions: contact on positions, and no slip in two directions on velocities. Its reaction is the
     force of the ground at the contact. Where it opens the tree, five coordinates keep the contact, and the two other
     conditions, along x and y, stay constraints. A wheel that closes a loop doesn't slip along its heading and across,
-    and must not lie flat; a ball doesn't slip along x and y.
+    and must not lie flat; a ball doesn't slip along x and y. Motors and friction, such as rolling resistance, act along
+    its heading, lean and spin by ``mechanism.joint(name).freedom("phi")`` in both cases.
 
     Args:
         name: the name of the joint.
@@ -85,6 +87,10 @@ def _check_sizes(where: str, radius: Expr, crown: Expr) -> None:
         )
 
 
+_TURNS = "ZXY"
+"""The axes of the heading, the lean and the spin."""
+
+
 @final
 class Contact(Pair):
     """A torus that rolls on a plane: a circle of centres of cross-sections, and their radius."""
@@ -114,6 +120,21 @@ class Contact(Pair):
 
     def motion(self, coordinates: Sequence[Expr]) -> Frame:
         return self._leaning(coordinates) * translate(0, 0, self.circle) * rotate("Y", coordinates[4])
+
+    def measured(self, sides: Sides) -> Mapping[str, Expr]:
+        """Return the angles by the axes of both sides, and the lowest centre of a cross-section, below the centre."""
+        n, e = sides.of_parent(2), sides.of_child(1).projected(sides.parent)
+        lean = dot(n, e)
+        down = self.circle / sqrt(1 - lean**2) * (n - lean * e)
+        x, y, _ = (sides.gap - down).components
+        return dict(zip(self.names, (x, y, *angles(_TURNS, sides.entry)), strict=True))
+
+    def travel(self, sides: Sides, name: str) -> Travel | None:
+        """Return the axis of an angle; the lowest centre of a cross-section is no point of the wheel."""
+        if name in ("x", "y"):
+            return None
+        axis = turning_axis(sides, _TURNS, self.names.index(name) - 2)
+        return Travel(axis, is_rotation=True, jumps=not turns_back(_TURNS, name))
 
     def _leaning(self, coordinates: Sequence[Expr]) -> Frame:
         """Return the axes that lean with the wheel and don't spin, at the lowest centre of a cross-section."""
