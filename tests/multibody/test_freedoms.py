@@ -37,6 +37,7 @@ from symbody import (
     spherical,
     sqrt,
     symbols,
+    t,
     time_derivative,
     torsion_spring,
     translate,
@@ -90,6 +91,21 @@ def test_each_coordinate_of_a_wheel_has_its_own_motor(crown: Expr | int) -> None
             M if q == each else 0 for each in made.coordinates
         ]
         assert power(friction(freedom, viscous=c, on=made.body(wheel))) == -c * time_derivative(q) ** 2
+
+
+def test_elements_on_a_turntable_act_against_it() -> None:
+    """Its motion is given: the effort along a hinge or a slide is that of the coordinate, and nothing else acts."""
+    table = rotate("Z", 3 * t) * translate(a, 0, t)
+    for kind in (revolute, prismatic):
+        arm = Link("arm", m, I, I, I, center=(1, 0, 0))
+        made = assemble([kind("A", table, arm, axis="Z")])
+        freedom, on = made.joint("A").freedom(), made.body(arm)
+        drive = motor(freedom, M, on=on)
+        assert len(drive.actions) == 1
+        assert generalized_force(drive, made.coordinates) == [M]
+        assert friction(freedom, viscous=c, on=on)["effort"] == -c * time_derivative(freedom.value)
+        with pytest.raises(LoadError, match="a joint on a frame that moves"):
+            motor(made.coordinates[0], M, on=on)
 
 
 def four_bar(closing: str) -> Mechanism:

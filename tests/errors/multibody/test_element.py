@@ -85,8 +85,8 @@ MISTAKES: list[Mistake] = [
         (
             "torsion_spring: bead doesn't move against ground about or along one axis at the rate of phi; "
             "expected the coordinate of a joint between them, or the difference of absolute ones; if several joints "
-            "are between them, put massless bodies there: Body(frame, 0); of a wheel, or a joint that closes a loop, "
-            "give mechanism.joint(...).freedom()"
+            "are between them, put massless bodies there: Body(frame, 0); of a wheel, a joint on a frame that moves, "
+            "or one that closes a loop, give mechanism.joint(...).freedom()"
         ),
     ),
     (
@@ -95,8 +95,8 @@ MISTAKES: list[Mistake] = [
         (
             "motor: bead doesn't move against ground about or along one axis at the rate of x; expected the "
             "coordinate of a joint between them, or the difference of absolute ones; if several joints are between "
-            "them, put massless bodies there: Body(frame, 0); of a wheel, or a joint that closes a loop, give "
-            "mechanism.joint(...).freedom()"
+            "them, put massless bodies there: Body(frame, 0); of a wheel, a joint on a frame that moves, or one that "
+            "closes a loop, give mechanism.joint(...).freedom()"
         ),
     ),
     (

@@ -68,23 +68,30 @@ def joint_motion(coordinate: Along, on: Body, reaction: Body | None, where: str)
     """
     check_bodies(where, on, reaction)
     of_one_joint = isinstance(coordinate, Freedom)
+    base = on.frame.ancestor if reaction is None else reaction.frame
     if isinstance(coordinate, Freedom):
         _check_ends(coordinate, on, reaction, where)
         if coordinate.travel is not None:
             with derivation(order=ENERGY):
                 return _along(coordinate, on, reaction)
+        base = _moving_side(coordinate) or base
         coordinate = coordinate.value
     with derivation(order=ENERGY):
-        found = _by_coordinate(coordinate, on, reaction, of_one_joint=of_one_joint)
+        found = _by_coordinate(coordinate, (on, reaction), base, of_one_joint=of_one_joint)
     if found is None:
-        other = on.frame.ancestor if reaction is None else reaction.frame
         raise LoadError(
-            f"{where}: {brief(on)} doesn't move against {brief(other)} about or along one axis at the rate of "
+            f"{where}: {brief(on)} doesn't move against {brief(base)} about or along one axis at the rate of "
             f"{brief(coordinate)}; expected the coordinate of a joint between them, or the difference of absolute "
-            "ones; if several joints are between them, put massless bodies there: Body(frame, 0); of a wheel, or "
-            "a joint that closes a loop, give mechanism.joint(...).freedom()"
+            "ones; if several joints are between them, put massless bodies there: Body(frame, 0); of a wheel, "
+            "a joint on a frame that moves, or one that closes a loop, give mechanism.joint(...).freedom()"
         )
     return found
+
+
+def _moving_side(freedom: Freedom) -> Frame | None:
+    """Return the side of a joint that is on a frame with a given motion, such as the deck of a ship; None elsewhere."""
+    sides = (side for name, side in zip(freedom.ends, freedom.sides, strict=True) if not name)
+    return next((side for side in sides if not all(motion.is_constant for motion in side.motions)), None)
 
 
 def _check_ends(freedom: Freedom, on: Body, reaction: Body | None, where: str) -> None:
@@ -142,17 +149,17 @@ class _Twist(NamedTuple):
 
 
 def _by_coordinate(
-    coordinate: Expr, on: Body, reaction: Body | None, *, of_one_joint: bool
+    coordinate: Expr, bodies: tuple[Body, Body | None], base: Frame, *, of_one_joint: bool
 ) -> JointMotion | None:
     """Return the motion along a coordinate, by the twist of the body; None if no wrench has its power alone.
 
     Args:
         coordinate: an expression of coordinates.
-        on: the body that moves.
-        reaction: the other body; None for the ground.
+        bodies: the body that moves, and the other body; None for the ground.
+        base: the frame against which it moves.
         of_one_joint: whether it is known to be the freedom of one joint, as those of a wheel are about several places.
     """
-    base = on.frame.ancestor if reaction is None else reaction.frame
+    on, reaction = bodies
     (rate,) = rate_by({**on.frame.coordinate_rates, **base.coordinate_rates})((coordinate,))
     twist = _Twist(
         _relative(origin_velocity(on.frame), _carried(on.frame, base), on.frame),
@@ -177,14 +184,15 @@ def _by_coordinate(
 
 
 def _columns(rest: _Twist) -> Iterator[_Twist]:
-    """Yield the partial velocities of the other rates, and what is left, such as given velocities."""
+    """Yield the partial velocities of the other rates.
+
+    What is left are given velocities, such as those of a turntable. No couple must cancel the power along them: the
+    joint would have to carry it.
+    """
     for leaf in rest.leaves:
         column = rest.per(leaf)
-        rest = rest.minus(column, leaf)
         if not column.is_null:
             yield column
-    if not rest.is_null:
-        yield rest
 
 
 def _interferes(own: _Twist, others: Sequence[_Twist]) -> bool:
