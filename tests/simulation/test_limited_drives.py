@@ -23,6 +23,7 @@ from symbody import (
 F, top, least = symbols("F top least")
 LARGEST = "an effort of 11.01 from drive, whose largest effort is 10, first exceeded at t = 0 s"
 LEAST = "an effort of -4.962 from drive, whose least effort is -1, first exceeded at t = 1.4 s"
+LEAST_OF_BOTH = "an effort of -4.962 from drive, whose least effort is -4, first exceeded at t = 1.5 s"
 
 
 @pytest.mark.parametrize(
@@ -33,6 +34,7 @@ LEAST = "an effort of -4.962 from drive, whose least effort is -1, first exceede
         ((None, top), [LARGEST]),
         ((least, 20), [LEAST]),
         ((-1, 10), [LEAST, LARGEST]),
+        (4, [LEAST_OF_BOTH, LARGEST.replace("is 10", "is 4")]),
     ],
 )
 def test_the_effort_of_a_motor_with_a_limit_is_solved_for(limit: object, told: list[str]) -> None:
