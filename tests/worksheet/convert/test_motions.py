@@ -56,10 +56,33 @@ def test_multipliers_stay_multipliers() -> None:
     assert found["s"][found["x"]][-1] == pytest.approx(-0.1754130143, abs=1e-5)  # type: ignore[index]
 
 
-@pytest.mark.parametrize("rule", ["proc(s) u(s) end proc", "s -> u(s)", "proc(a) u(a) end proc"])
+@pytest.mark.parametrize(
+    "rule",
+    [
+        *("proc(s) u(s) end proc", "s -> u(s)", "proc(a) u(a) end proc"),
+        *("proc(s, x) u(s)*diff(s, x) end proc", "(a, b) -> diff(a, b)*u(a)"),
+    ],
+)
 def test_rules_of_derivatives_have_any_parameter(rule: str) -> None:
     found = values(
         f"with(MBSymba_r6): `diff/x` := {rule}: a := 2*b: B := make_BODY(translate(x(t),0,0), m): "
         "n := comp_X(newton_equations({B})):"
     )
     assert str(found["n"]) == "m*u'"
+
+
+def test_values_of_a_motion_at_times_are_integrated_up_to_them() -> None:
+    """A program that is run for other times gives what the closed solution has there."""
+    problem = "subs(k=4, {diff(x(t),t,t)+k*x(t)=0, ic}), numeric"
+    found = values(
+        f"ic := x(0)=1, D(x)(0)=0: s := dsolve({problem}): a := rhs(s(1.5)[2]): s(0); "
+        "for i to 2 do b[i] := subs(s(i*0.5), x(t)) end do: "
+        f"p := dsolve({problem}, output=listprocedure): fx := rhs(p[2]): fv := eval(diff(x(t),t), p): "
+        f"r := dsolve({problem}, output=array([0,0.5,1.0,1.5])): names := r[1,1]: rows := r[2,1]: "
+    )
+    assert found["a"] == pytest.approx(COSINE, abs=1e-8)
+    assert [*map(float, found["b"].values())] == pytest.approx(np.cos([1, 2]), abs=1e-8)  # type: ignore[attr-defined]
+    assert found["fx"](11.0) == pytest.approx(np.cos(22), abs=1e-7)  # type: ignore[operator]
+    assert found["fv"](0.7) == pytest.approx(-2 * np.sin(1.4), abs=1e-8)  # type: ignore[operator]
+    assert [str(each) for each in found["names"]] == ["t", "x", "x'"]  # type: ignore[attr-defined]
+    assert [row[1] for row in found["rows"]] == pytest.approx(np.cos([0, 1, 2, 3]), abs=1e-8)  # type: ignore[attr-defined]

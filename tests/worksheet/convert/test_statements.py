@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import argparse
+import re
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+import symbody as sb
 from symbody.worksheet.convert import convert_file
 from symbody.worksheet.convert.program import Converted, converted
 from symbody.worksheet.reading.files import source_cells
@@ -71,3 +73,44 @@ def test_formats_have_texts_and_numbers(capsys: pytest.CaptureFixture[str]) -> N
     )
     assert (program.values, program.left_out) == (0, 0)
     assert capsys.readouterr().out == "F1 = +3.142% of x + 1\nF2 = +6.283% of x + 2\n"
+
+
+def test_types_of_parameters_are_tested() -> None:
+    program, found = made(
+        "f := proc(k::positive, x::list(algebraic), B::{POINT,BODY}, n::posint := 2) k*x[1]*n end proc:\n"
+        "a := f(3/2, [y], make_POINT(ground,0,0,l)):\n"
+        'try f(-1, [y], origin(ground)) catch "invalid": b := 1 end try:\n'
+    )
+    assert (program.values, program.left_out) == (0, 0)
+    point, y = sb.origin(sb.ground), sb.symbols("y")
+    assert found["a"] == 3 * y
+    assert found["b"] == 1
+    for arguments, message in [
+        ((0, [y], point), "f: k is 0; expected positive"),
+        ((1, [point], point), f"f: x is [{point!r}]; expected list(algebraic)"),
+        ((1, [y], y), "f: B is y; expected {POINT, BODY}"),
+        ((1, [y], point, 2.5), "f: n is 2.5; expected posint"),
+    ]:
+        with pytest.raises(ValueError, match=re.escape(message)) as raised:
+            found["f"](*arguments)
+        assert str(raised.value) == message
+
+
+@pytest.mark.parametrize(
+    ("sheet", "printed", "values"),
+    [
+        ("for i to 2 do i*x; if i > 1 then i end if end do;", "x\n2*x\n", 0),  # printlevel is 1
+        ('f := proc(x) print(x^2); printf("%d,", x); x end proc: y := f(3):', "9\n3,", 0),
+        (
+            "y := q + a: for n to 2 do q := n*b; y; end do;",
+            "a + b\na + 2*b\n",
+            1,
+        ),  # y is another value each time
+        ('y := q: for n to 2 do q := n; printf("%d,", y) end do:', "1,2,", 1),
+    ],
+)
+def test_programs_print_what_loops_and_procedures_print(
+    sheet: str, printed: str, values: int, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert made(sheet)[0].values == values
+    assert capsys.readouterr().out == printed

@@ -49,6 +49,7 @@ def _shown(session: Session, value: Value) -> Value:
 
 def print_values(session: Session, *values: Value) -> Value:
     """print(a, b, ..): matrices and tables in full."""
+    session.shown += map(session.current, values)
     shown = [session.resolve(each) if isinstance(each, Reference) else each for each in values]
     session.print(", ".join(session.text(_shown(session, each)) for each in shown))
     return NULL
@@ -56,6 +57,7 @@ def print_values(session: Session, *values: Value) -> Value:
 
 def lprint(session: Session, *values: Value) -> Value:
     """lprint(a, b, ..): without primes and aliases."""
+    session.shown += map(session.current, values)
     session.print(", ".join(text_of(session.current(each), PLAIN) for each in values))
     return NULL
 

@@ -105,7 +105,9 @@ def _integer_piece(session: Session, flags: str, width: str, point: str, value: 
 
 def printf(session: Session, template: Value, *values: Value) -> Value:
     """printf(format, ..)."""
-    session.write(formatted(session, template, values))
+    text = formatted(session, template, values)
+    session.shown.append(text)
+    session.write(text)
     return NULL
 
 

@@ -12,6 +12,7 @@ from symbody.symbolic import Expr, Matrix
 from symbody.worksheet.convert.expressions import PythonText
 from symbody.worksheet.convert.linear_models import linear_lines
 from symbody.worksheet.convert.modes import mode_lines
+from symbody.worksheet.convert.motion_values import motion_lines
 from symbody.worksheet.convert.name_text import joined_name
 from symbody.worksheet.convert.names import NoText, identifier
 from symbody.worksheet.convert.operations import grouped
@@ -91,10 +92,15 @@ def one_line(text: PythonText, target: syntax.Expression, value: syntax.Expressi
     changed = _entry_of_matrix(text, target, value)
     if changed:
         return changed
-    if target_text(text, target) == text.text(value):
+    return _written(text, target, text.text(value))
+
+
+def _written(text: PythonText, target: syntax.Expression, written: str) -> list[str]:
+    """Return the lines that give one target a value that has a text."""
+    if target_text(text, target) == written:
         return []  # as ``e := eval(e)``
-    lines = _table_of(text, target)
-    return [*lines, f"{target_text(text, target)} = {text.text(value)}"]
+    lines = motion_lines(text, target.name, written) if isinstance(target, syntax.Name) else []
+    return lines or [*_table_of(text, target), f"{target_text(text, target)} = {written}"]
 
 
 def _entry_of_matrix(text: PythonText, target: syntax.Expression, value: syntax.Expression) -> list[str]:

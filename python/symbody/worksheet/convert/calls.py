@@ -18,6 +18,7 @@ from symbody.worksheet.convert.matrix_calls import MATRICES
 from symbody.worksheet.convert.matrix_constructors import CONSTRUCTORS
 from symbody.worksheet.convert.mechanics_calls import MECHANICS
 from symbody.worksheet.convert.motion_calls import MOTIONS
+from symbody.worksheet.convert.motion_values import motion_call
 from symbody.worksheet.convert.name_text import concatenation
 from symbody.worksheet.convert.names import NoText, identifier
 from symbody.worksheet.convert.numbers_calls import NUMBERS
@@ -76,6 +77,9 @@ def _call_of_name(to: Writer, name: str, arguments: tuple[syntax.Expression, ...
         if written in to.names.root().values:
             to.names.define(written)
         return f"{written}({_arguments(to, arguments)})"
+    motion = motion_call(to, name, arguments)
+    if motion:
+        return motion
     if callable(to.names.values.get(identifier(name))):
         return f"{identifier(name)}({_arguments(to, arguments)})"
     command = next((table[name] for table in _TABLES if name in table), None)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 
 from symbody.worksheet.check.printed import functions_in
 from symbody.worksheet.convert.names import Names, NoText
@@ -39,19 +40,45 @@ def _text_of_rate(text: Writer, rate: syntax.Expression) -> str:
 def _rate(value: syntax.Expression) -> syntax.Expression:
     """Return what a rule of the time alone gives, with the time in place of its parameter."""
     match value:
-        case syntax.Procedure(parameters=(parameter,), body=body):
+        case syntax.Procedure(parameters=(_,) | (_, _) as parameters, body=body):
             kept = [each for each in body if not isinstance(each, syntax.Empty)]
             if len(kept) == 1 and isinstance(kept[0], syntax.Evaluation):
-                return _of_time(kept[0].expression, parameter.name)
-        case syntax.Arrow(parameters=(parameter,), body=body) if not isinstance(body, syntax.If):
-            return _of_time(body, parameter.name)
+                return _of_time(kept[0].expression, parameters)
+        case syntax.Arrow(parameters=(_,) | (_, _) as parameters, body=body) if not isinstance(
+            body, syntax.If
+        ):
+            return _of_time(body, parameters)
     raise NoText(PREFIX)
 
 
-def _of_time(node: syntax.Expression, parameter: str) -> syntax.Expression:
-    """Return an expression with the time in place of a name."""
-    made: syntax.Expression = replaced(node, parameter, syntax.Name("t", place=node.place))
-    return made
+def _of_time(node: syntax.Expression, parameters: Sequence[syntax.Parameter]) -> syntax.Expression:
+    """Return an expression with the time in place of the argument and of the variable, ``u(a)*diff(a, s)``."""
+    for each in parameters:
+        node = replaced(node, each.name, syntax.Name("t", place=node.place))
+    return _without_unit_rate(node)
+
+
+def _without_unit_rate(node: syntax.Expression) -> syntax.Expression:
+    """Return a product without the factors ``diff(t, t)``."""
+    match node:
+        case syntax.Infix(operator="*", left=left, right=right):
+            if _is_unit_rate(right):
+                return _without_unit_rate(left)
+            if _is_unit_rate(left):
+                return _without_unit_rate(right)
+            return replace(node, left=_without_unit_rate(left), right=_without_unit_rate(right))
+        case syntax.Infix(operator="+" | "-", left=left, right=right):
+            return replace(node, left=_without_unit_rate(left), right=_without_unit_rate(right))
+    return node
+
+
+def _is_unit_rate(node: syntax.Expression) -> bool:
+    match node:
+        case syntax.Call(
+            function=syntax.Name(name="diff"), arguments=(syntax.Name(name="t"), syntax.Name(name="t"))
+        ):
+            return True
+    return False
 
 
 def by_rules(names: Names, code: Sequence[str]) -> Iterator[list[str]]:

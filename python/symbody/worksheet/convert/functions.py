@@ -9,6 +9,7 @@ from symbody.worksheet.convert.assignments import target_text
 from symbody.worksheet.convert.expressions import PythonText
 from symbody.worksheet.convert.names import Names, identifier
 from symbody.worksheet.convert.operators import condition
+from symbody.worksheet.convert.parameter_types import type_tests
 from symbody.worksheet.convert.statements import INDENT, block, branch_words
 from symbody.worksheet.sheet import syntax
 
@@ -63,7 +64,8 @@ def definition(
             inner.values.pop(identifier(local), None)
     remembers = isinstance(procedure, syntax.Procedure) and "remember" in procedure.options
     decorators = ["@functools.cache"] if remembers else []
-    return [*decorators, f"def {identifier(name)}({', '.join(heads)}):", *_body(body, writer)]
+    tests = [f"{INDENT}{line}" for line in type_tests(name, parameters, inner)]
+    return [*decorators, f"def {identifier(name)}({', '.join(heads)}):", *tests, *_body(body, writer)]
 
 
 def _recursion(*values: Any) -> None:

@@ -12,6 +12,7 @@ import numpy as np
 from symbody.geometry import Frame, Point, Vector
 from symbody.multibody import Body, Force, Torque
 from symbody.symbolic import Expr, Matrix
+from symbody.worksheet.convert.motion_values import component, function_at, is_motion
 from symbody.worksheet.convert.names import NoText, identifier
 from symbody.worksheet.convert.operations import SUM, grouped
 from symbody.worksheet.convert.scalar_text import scalar_text
@@ -147,6 +148,11 @@ def _count(text: Writer, arguments: Arguments) -> str:
 
 def _side(index: int) -> Call:
     def write(text: Writer, arguments: Arguments) -> str:
+        match arguments:
+            case (syntax.Selection(whole=motion, indices=(syntax.Integer(value=place),)),) if is_motion(
+                text, motion
+            ):
+                return component(text, motion, function_at(text, motion, place))
         whole = text.text(arguments[0])
         found = text.value(whole)
         if isinstance(found, tuple) and len(found) == 2:

@@ -21,8 +21,9 @@ def _motion(text: Writer, arguments: Arguments) -> str:
     options = {str(getattr(each, "name", "")) for each in arguments} | {
         str(getattr(each.right, "name", "")) for each in arguments if isinstance(each, syntax.Infix)
     }
-    if "numeric" not in options or options & {"output", "parameters"}:
+    if "numeric" not in options or "parameters" in options:
         raise NoText("dsolve")
+    output = _output(arguments)
     equations, starts, begins = [], [], set()
     for each in _items(text, arguments[0]):
         initial = _initial(text, each)
@@ -45,14 +46,47 @@ def _motion(text: Writer, arguments: Arguments) -> str:
     listed = ", ".join(each if each.startswith("*") else grouped(each, SUM) for each in equations)
     return (
         f"sb.simulate(sb.equations_from_differential([{listed}], [{unknowns}]), "
-        f"initial={{{', '.join(starts)}}}, t={_times(text, arguments, begins)})"
+        f"initial={{{', '.join(starts)}}}, "
+        + (_instants(text, output, begins) if output else f"t={_times(text, arguments, begins)})")
     )
+
+
+def _output(arguments: Arguments) -> syntax.Expression | None:
+    """Return the times of ``output = array([..])``."""
+    for argument in arguments:
+        match argument:
+            case syntax.Infix(
+                operator="=",
+                left=syntax.Name(name="output"),
+                right=syntax.Call(
+                    function=syntax.Name(name="array" | "Array" | "Vector"), arguments=(*_, times)
+                ),
+            ):
+                return times
+            case syntax.Infix(operator="=", left=syntax.Name(name="output"), right=right):
+                return (
+                    None if str(getattr(right, "name", "")) in {"listprocedure", "procedurelist"} else right
+                )
+    return None
+
+
+def _instants(text: Writer, output: syntax.Expression, begins: set[str]) -> str:
+    """Return the option of ``simulate`` for given times, the first of which is the start, and those of the sheet."""
+    written = text.text(output)
+    times = text.value(f"[*map(float, {written})]")
+    if not isinstance(times, list) or len(times) < 3 or {text.value(each) for each in begins} != {times[0]}:
+        raise NoText("dsolve")
+    return f"t=[*map(float, {written})], rtol=1e-9, atol=1e-10)"
 
 
 def _items(text: Writer, node: syntax.Expression) -> Iterator[syntax.Expression]:
     """Return the equations and initial values of a problem, with what is put into them by ``subs``."""
     match node:
-        case syntax.SetDisplay(items=items) | syntax.ListDisplay(items=items):
+        case (
+            syntax.SetDisplay(items=items)
+            | syntax.ListDisplay(items=items)
+            | syntax.SequenceDisplay(items=items)
+        ):
             for each in items:
                 yield from _items(text, each)
         case syntax.Infix(operator="union", left=left, right=right):

@@ -11,7 +11,7 @@ from symbody.deferred import Deferred
 from symbody.symbolic import Expr, symbol, time_function
 from symbody.worksheet.sheet import syntax
 
-__all__ = ["Names", "NoText", "identifier"]
+__all__ = ["STATE_AT", "Names", "NoText", "identifier"]
 
 _MODULES = """import functools
 import itertools
@@ -27,8 +27,19 @@ import symbody as sb
 """
 """What a program may import: only what it needs."""
 
+STATE_AT = '''def state_at(equations, motion, time):
+    """Return the time and the state of a motion, by integration from its start up to a time."""
+    state = motion.state_at(0)
+    if time != motion.t[0]:
+        span = motion.t[0], float(time)
+        state = sb.simulate(equations, initial=state, t=span, rtol=1e-9, atol=1e-10).state_at()
+    return {sb.t: time} | {x: state[x] for x in sorted(state, key=lambda x: (x.name, x.order))}
+'''
+"""What a program defines for the values of a motion at times."""
+
 _TAKEN = frozenset(
     {
+        "state_at",
         "sb",
         "print",
         "range",
@@ -79,7 +90,7 @@ def _maker(name: str, *, is_function: bool) -> str:
 def _imported() -> dict[str, Any]:
     """Return what the first lines of a program import."""
     values: dict[str, Any] = {}
-    exec(_MODULES, values)
+    exec(_MODULES + STATE_AT, values)
     values["sympy"] = Deferred("sympy")  # optional, and only for what it finds
     return values
 
@@ -109,6 +120,8 @@ class Names:
         added: identifiers that only the program has.
         rules: the variable that holds the sheet's own rates of functions of time; nothing without them.
         sets: the sets and lists of names that the sheet assigns once, as it writes them.
+        called: names that the sheet calls, or whose procedures it asks for.
+        motions: the equations of motions, by their variables.
         bare: identifiers of symbols that have the name of a function of time, as V in ``V(t) = V``.
     """
 
@@ -133,6 +146,8 @@ class Names:
     bare: set[str] = field(default_factory=set)
     rules: str = ""
     sets: dict[str, syntax.Expression] = field(default_factory=dict)
+    called: frozenset[str] = frozenset()
+    motions: dict[str, str] = field(default_factory=dict)
 
     def own(self, name: str) -> str:
         """Return an identifier for what only the program has a name for."""
@@ -243,6 +258,7 @@ class Names:
             self.bare,
             self.rules,
             self.sets,
+            self.called,
         )
 
     def value(self, text: str) -> Any:

@@ -16,10 +16,12 @@ from symbody.worksheet.convert.declarations import declarations
 from symbody.worksheet.convert.draft import Draft
 from symbody.worksheet.convert.expressions import PythonText
 from symbody.worksheet.convert.layout import laid_out
+from symbody.worksheet.convert.motion_values import needed_definitions
 from symbody.worksheet.convert.names import Names, identifier
 from symbody.worksheet.convert.open_files import leave_alone, note_files
 from symbody.worksheet.convert.procedures import Procedures
 from symbody.worksheet.convert.sheet_names import (
+    called_names,
     functions_of_time,
     named_sets,
     sided_names,
@@ -78,6 +80,7 @@ def converted(cells: Sequence[Cell], title: str, session: Session | None = None)
         sets=named_sets(cells),
         values_of=set(substituted_names(cells)),
         reserved=frozenset(map(identifier, names_in_code(cells))),
+        called=frozenset(called_names(cells)),
     )
     program = Draft(tuple(cells), Interpreter(session), names, PythonText(names), Procedures(names))
     with tempfile.TemporaryDirectory() as program.folder, warnings.catch_warnings():
@@ -118,7 +121,9 @@ def _text(program: Draft, title: str) -> str:
     while "\n\n\n" in body:
         body = body.replace("\n\n\n", "\n\n")
     title = title.replace('"', "'")
-    return _HEAD.format(title=title, imports=_imports(body)) + "\n".join(head) + "\n\n" + body + _end(body)
+    imports = _imports(body + "".join(needed_definitions(body)))
+    defined = "".join(f"\n{each}" for each in needed_definitions(body))
+    return _HEAD.format(title=title, imports=imports) + "\n".join(head) + f"\n{defined}\n" + body + _end(body)
 
 
 def _add(program: Draft, statement: syntax.Statement, *, keeps: bool) -> bool:

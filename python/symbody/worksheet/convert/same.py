@@ -13,11 +13,12 @@ from symbody.errors import SymbodyError
 from symbody.geometry import Frame, Point, Vector
 from symbody.multibody import Body, Force, TireKinematics, Torque
 from symbody.simulation import Motion
-from symbody.symbolic import Expr, Matrix, coeff, expand, from_sympy, number, substitute, symbol
+from symbody.symbolic import Expr, Matrix, coeff, expand, from_sympy, number, substitute, symbol, t
 from symbody.worksheet.convert.shown_objects import shown_object, without_frame
 from symbody.worksheet.evaluation.session import Session
 from symbody.worksheet.mathematics.order_term import order_terms, without_order
 from symbody.worksheet.mechanics.objects import Reader, kind_of
+from symbody.worksheet.values.numeric import as_float
 from symbody.worksheet.values.value import (
     Array,
     Boolean,
@@ -75,8 +76,13 @@ class _Comparison:
         self.session, self.small = session, dict(small)
 
     def same(self, made: Any, value: Value) -> bool:
-        """Whether values are the same; values of other kinds are not."""
+        """Whether values are the same; values of other kinds are not.
+
+        The solution of dsolve is a motion, whose values are compared where they are used.
+        """
         try:
+            if isinstance(made, Motion):
+                return isinstance(self.session.resolve(value), Builtin | Listed | Array)
             return self.alike(made, value)
         except (SymbodyError, TypeError, ValueError, AttributeError, LookupError):
             return False
@@ -95,12 +101,7 @@ class _Comparison:
             case String(text=text) | Boolean(truth=text):
                 return type(made) is type(text) and bool(made == text)
             case ProcedureValue() | Builtin() | Plot():
-                # The solution of dsolve is a motion, whose values are compared where they are used.
-                return (
-                    made is not None
-                    if isinstance(found, Plot)
-                    else callable(made) or isinstance(made, Motion)
-                )
+                return made is not None if isinstance(found, Plot) else callable(made)
             case Relation(operator="=", left=left, right=right):
                 return self.equation(made, left, right)
             case _:
@@ -184,11 +185,22 @@ class _Comparison:
 
     def solution(self, made: dict[Expr, Expr], items: Iterable[Value]) -> bool:
         pairs = [(item.left, item.right) for item in items if isinstance(item, Relation)]
+        if t in made:  # a state, to the tolerance of an integration
+            return len(pairs) == len(made) and all(
+                any(self.same(key, left) and self.near(one, right) for left, right in pairs)
+                for key, one in made.items()
+            )
         pairs = [(left, right) for left, right in pairs if left != right or left in made]
         return len(pairs) == len(made) and all(
             any(self.same(key, left) and self.same(one, right) for left, right in pairs)
             for key, one in made.items()
         )
+
+    def near(self, made: Any, value: Value) -> bool:
+        """Whether a number is the same to the tolerance of an integration."""
+        found = self.session.current(value)
+        number = as_float(found) if isinstance(found, Expr) else None
+        return number is not None and abs(float(made) - number) <= 1e-6 * (1 + abs(number))
 
     def table(self, made: dict[Any, Any], value: Table) -> bool:
         """Whether a dictionary has the entries of a table: its keys are numbers and texts."""
@@ -198,6 +210,9 @@ class _Comparison:
     def matrix(self, made: Any, value: Array) -> bool:
         matrix = made.matrix if isinstance(made, Frame) else made
         entries = [self.session.current(entry) for entry in value.entries]
+        if isinstance(matrix, list) and matrix and isinstance(matrix[0], list):
+            rows = np.array(matrix, dtype=float)
+            return rows.shape == (value.rows, value.columns) and self.numbers(rows, value)
         if isinstance(matrix, tuple | list):
             return len(matrix) == len(entries) and all(map(self.same, matrix, entries))
         listed = self.plain(matrix.entries)

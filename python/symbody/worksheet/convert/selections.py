@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from symbody.geometry import Frame
 from symbody.symbolic import Expr, Matrix
+from symbody.worksheet.convert.motion_values import is_motion, output_entry
 from symbody.worksheet.convert.names import NoText, identifier
 from symbody.worksheet.convert.operations import SUM, grouped
 from symbody.worksheet.convert.writer import Writer
@@ -29,6 +30,8 @@ def selection(text: Writer, node: syntax.Selection) -> str:
         return f"{text.names.arguments}[{place(text.text(node.indices[0]))}]"
     if isinstance(node.whole, syntax.Name) and identifier(node.whole.name) not in text.names.values:
         return indexed(text, node)
+    if is_motion(text, node.whole):
+        return output_entry(text, node)
     whole = grouped(text.text(node.whole))
     found = text.value(whole)
     if isinstance(found, dict) and found and all(isinstance(each, Expr) for each in found):

@@ -11,8 +11,17 @@ from symbody.worksheet.check.printed import functions_in
 from symbody.worksheet.reading import statements
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.sheet.source import Cell
+from symbody.worksheet.sheet.within import nodes_in
 
-__all__ = ["functions_of_time", "named_sets", "names_in", "sided_names", "solved_names", "substituted_names"]
+__all__ = [
+    "called_names",
+    "functions_of_time",
+    "named_sets",
+    "names_in",
+    "sided_names",
+    "solved_names",
+    "substituted_names",
+]
 
 
 def functions_of_time(cells: Sequence[Cell]) -> Iterator[str]:
@@ -39,8 +48,25 @@ def sided_names(cells: Sequence[Cell]) -> Iterator[str]:
                     yield whole.name
 
 
+def called_names(cells: Sequence[Cell]) -> Iterator[str]:
+    """Return the names that the sheet calls, and those to which it assigns what ``dsolve`` returns with an output."""
+    for cell in cells:
+        for item in statements(cell):
+            yield from (
+                node.function.name
+                for node in nodes_in(item)
+                if isinstance(node, syntax.Call) and isinstance(node.function, syntax.Name)
+            )
+            match item:
+                case syntax.Assignment(
+                    targets=(syntax.Name(name=name),),
+                    value=syntax.Call(function=syntax.Name(name="dsolve"), arguments=arguments),
+                ) if "output" in names_in(arguments):
+                    yield name
+
+
 def named_sets(cells: Sequence[Cell]) -> dict[str, syntax.Expression]:
-    """Return the sets and lists that are written out behind a name, of names that are assigned once."""
+    """Return the sets, lists and sequences that are written out after a name, of names that are assigned once."""
     found: dict[str, syntax.Expression] = {}
     assigned = Counter[str]()
     for cell in cells:
@@ -50,7 +76,7 @@ def named_sets(cells: Sequence[Cell]) -> dict[str, syntax.Expression]:
             match item:
                 case syntax.Assignment(
                     targets=(syntax.Name(name=name),),
-                    value=syntax.SetDisplay() | syntax.ListDisplay() as value,
+                    value=syntax.SetDisplay() | syntax.ListDisplay() | syntax.SequenceDisplay() as value,
                 ):
                     found[name] = value
     return {name: value for name, value in found.items() if assigned[name] == 1}

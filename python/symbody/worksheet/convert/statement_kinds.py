@@ -38,8 +38,13 @@ _LOADING = frozenset(
     }
 )
 """What loads packages, or sets how Maple works and prints: a Python program has no use for it."""
-OF_MODES = frozenset({"VM", "omegaMV", "mframe_flag", "small_vars", "ground", "master_frame", "moving_frame"})
-"""Names that a mode sets."""
+OF_MODES = frozenset(
+    {
+        *("VM", "omegaMV", "mframe_flag", "small_vars", "ground", "master_frame", "moving_frame"),
+        "lastexception",
+    }
+)
+"""Names that a mode sets, or an error that is caught."""
 
 
 def acts(item: syntax.Expression) -> bool:

@@ -87,12 +87,14 @@ def _line(statement: syntax.Statement, text: PythonText) -> str:
 def block(statements: tuple[syntax.Statement, ...], text: PythonText, *, shown: bool = False) -> list[str]:
     """Return indented lines; each statement is tried out, so that the next one knows its kinds of values.
 
-    Values of expressions are shown as the terminator of the whole construct says.
+    Values of expressions are shown as the terminator of the whole construct says, at its first level only: with
+    ``printlevel`` 1, Maple doesn't print those of a loop within a loop.
     """
     lines: list[str] = []
     for statement in statements:
-        is_shown_so = isinstance(statement, syntax.Evaluation | syntax.If | syntax.For)
-        told = replace(statement, shown=shown) if is_shown_so else statement
+        told = statement
+        if isinstance(statement, syntax.Evaluation | syntax.If | syntax.For):
+            told = replace(statement, shown=shown and isinstance(statement, syntax.Evaluation))
         written = lines_of(told, text, keeps=False)
         lines += written
         _try_out(written, text.names.values)
@@ -211,9 +213,19 @@ def _try(
     body: tuple[syntax.Statement, ...],
     handlers: tuple[tuple[tuple[str, ...], tuple[syntax.Statement, ...]], ...],
 ) -> list[str]:
-    """Return ``try`` with a handler for every error of a sheet."""
-    lines = ["try:", *block(body, text.within(text.names.inner()))]
+    """Return ``try`` with a handler for every error of a sheet; its statements are there for their errors, too."""
+    inner = text.within(text.names.inner())
+    tried = (line for each in body for line in _attempt(each, inner))
+    lines = ["try:", *([f"{INDENT}{line}" for line in tried] or [f"{INDENT}pass"])]
     if len(handlers) != 1:
         raise NoText("try")
     ((_, handler),) = handlers
     return [*lines, "except ValueError:", *block(handler, text.within(text.names.inner()))]
+
+
+def _attempt(statement: syntax.Statement, text: PythonText) -> list[str]:
+    """Return the lines of a statement; a value that nobody sees is computed all the same."""
+    lines = [line.removeprefix(INDENT) for line in block((statement,), text)]
+    if lines == ["pass"] and isinstance(statement, syntax.Evaluation):
+        return [text.text(statement.expression)]
+    return lines

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from symbody.symbolic import Expr
+from symbody.worksheet.convert.motion_values import component, is_motion
 from symbody.worksheet.convert.names import NoText
 from symbody.worksheet.convert.operations import plain_decimal
 from symbody.worksheet.convert.sequences import comprehension
@@ -28,6 +29,8 @@ def substitution(text: Writer, arguments: Arguments) -> str:
     """Return substitutions one after the other; those of a list or a set are simultaneous."""
     *changes, expression = arguments
     written = text.text(expression)
+    if len(changes) == 1 and is_motion(text, changes[0]):
+        return component(text, changes[0], written)
     plain: list[str] = []
     for change in changes:
         made = _change(text, change)

@@ -17,12 +17,14 @@ from symbody.worksheet.convert.derivative_rules import (
 from symbody.worksheet.convert.draft import Draft, has
 from symbody.worksheet.convert.expressions import PythonText
 from symbody.worksheet.convert.names import NoText, identifier
+from symbody.worksheet.convert.printed_values import Recorder, prints_the_same
 from symbody.worksheet.convert.same import order_of, same
 from symbody.worksheet.convert.statement_kinds import begins_mode, counts
 from symbody.worksheet.convert.statements import lines_of
 from symbody.worksheet.convert.written_values import write_value
 from symbody.worksheet.evaluation.session import Session
 from symbody.worksheet.sheet import syntax
+from symbody.worksheet.sheet.printing_statement import prints_code
 from symbody.worksheet.values.value import Sequence as Values
 
 __all__ = ["as_code", "prepare"]
@@ -95,10 +97,13 @@ def _runs(program: Draft, statement: syntax.Statement, changed: Sequence[str]) -
     values.pop("last", None) if program.keeps else None
     try:
         with contextlib.redirect_stdout(io.StringIO()) as printed, contextlib.chdir(program.folder):
+            values["print"] = recorder = Recorder(printed)
             exec("\n".join([*program.names.late, *(program.code or ())]), values)
     except Exception as error:
         program.reason = repr(error)
         return False
+    finally:
+        values.pop("print", None)
     for name in changed:
         if name.startswith(PREFIX) or is_code(getattr(statement, "value", None)):
             continue
@@ -117,7 +122,10 @@ def _runs(program: Draft, statement: syntax.Statement, changed: Sequence[str]) -
         return False
     if isinstance(statement, syntax.Evaluation) and program.text.shown and session.last:
         return _shows_the_same(program, statement.expression)
-    return True
+    if prints_code(statement) or prints_the_same(session, recorder, statement, program.names.small):
+        return True
+    program.reason = "differs in what is printed"
+    return False
 
 
 def _shows_the_same(program: Draft, expression: syntax.Expression) -> bool:

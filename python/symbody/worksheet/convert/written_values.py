@@ -9,6 +9,7 @@ from typing import Any
 from symbody.errors import SymbodyError
 from symbody.worksheet.convert.draft import Draft, has
 from symbody.worksheet.convert.names import NoText, identifier
+from symbody.worksheet.convert.printed_values import shown_items
 from symbody.worksheet.convert.same import same
 from symbody.worksheet.convert.statement_kinds import acts
 from symbody.worksheet.convert.value_text import literal
@@ -24,6 +25,8 @@ def as_values(program: Draft, statement: syntax.Statement, changed: Sequence[str
     written = [name for name in changed if write_value(program, name)]
     if isinstance(statement, syntax.Evaluation) and not changed and _shown_value(program, statement):
         written = ["last"]
+    elif not _acts(statement) and _printed_values(program):
+        written = [*written, "print"]
     if written:
         program.values += 1
         program.lines.insert(
@@ -47,6 +50,23 @@ def _shown_value(program: Draft, statement: syntax.Evaluation) -> bool:
     program.lines += [f"last = {text}"] if program.keeps else []
     program.lines += [f"print({'last' if program.keeps else text})"] if statement.shown else []
     return statement.shown or program.keeps
+
+
+def _acts(statement: syntax.Statement) -> bool:
+    return isinstance(statement, syntax.Evaluation) and acts(statement.expression)
+
+
+def _printed_values(program: Draft) -> bool:
+    """Write what a loop, a branch or ``print`` has printed; return whether all of it has a text."""
+    found = [*shown_items(program.interpreter.session.shown)]
+    texts = [repr(each) if isinstance(each, str) else _literal(program, each) for each in found]
+    if not texts or not all(texts):
+        return False
+    program.lines += [
+        f"print({text}, end='')" if isinstance(each, str) else f"print({text})"
+        for text, each in zip(texts, found, strict=True)
+    ]
+    return True
 
 
 def write_value(program: Draft, name: str) -> bool:

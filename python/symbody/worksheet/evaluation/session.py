@@ -87,6 +87,7 @@ class Session:
         file: the file whose statements are executed, if ``read`` has read it; None in the worksheet itself.
         any_folder: whether the user allows the sheet to read and write elsewhere too.
         lines: what the statement has printed so far, in order: printed values, ``printf``, warnings.
+        shown: the values, and the texts of ``printf``, that the statement has printed so far.
         notices: what the user should know that Maple doesn't print.
         mechanics: the modes of MBSymba (`worksheet/mechanics/modes.py`); None until one of its commands runs.
         packages: the commands that ``with`` has made known by their short names.
@@ -123,6 +124,7 @@ class Session:
     file: ReadFile | None = None
     any_folder: bool = False
     lines: list[str] = field(default_factory=list)
+    shown: list[Value | str] = field(default_factory=list)
     notices: list[str] = field(default_factory=list)
     mechanics: Any = None
     packages: dict[str, Command] = field(default_factory=dict)

@@ -95,7 +95,7 @@ class Interpreter:
             Stop: the statement is ``quit``.
         """
         session = self.session
-        session.lines = []
+        session.lines, session.shown = [], []
         session.unfinished = False
         session.limits.start()
         session.scopes.clear()
@@ -163,6 +163,7 @@ class Interpreter:
             names = ", ".join(self._target_text(target) for target in node.targets)
             session.print(f"{names} := {session.text(self._full(value))}")
         elif value != NULL:
+            session.shown.append(session.current(value))
             builtins.display(session, value)
 
     def _full(self, value: Value) -> Value:
