@@ -12,8 +12,8 @@ from symbody.symbolic import Expr, cost, latex
 from symbody.symbolic.expression.latex_layout import LINE, one_formula, width
 from symbody.symbolic.given.arguments import counted
 
-ROWS = 100
-"""The rows up to which equations are printed: two pages."""
+ROWS = 180
+"""The rows up to which equations are printed: three pages, of which each row is short."""
 
 MATRIX = 12
 """The rows up to which the mass matrix is described entry by entry: so many columns fit a page."""

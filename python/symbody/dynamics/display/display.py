@@ -1,4 +1,7 @@
-"""The display of equations of motion: written out if they are short enough to be read, otherwise as sizes."""
+"""The display of equations of motion: written out if they are short enough to be read, otherwise as sizes.
+
+What is too long term by term is written by common quantities where this is short enough.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +11,7 @@ from typing import Protocol
 
 from symbody.deferred import cached_property
 from symbody.errors import ModelError
-from symbody.multibody import Variables
+from symbody.multibody import System, Variables
 from symbody.symbolic import Expr, Matrix, cost, readable
 from symbody.symbolic.expression.latex_layout import displayed, in_pages, one_formula
 from symbody.symbolic.given.arguments import brief, counted
@@ -17,9 +20,11 @@ from .abridged import PAGES, abridged, pages_of
 from .balance import Balance, balances
 from .equation_page import EquationPage
 from .line_page import row_with_lines_if_shorter, with_lines_if_shorter
+from .long_entries import are_long
 from .matrix_form import MatrixForm, matrix_form, with_names
 from .page import Page
 from .ratio_page import better_page, page_of_ratios
+from .recursive_page import LINES, RecursivePage, recursive_page, row_by_quantities
 from .summary import is_readable, summary, summary_in_latex, summary_table
 
 _WALL = 3000
@@ -30,6 +35,10 @@ _READABLE = 60
 """Lines up to which a notebook shows equations."""
 _AT_ONCE = 500
 """Operations up to which a notebook writes equations out: about a second."""
+
+
+_WITHIN_PAGES = 200
+"""Operations of equations from which on they certainly fill pages if the entries of their mass matrix are long."""
 
 
 class Shown(Protocol):
@@ -121,17 +130,43 @@ class Display:
         return better_page(self.page_with_lines, self._page_of_ratios)
 
     @cached_property
+    def _has_long_entries(self) -> bool:
+        """Whether the mass matrix of a system is too long term by term."""
+        is_whole = isinstance(self.system, System) and self.shown.whole is None
+        return is_whole and are_long(self.shown.mass_matrix.entries)
+
+    @property
+    def _is_wall(self) -> bool:
+        """Whether equations certainly fill pages term by term, so that their terms need not be found."""
+        return cost(self.shown.residuals).total > _WITHIN_PAGES and self._has_long_entries
+
+    @cached_property
+    def _recursive_page(self) -> RecursivePage | None:
+        """The page by common quantities, if equations are too long term by term, and few lines so."""
+        shown, system = self.shown, self.system
+        if not isinstance(system, System) or not is_readable(shown.residuals) or not self._has_long_entries:
+            return None
+        if not self._is_wall and self._is_printed:
+            return None
+        page = recursive_page(system, shown.residuals, shown.mass_matrix, shown.state_rates)
+        return page if page.description().count("\n") <= LINES else None
+
+    @cached_property
     def _has_page(self) -> bool:
         return is_readable(self.shown.residuals) or self._page_of_ratios is not None
 
     @cached_property
     def _is_printed(self) -> bool:
         """Whether the equations are written out as text."""
-        return self._has_page and self._printed_page.description().count("\n") <= PAGES
+        if not self._has_page or self._is_wall:
+            return False
+        return self._printed_page.description().count("\n") <= PAGES
 
     @cached_property
     def is_readable(self) -> bool:
         """Whether the equations are written out in all notations."""
+        if self._recursive_page is not None:
+            return True
         return self._is_printed and not self._printed_page.has_names_of_sums
 
     def description(self, *, whole: bool = False) -> str:
@@ -142,12 +177,16 @@ class Display:
         """
         if not self._has_page:
             return summary(self.system, self.shown.residuals)
+        if not whole and self._recursive_page is not None:
+            return self._recursive_page.description()
         if whole or self._is_printed:
             return self._printed_page.description()
         return abridged(self._printed_page, self.shown.residuals)
 
     def latex(self, *, whole: bool = False) -> str:
         """Return the same in LaTeX."""
+        if not whole and self._recursive_page is not None:
+            return in_pages(self._recursive_page.latex())
         if self.is_readable or (whole and self._has_page):
             return in_pages(self._printed_page.latex())
         return summary_in_latex(self.system, self.shown.residuals)
@@ -167,11 +206,20 @@ class Display:
             known = ", ".join(map(str, system.driving))
             raise ModelError(f"equation_of: there is no equation of {brief(speed)}; expected one of {known}")
         k = places[speed]
+        if isinstance(system, System) and self._is_long_row(k):
+            return row_by_quantities(system, system.driving[k], self.shown.residuals[k])
         if not self._has_page:
             return self._row(k)
         found = pages_of(self._printed_page)[k]
         is_embedded = bool(system.eliminated_constraints)
         return replace(found, conditions=self._printed_page.conditions) if is_embedded else found
+
+    def _is_long_row(self, k: int) -> bool:
+        """Return whether an equation is too long term by term: in a recursion, or of a large system by itself."""
+        if self._has_page:
+            return self._recursive_page is not None
+        mass = self.shown.mass_matrix
+        return are_long([mass[k, j] for j in range(mass.columns)])
 
     def _row(self, k: int) -> EquationPage:
         """Return one equation of a large system by the index of its speed."""
@@ -180,7 +228,7 @@ class Display:
         rows, _ = balances(system, given[0], shown.mass_matrix, *given[1:], places=[k])
         page = EquationPage(system, system.driving[k], rows[0])
         page = row_with_lines_if_shorter(page, k, shown.mass_matrix, *given)
-        if len(page.description()) <= _WALL:
+        if len(page.description()) <= _WALL or cost(shown.residuals[k]).total > _BY_RATIOS:
             return page
         whole = replace(page, balance=Balance(velocities=(readable(shown.residuals[k]),)), named=())
         return min(page, whole, key=lambda each: len(each.description()))

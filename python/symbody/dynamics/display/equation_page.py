@@ -33,6 +33,7 @@ class EquationPage:
         balance: the equation.
         named: names in it, and what they stand for.
         conditions: the constraints on positions that determine its coordinates, for an embedded equation.
+        moving: the names that stand among the speeds in products.
     """
 
     system: Variables
@@ -40,6 +41,7 @@ class EquationPage:
     balance: Balance
     named: tuple[tuple[Expr, Expr], ...] = ()
     conditions: tuple[Constraint, ...] = ()
+    moving: tuple[Expr, ...] = ()
 
     def __repr__(self) -> str:
         return f"EquationPage(equation of motion of {self.speed})"
@@ -74,7 +76,9 @@ class EquationPage:
         balance, reader = self.balance, reader_of(self.system)
         kept = [shorter(each.condition, reader) for each in self.conditions]
         named = [side for pair in self.named for side in pair]
-        shared, texts = printed([*balance.left, *balance.right, *kept, *named], notation, self.system)
+        shared, texts = printed(
+            [*balance.left, *balance.right, *kept, *named], notation, self.system, self.moving
+        )
         remaining = iter(texts)
         left, right = ([next(remaining) for _ in side] for side in (balance.left, balance.right))
         sides = [written(left), written(right, is_ordered=len(balance.constraints) > 1)]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from weakref import WeakKeyDictionary
 
 from symbody.multibody import System, Variables
 from symbody.symbolic import Expr, cost, free_symbols
@@ -24,13 +25,18 @@ def reader_of(system: Variables, expressions: Sequence[Expr] = (), further: Sequ
     unknowns = (*system.coordinates, *system.quasi_velocities, *system.states, *further)
     if not isinstance(system, System):
         return Reader(standard_names(unknowns, [*system.others, *expressions]))
+    if system not in _placed:
+        _placed[system] = expressions_in(system, "show"), differences(system)
+    placing, written = _placed[system]
     return Reader(
-        standard_names(unknowns, expressions_in(system, "show")),
-        differences(system),
+        standard_names(unknowns, placing),
+        written,
         _inertias(system) if cost(expressions).total <= _BY_BODIES else (),
     )
 
 
+_placed: WeakKeyDictionary[System, tuple[Sequence[Expr], Sequence[Expr]]] = WeakKeyDictionary()
+"""The expressions of systems and the differences in them: each of many rows needs them."""
 _BY_BODIES = 400
 """Operations of equations up to which forms with a term for each body are looked for."""
 

@@ -14,34 +14,69 @@ Listing = tuple[list[tuple[str, str]], list[str]]
 """Named quantities and printed terms."""
 
 
-def printed(terms: Iterable[Expr], notation: str, system: Variables) -> Listing:
+def printed(terms: Iterable[Expr], notation: str, system: Variables, further: Sequence[Expr] = ()) -> Listing:
     """Return named quantities and printed terms: coordinates, speeds and multipliers are in the system's order.
 
     Differences of lengths in the model, such as `R - r`, keep their direction; of the two directions of others, that
     with fewer minus signs is printed. Differences of two other parameters have one direction in all terms.
+
+    Args:
+        terms: the terms.
+        notation: "text" or "latex".
+        system: the system to which they belong.
+        further: functions of time that stand among the speeds, such as the names of velocities.
     """
     terms = tuple(terms)
     added, behind = signs(system) if isinstance(system, System) else ((), ())
     is_open = added and isinstance(system, System) and not are_lengths(system)
     directions = [behind, added] if is_open else [behind]
-    listings = [(direction, _listed(terms, "text", system, direction)) for direction in directions]
-    direction, plain = _with_one_direction(terms, system, *min(listings, key=lambda each: _minuses(each[1])))
-    return plain if notation == "text" else _listed(terms, notation, system, direction)
+    listings = [(direction, _listed(terms, "text", system, direction, further)) for direction in directions]
+    direction, plain = _with_one_direction(
+        terms, system, *min(listings, key=lambda each: _minuses(each[1])), further
+    )
+    return plain if notation == "text" else _listed(terms, notation, system, direction, further)
 
 
-def _listed(terms: tuple[Expr, ...], notation: str, system: Variables, subtracted: Sequence[Expr]) -> Listing:
-    speeds = (*system.quasi_velocities, *system.multipliers)
+def _listed(
+    terms: tuple[Expr, ...],
+    notation: str,
+    system: Variables,
+    subtracted: Sequence[Expr],
+    further: Sequence[Expr],
+) -> Listing:
+    """Return the terms printed together.
+
+    Args:
+        terms: the terms.
+        notation: "text" or "latex".
+        system: the system to which they belong.
+        subtracted: the parameters behind the minus sign in differences.
+        further: functions of time that stand among the speeds.
+    """
+    speeds = (*system.quasi_velocities, *further, *system.multipliers)
     return listing_of_equations(terms, notation, in_order(system), speeds, subtracted)
 
 
 def _with_one_direction(
-    terms: tuple[Expr, ...], system: Variables, subtracted: Sequence[Expr], listing: Listing
+    terms: tuple[Expr, ...],
+    system: Variables,
+    subtracted: Sequence[Expr],
+    listing: Listing,
+    further: Sequence[Expr],
 ) -> tuple[Sequence[Expr], Listing]:
-    """Return the subtracted parameters by which differences of two have one direction, such as `Iy - Iz`, if any do."""
+    """Return the subtracted parameters by which differences of two have one direction, such as `Iy - Iz`, if any do.
+
+    Args:
+        terms: the terms.
+        system: the system to which they belong.
+        subtracted: the parameters that are subtracted in differences of lengths.
+        listing: the terms printed with these.
+        further: functions of time that stand among the speeds.
+    """
     known = {leaf.name: leaf for leaf in system.leaves if leaf.kind == "symbol"}
     for pair in _opposites(listing)[:_MOST]:
         tried = [
-            (more, _listed(terms, "text", system, more))
+            (more, _listed(terms, "text", system, more, further))
             for more in ((*subtracted, known[name]) for name in pair if name in known)
         ]
         better = [each for each in tried if len(_opposites(each[1])) < len(_opposites(listing))]

@@ -315,7 +315,8 @@ class Equations:
     def is_readable(self) -> bool:
         """Whether the equations are written out: they have at most 1000 operations, and fill at most two pages.
 
-        Equations that do so as text alone, by names of repeated sums, are not written out as formulas.
+        By common quantities, they fill at most three. Equations that are so short as text alone, by names of repeated
+        sums, are not written out as formulas.
         """
         return self.display.is_readable
 
@@ -323,11 +324,14 @@ class Equations:
         """Return the equations line by line as a textbook prints them: what `show` prints.
 
         On the left are the accelerations, each with one coefficient, products of speeds, gravity and other loads; on
-        the right are given forces and those of constraints. Of equations that fill more than two pages, the short ones
-        and the sizes of the others are returned; of those of more than 1000 operations, the sizes.
+        the right are given forces and those of constraints. Equations that would fill pages so, as those of arms in
+        space, are written by their common quantities: velocities, accelerations, forces and torques of the bodies
+        [Craig 2005, sec. 6.5]. If they fill pages all the same, the short ones and the sizes of the others are
+        returned; of those of more than 1000 operations, the sizes.
 
         Args:
-            whole: whether equations of at most 1000 operations are written out, however many pages they fill.
+            whole: whether equations of at most 1000 operations are written out term by term, however many pages they
+                fill.
         """
         return self.display.description(whole=whole)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from math import comb, prod
+from math import prod
 from typing import Any, overload
 
 from symbody.symbolic._core import Expr
@@ -14,14 +14,14 @@ from symbody.symbolic.given.arguments import expression_or_container
 from .by_rates import by_rates
 from .cost import cost
 from .over_divisors import over_divisors
-from .reading import awkward_terms, multiples_of_angles, nodes_of, parts_of, reading, waves_in
+from .reading import awkward_terms, multiples_of_angles, parts_of, reading, waves_in
 from .rewrite import expand, expand_trig, short_form, simplify, textbook_form
 from .standard_names import standard_names
+from .terms import MOST as _TERMS
+from .terms import number_of_terms
 
 __all__ = ["readable"]
 
-_TERMS = 1500
-"""The terms of an expression up to which it is multiplied out, as this takes some time."""
 _OF_COEFFICIENT = 1000
 """The same of one coefficient among many."""
 _READ = 250
@@ -107,7 +107,7 @@ def _forms(expression: Expr, form: Expr) -> Iterator[Expr]:
     """Yield further forms of an expression, whose short form is known."""
     if awkward_terms(form):
         yield textbook_form(expression)
-        if _terms(expression) <= _TERMS:
+        if number_of_terms(expression) <= _TERMS:
             yield expand(expression)
     found = by_rates(expression, _coefficient) if cost(expression).total <= _READ else None
     if found is not None:
@@ -116,7 +116,7 @@ def _forms(expression: Expr, form: Expr) -> Iterator[Expr]:
 
 def _simplest(expression: Expr, most: int = _TERMS) -> Expr:
     """Return the simplest form that is found from the terms; what has too many stays as it is."""
-    return simplify(expand(expression)) if _terms(expression) <= most else expression
+    return simplify(expand(expression)) if number_of_terms(expression) <= most else expression
 
 
 def _flat(simplest: Expr, known: Expr | None = None) -> Iterator[Expr]:
@@ -146,7 +146,7 @@ def _terms_of_opened(expression: Expr) -> int:
     counts = dict[int, int]()
     for wave in waves_in(expression):
         (angle,) = wave.args
-        if _terms(angle) > _OPENED:
+        if number_of_terms(angle) > _OPENED:
             return _OPENED + 1
         terms = parts_of(expand(angle), "sum")
         inside = max((counts[inner.id] for inner in waves_in(angle)), default=1)
@@ -158,25 +158,3 @@ def _terms_of_opened(expression: Expr) -> int:
 
 _OPENED = 200
 """The largest number of terms to which a sine is expanded; an expansion with more is longer than the sine."""
-
-
-def _terms(expression: Expr) -> int:
-    """Return the number of terms of an expression when it is multiplied out; of long ones, one more than is allowed."""
-    counts = dict[int, int]()
-    for node in nodes_of(expression):
-        inner = [counts[arg.id] for arg in node.args]
-        if node.kind == "sum":
-            count = sum(inner)
-        elif node.kind == "product":
-            count = prod(inner)
-        elif node.kind == "power" and node.args[1].is_number:
-            top, bottom = node.args[1].ratio
-            count = comb(min(inner[0], _TERMS) + top - 1, top) if bottom == 1 and 1 < top < _POWER else 1
-        else:
-            count = max(inner, default=1)
-        counts[node.id] = min(count, _TERMS + 1)
-    return counts[expression.id]
-
-
-_POWER = 20
-"""Powers of sums from which on they are not multiplied out here."""

@@ -1,0 +1,89 @@
+"""Names of quantities by what they are: w1 of an angular velocity, f1 of a force, n1 of a torque."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Collection, Sequence
+from typing import NamedTuple
+
+from .dimension import Dimension
+
+
+class Kind(NamedTuple):
+    """A kind of quantities.
+
+    Attributes:
+        letters: those that are tried: none is the stem of a name of the model.
+        plural: what the quantities are called.
+    """
+
+    letters: tuple[str, ...]
+    plural: str
+
+
+_KINDS: dict[Dimension, Kind] = {
+    (0, 0, 0): Kind(("R", "Q"), "direction cosines"),
+    (0, 1, 0): Kind(("d", "e", "s"), "lengths"),
+    (1, 1, 0): Kind(("S", "Y"), "masses times lengths"),
+    (1, 2, 0): Kind(("J", "Theta"), "moments of inertia"),
+    (0, 0, -1): Kind(("w", "omega", "Omega"), "angular velocities"),
+    (0, 1, -1): Kind(("v", "V"), "velocities"),
+    (0, 0, -2): Kind(("alpha", "epsilon", "eps"), "angular accelerations"),
+    (0, 1, -2): Kind(("a", "A", "acc"), "accelerations"),
+    (1, 1, -2): Kind(("f", "F", "force"), "forces"),
+    (1, 2, -2): Kind(("n", "N", "torque"), "torques"),
+}
+"""Kinds by dimension, in the order in which the equations are derived: outwards from the ground, and back."""
+
+_OTHER = Kind(("z", "r", "p", "h"), "other quantities")
+
+
+def kind_of(dimension: Dimension | None) -> Kind:
+    """Return the kind of the quantities of a dimension.
+
+    >>> kind_of((1, 1, -2)).plural, kind_of(None).plural
+    ('forces', 'other quantities')
+    """
+    return _OTHER if dimension is None else _KINDS.get(dimension, _OTHER)
+
+
+def stage_of(dimension: Dimension | None) -> int:
+    """Return the place of a kind in the order of derivation: positions, velocities, accelerations, forces.
+
+    >>> stage_of((0, 1, -1)) < stage_of((0, 0, -2)) < stage_of((1, 2, -2)) <= stage_of(None)
+    True
+    """
+    if dimension is None or (dimension[0] and dimension[2]):
+        return 3
+    return -dimension[2]
+
+
+def legend(kinds: Collection[Kind], taken: Collection[str]) -> str:
+    """Return the letters and what they stand for.
+
+    >>> legend({kind_of((1, 2, -2)), kind_of((1, 1, -2))}, {"f"})
+    'F: forces; n: torques'
+    """
+    known = [kind for kind in (*_KINDS.values(), _OTHER) if kind in kinds]
+    return "; ".join(f"{_letter(kind, taken)}: {kind.plural}" for kind in known)
+
+
+def names_of(kinds: Sequence[Kind], taken: Collection[str]) -> list[str]:
+    """Return a name for each quantity; those of a kind are numbered.
+
+    Args:
+        kinds: the kinds of the quantities.
+        taken: stems of the names of the model.
+
+    >>> names_of([kind_of((0, 0, -1)), kind_of((1, 2, -2)), kind_of((0, 0, -1))], {"n"})
+    ['w1', 'N1', 'w2']
+    """
+    counts, names = Counter[Kind](), list[str]()
+    for kind in kinds:
+        counts[kind] += 1
+        names.append(f"{_letter(kind, taken)}{counts[kind]}")
+    return names
+
+
+def _letter(kind: Kind, taken: Collection[str]) -> str:
+    return next((each for each in kind.letters if each not in taken), f"{kind.letters[0]}__")

@@ -1,0 +1,120 @@
+"""What equations have in common, as quantities with names: velocities, accelerations, forces, torques.
+
+So textbooks of robotics write the equations of an arm [Craig 2005, sec. 6.5; Khalil & Dombre 2002, ch. 9]: outwards
+from the ground the velocities and accelerations of the bodies, then back the forces and torques. The quantities are
+parts of the graph of the equations, so they are found at once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+from symbody.multibody import System
+from symbody.symbolic import Expr, functions_of_time
+from symbody.symbolic.calculus.rewrite import short_form
+from symbody.symbolic.expression.traverse import post_order
+
+from .dimension import dimensions
+from .quantity_names import Kind, kind_of, legend, names_of, stage_of
+from .shared import merged, shared, with_names
+
+
+class _Quantity(NamedTuple):
+    """A quantity that has a name.
+
+    Attributes:
+        value: the quantity.
+        stage: positions, velocities, accelerations or forces.
+        kind: what it is.
+    """
+
+    value: Expr
+    stage: int
+    kind: Kind
+
+
+@dataclass(frozen=True)
+class Recursion:
+    """Terms of equations by the quantities that they have in common.
+
+    Attributes:
+        system: the system to which the equations belong.
+        given: the terms.
+
+    >>> from symbody import Body, functions_of_time, rotate, symbols, t, translate
+    >>> (q, p), (m, l) = functions_of_time("q p"), symbols("m l")
+    >>> system = System([Body(rotate("Z", q) * translate(l, 0, 0), m)], coordinates=[q])
+    >>> found = Recursion(system, [m * l * (l * q.diff(t, 2) + q.diff(t) ** 2) * k for k in (p, p**2)])
+    >>> found.names, found.values, found.terms
+    ((f1,), [l*m*(l*q'' + q'**2)], [f1*p, f1*p**2])
+    """
+
+    system: System
+    given: Sequence[Expr]
+
+    @cached_property
+    def names(self) -> tuple[Expr, ...]:
+        """The names of the quantities, in the order in which these are derived."""
+        names = names_of([each.kind for each in self._quantities], self._taken)
+        return tuple(functions_of_time(names)) if names else ()
+
+    @property
+    def values(self) -> list[Expr]:
+        """The quantities, each by the names of those before it."""
+        return self._by_names[0]
+
+    @property
+    def terms(self) -> list[Expr]:
+        """The terms, each by the names of the quantities in it."""
+        return self._by_names[1]
+
+    @property
+    def moving(self) -> list[Expr]:
+        """The names of velocities, accelerations and forces."""
+        return [name for name, each in zip(self.names, self._quantities, strict=True) if each.stage]
+
+    @property
+    def legend(self) -> str:
+        """The letters of the names, and what they stand for."""
+        return legend({each.kind for each in self._quantities}, self._taken)
+
+    @cached_property
+    def _merged(self) -> list[Expr]:
+        return merged(self.given)
+
+    @cached_property
+    def _quantities(self) -> list[_Quantity]:
+        values = shared(self._merged)
+        found = dimensions(values, self.system)
+        stages = _stages(values, [stage_of(each) for each in found])
+        made = map(_Quantity, values, stages, map(kind_of, found))
+        return sorted(made, key=lambda each: each.stage)
+
+    @cached_property
+    def _by_names(self) -> tuple[list[Expr], list[Expr]]:
+        values, terms = with_names(self._merged, [each.value for each in self._quantities], self.names)
+        return [*map(_shorter, values)], [*map(_shorter, terms)]
+
+    @property
+    def _taken(self) -> set[str]:
+        """The stems of the names of the model."""
+        leaves = (*self.system.leaves, *self.system.coordinates)
+        names = (leaf.name for leaf in leaves if leaf.kind in {"symbol", "time_function"})
+        return {name.rstrip("0123456789").partition("_")[0] for name in names}
+
+
+def _shorter(expression: Expr) -> Expr:
+    """Return an expression in a form with sums of angles and squares, if it is shorter."""
+    return min(expression, short_form(expression), key=lambda each: len(str(each)))
+
+
+def _stages(quantities: Sequence[Expr], own: Sequence[int]) -> list[int]:
+    """Return the stages of quantities, none before those of the quantities in it."""
+    known, found = dict(zip(quantities, own, strict=True)), dict[int, int]()
+    for node in post_order(quantities, lambda node: node.args, lambda node: node.id):
+        within = max((found[arg.id] for arg in node.args), default=0)
+        found[node.id] = max(within, known.get(node, 0)) if node.args else 0
+    return [found[each.id] for each in quantities]

@@ -1,0 +1,145 @@
+"""Equations that are too long term by term are written as a recursion, by quantities whose names tell what they are."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from symbody import (
+    Body,
+    Equations,
+    Point,
+    System,
+    Torque,
+    Vector,
+    functions_of_time,
+    ground,
+    newton_euler,
+    parse,
+    rotate,
+    symbols,
+    time_derivative,
+    translate,
+)
+from symbody.dynamics.display.recursion import Recursion
+from symbody.models import bricard_mechanism
+from symbody.symbolic import Expr, substitute
+
+g = symbols("g")
+
+
+def arm(axes: str, *, driven: bool = False) -> Equations:
+    """Return the equations of an arm of general bodies."""
+    q = functions_of_time([f"q{i}" for i in range(len(axes))])
+    frame, bodies, drives = ground, list[Body](), list[Torque]()
+    for i, axis in enumerate(axes):
+        l, b, m, Ix, Iy, Iz = symbols(f"l{i} b{i} m{i} Ix{i} Iy{i} Iz{i}")
+        frame = frame * rotate(axis, q[i])
+        bodies.append(Body(Point(frame, b, 0, 0), m, Ix, Iy, Iz))
+        if driven:
+            torque = [functions_of_time(f"tau{i}") * int(axis == each) for each in "XYZ"]
+            drives.append(Torque(frame, *torque, on=bodies[-1], reaction=bodies[-2] if i else None))
+        frame = frame * translate(l, 0, 0)
+    return newton_euler(System(bodies, drives, list(q), gravity=Vector(ground, 0, 0, -g)))
+
+
+def rows_of(text: str) -> list[str]:
+    """Return the formulas of a description without its title, legend and advice."""
+    rows = [" ".join(row.split()) for row in re.split(r"\n    (?! )", text)[1:]]
+    return [row for row in rows if " := " in row or " = " in row]
+
+
+def values_of(text: str, equations: Equations) -> dict[str, list[Expr]]:
+    """Return the left minus the right sides of the rows of a description by their labels."""
+    unknowns = (*equations.accelerations, *equations.speeds, *equations.system.multipliers)
+    names = {str(leaf): leaf for leaf in (*equations.system.leaves, *unknowns)}
+    found = dict[str, list[Expr]]()
+    for row in rows_of(text):
+        if " := " in row:
+            name, value = row.split(" := ")
+            names[name] = parse(value, names)
+        else:
+            label, _, sides = row.rpartition(": ")
+            left, right = (parse(side, names) for side in sides.split(" = "))
+            found.setdefault(label, []).append(left - right)
+    return found
+
+
+@pytest.mark.parametrize(
+    "equations", [arm("ZYZYZYZ", driven=True), newton_euler(bricard_mechanism().system)], ids=["arm", "loop"]
+)
+def test_the_rows_are_the_equations(equations: Equations) -> None:
+    text = equations.description()
+    assert equations.is_readable
+    assert text.count("\n") < 150
+    assert max(map(len, text.splitlines())) <= 110
+    found = values_of(text, equations)
+    for coordinate, residual in zip(equations.coordinates, equations.residuals, strict=True):
+        (value,) = found[f"equation of {coordinate}"]
+        assert value in {residual, -residual}
+    for each, condition in zip(equations.system.conditions, equations.constraints, strict=True):
+        assert found[each.label] == [condition]
+
+
+def test_each_name_tells_what_the_quantity_is() -> None:
+    """The scale of mass, length or time changes a quantity by the powers in its unit, as the legend says."""
+    equations = arm("ZYXZYX")
+    system, text = equations.system, equations.description()
+    assert text.splitlines()[1] == (
+        "    w: angular velocities; alpha: angular accelerations; a: accelerations; f: forces; n: torques"
+    )
+    found = Recursion(system, equations.residuals)
+    masses = {leaf: 2 * leaf for leaf in system.leaves if leaf.name[0] in "mI"}
+    lengths = {
+        leaf: (4 if leaf.name[0] == "I" else 2) * leaf for leaf in system.leaves if leaf.name[0] in "lbIg"
+    }
+    powers = {"w": (1, 1), "alpha": (1, 1), "a": (1, 2), "f": (2, 2), "n": (2, 4)}
+    for name, quantity in zip(found.names, (each.value for each in found._quantities), strict=True):
+        by_mass, by_length = (substitute([quantity], each)[0] for each in (masses, lengths))
+        assert (by_mass, by_length) == tuple(k * quantity for k in powers[name.name.rstrip("0123456789")]), (
+            name
+        )
+
+
+def test_given_torques_are_on_the_right() -> None:
+    rows = rows_of(arm("ZYXZYX", driven=True).description())
+    assert all(row.endswith(f" = tau{k}") for k, row in enumerate(rows[-6:]))
+    assert not any("tau" in row.rpartition(" = ")[0] for row in rows)
+
+
+def test_one_equation_has_the_quantities_that_it_needs() -> None:
+    equations = arm("ZYZYZYZ")
+    for k in (3, 6):
+        page = equations.equation_of(equations.coordinates[k])
+        (value,) = values_of(page.description(), equations)[""]
+        assert value in {equations.residuals[k], -equations.residuals[k]}
+    assert len(page.texts) < 40
+
+
+def test_a_letter_of_the_model_stands_for_nothing_else() -> None:
+    """The links have lengths a1 and a2 and torques n1: accelerations are A1, torques N1."""
+    q, frame, bodies = functions_of_time("w1:5"), ground, []
+    for i, axis in enumerate("ZYZY"):
+        a, b, m, Ix, Iy, Iz = symbols(f"a{i} b{i} f{i} Ix{i} Iy{i} Iz{i}")
+        frame = frame * rotate(axis, q[i])
+        bodies.append(Body(Point(frame, b, 0, 0), m, Ix, Iy, Iz))
+        frame = frame * translate(a, 0, 0)
+    equations = newton_euler(System(bodies, [], [*q], gravity=Vector(ground, 0, 0, -g)))
+    legend = equations.description().splitlines()[1]
+    assert legend.split(": ")[0].strip() == "omega"
+    assert "; A: accelerations; F: forces; n: torques" in legend
+    defined = {row.split(" := ")[0] for row in rows_of(equations.description()) if " := " in row}
+    assert not defined & {leaf.name for leaf in equations.system.leaves}
+
+
+def test_latex_has_the_same_quantities() -> None:
+    equations = arm("ZYZY")
+    text, latex = equations.description(), equations.latex()
+    names = re.findall(r"^    (\w+) :=", text, re.MULTILINE)
+    assert len(names) > 20
+    for name in names:
+        letter, number = re.fullmatch(r"([a-zA-Z]+)(\d+)", name).groups()
+        assert f"{chr(92) + letter if len(letter) > 1 else letter}_{{{number}}} &= " in latex
+    assert r"\text{w: angular velocities; alpha: angular accelerations; a:" in latex
+    assert time_derivative(equations.speeds[3]) in equations.accelerations
