@@ -8,6 +8,7 @@ from symbody import (
     Vector,
     assemble,
     describe,
+    friction,
     functions_of_time,
     gear,
     ground,
@@ -105,6 +106,16 @@ def test_a_reaction_is_shown_by_its_components() -> None:
     assert ">reaction on bob about P, in the axes of bob<" in found._repr_html_()
 
 
+def test_latex_of_an_element_and_of_a_mechanism() -> None:
+    body = mechanism.body(slider)
+    assert latex(friction(D.coordinate, viscous=b, on=body)) == (
+        r"\begin{aligned} \text{viscous} &: b \\ \text{effort} &: -b \dot{s}_{D} \\ \text{rate} &: \dot{s}_{D} "
+        r"\end{aligned}"
+    )
+    assert latex(assemble([D])) == r"\begin{aligned} \text{coordinates} &: \left(s_{D}\right) \end{aligned}"
+    assert latex(mechanism).count("&:") == 3
+
+
 def test_latex_of_words_and_formulas() -> None:
     assert latex(C) == (
         r"\begin{aligned} \text{parent} &: \text{rod} \\ \text{at} &: \begin{bmatrix} \cos(b) & -\sin(b) & 0 & l \\ "
@@ -112,3 +123,20 @@ def test_latex_of_words_and_formulas() -> None:
         r"\\ \text{to} &: \left(0, 0, 0\right) \\ \text{loop} &: \text{closes a loop} \\ \text{coordinate phi} &: "
         r"\phi_{C} \end{aligned}"
     )
+
+
+def test_a_long_reaction_is_shown_at_once_and_without_symbols_that_cancel() -> None:
+    """At the foot of a chain about one point, the terms of the first acceleration cancel along its axis."""
+    links = [Link(f"L{k}", 1, 0.01, 0.02, 0.02, center=(0.1, 0, 0)) for k in range(12)]
+    parts = zip([ground, *links], links, strict=False)
+    joints = [
+        revolute(f"J{k}", parent, child, at=(0.2 * bool(k), 0, 0), axis="ZY"[k % 2])
+        for k, (parent, child) in enumerate(parts)
+    ]
+    system = assemble(joints).system(gravity=Vector(ground, 0, 0, -g))
+    found = reaction(newton_euler(system), joints[0])
+    shared, last = describe(found).split("\n    Fx: ")
+    assert "phi_J0''" in str(found.force.components[2])
+    assert "\n    z1 = " in shared
+    assert len(last.splitlines()) == 6
+    assert " operations)</td>" in found._repr_html_()

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple, final
 
-from symbody.symbolic import Expr, latex
+from symbody.symbolic import Expr, cost, latex, listing
 from symbody.symbolic.calculus.shown_form import shown_form
 from symbody.symbolic.expression.container import Container, contains, text_of
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.expression.latex_layout import aligned, upright
+from symbody.symbolic.given.arguments import counted
 
 __all__ = ["DataSheet", "Row", "WithSheet"]
 
@@ -49,8 +50,10 @@ class DataSheet:
 
     @property
     def text(self) -> str:
-        """What `show` prints: a line for each row."""
-        return "\n".join([self.title, *(f"    {row.label}: {self._entry(row)}" for row in self.rows)])
+        """What `show` prints: a line for each row, after those of quantities that long expressions share."""
+        shared, entries = self._entries()
+        rows = (f"{row.label}: {entry}" for row, entry in zip(self.rows, entries, strict=True))
+        return "\n    ".join([self.title, *shared, *rows])
 
     @property
     def latex(self) -> str:
@@ -60,12 +63,23 @@ class DataSheet:
     @property
     def html(self) -> str:
         """The rows as a table of a notebook, in which long values are shortened."""
-        return html_table(
-            self.title, ["field", "value"], [[row.label, self._entry(row)] for row in self.rows]
-        )
+        rows = [[row.label, f"{_text(row.value, _in_a_cell)} {row.words}".strip()] for row in self.rows]
+        return html_table(self.title, ["field", "value"], rows)
 
-    def _entry(self, row: Row) -> str:
-        return f"{_text(row.value)} {row.words}".strip()
+    def _entries(self) -> tuple[list[str], list[str]]:
+        """Return the lines of shared quantities, and the text of each row."""
+        expressions = list[Expr]()
+
+        def collect(expression: Expr) -> str:
+            expressions.append(shown_form(expression))
+            return ""
+
+        for row in self.rows:
+            _text(row.value, collect)
+        definitions, texts = listing(expressions)
+        remaining = iter(texts)
+        entries = [f"{_text(row.value, lambda _: next(remaining))} {row.words}".strip() for row in self.rows]
+        return [f"{name} = {value}" for name, value in definitions], entries
 
 
 class WithSheet(ABC):
@@ -88,10 +102,17 @@ class WithSheet(ABC):
         return self.sheet.html
 
 
-def _text(value: Any) -> str:
+def _text(value: Any, of_expression: Callable[[Expr], str]) -> str:
+    """Return a value as text, by that of its expressions."""
     if isinstance(value, Expr):
-        return str(shown_form(value))
-    return text_of(value, _text) or str(value)
+        return of_expression(value)
+    return text_of(value, lambda part: _text(part, of_expression)) or str(value)
+
+
+def _in_a_cell(expression: Expr) -> str:
+    """Return an expression as text; of one that shares quantities, its size."""
+    text = str(shown_form(expression))
+    return f"({counted(cost(expression).total, 'operation')})" if "\n" in text else text
 
 
 def _layout(sheet: DataSheet, texts: list[str]) -> str:

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple, TypeGuard, final
 
 from symbody.errors import LoadError
 from symbody.geometry import Point
+from symbody.multibody.data_sheet import DataSheet, Row
 from symbody.multibody.load import Action, Load
 from symbody.symbolic import Expr, number, time_derivative, time_function
 from symbody.symbolic.expression.container import Container, contains
@@ -114,6 +115,13 @@ class Element(Load):
     @property
     def label(self) -> str:
         return self.name or self.kind
+
+    def latex(self) -> str:
+        """Return the law, the quantities and the potential energy in LaTeX, without dollar signs."""
+        law = {name: value for name, value in self.law.items() if not value.is_zero}
+        potential = {} if self.potential is None else {"potential energy": self.potential}
+        rows = {**law, **self.quantities, **potential}
+        return DataSheet(self.label, tuple(Row(name, value) for name, value in rows.items())).latex
 
     @property
     def rows(self) -> list[tuple[object, ...]]:

@@ -13,6 +13,7 @@ from symbody.geometry import Frame, Point, Scalar, Vector
 from symbody.geometry.given.argument import checked
 from symbody.multibody.body import Body
 from symbody.multibody.constraint import Condition, Constraint
+from symbody.multibody.data_sheet import DataSheet, Row
 from symbody.multibody.system import Loads, System
 from symbody.symbolic import Expr
 from symbody.symbolic.expression.html_table import html_table
@@ -182,6 +183,11 @@ class Mechanism:
             for each in self.joints
         ]
         return html_table(str(self), ["joint", "parent", "child", "coordinates", "constraints"], rows)
+
+    def latex(self) -> str:
+        """Return the coordinates and the constraints of the joints in LaTeX, without dollar signs."""
+        conditions = (Row(each.name, each.condition, "= 0") for each in self.constraints)
+        return DataSheet(str(self), (Row("coordinates", self.coordinates), *conditions)).latex
 
     def description(self) -> str:
         """Return what `show` prints: one line per joint, with its part in the spanning tree."""

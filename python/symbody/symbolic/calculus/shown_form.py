@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from symbody.errors import SymbodyError
 from symbody.symbolic._core import Expr
 
+from .cost import cost
 from .derivative import substitute
 from .idle import idle_symbols, without_idle_symbols
 from .readable import readable
@@ -29,16 +30,20 @@ def shown_form(expression: Expr) -> Expr:
 
 def _forms(expression: Expr) -> Iterator[Expr]:
     """Yield forms of the same value; the given one comes last."""
-    yield readable(expression)
+    is_short = cost(expression).total <= _READ
+    if is_short:
+        yield readable(expression)
     (shorter,) = without_idle_symbols([expression])
     yield shorter
     for place in _PLACES:
         found = _at(place, expression)
         if found is not None and found == expression:
-            yield readable(found)
+            yield readable(found) if is_short else found
     yield expression
 
 
+_READ = 250
+"""Operations of an expression up to which the form for the reader is looked for; it takes seconds for longer ones."""
 _PLACES = (1, 2)
 """Numbers that take the place of idle symbols."""
 
