@@ -18,8 +18,10 @@ from symbody import (
     reaction,
     revolute,
     rotate,
+    spherical,
     symbols,
     translate,
+    universal,
 )
 from symbody.multibody.data_sheet import WithSheet
 
@@ -140,3 +142,19 @@ def test_a_long_reaction_is_shown_at_once_and_without_symbols_that_cancel() -> N
     assert "\n    z1 = " in shared
     assert len(last.splitlines()) == 6
     assert " operations)</td>" in found._repr_html_()
+
+
+def test_long_values_are_indented_and_long_couples_counted() -> None:
+    total = sum(symbols("a1:21"))
+    lines = describe(Link("far", m, center=(total, 2 * total, 0))).splitlines()
+    assert lines[1] == "    centre of mass: ("
+    assert [line[:8] for line in lines[2:4]] == [" " * 8] * 2
+    assert lines[5:7] == ["    )", "    mass: m"]
+    arm, bar = Link("arm", m), Link("bar", m)
+    joints = [
+        spherical("S", ground, arm),
+        spherical("T", ground, bar, at=(a, 0, 0)),
+        universal("U", arm, bar, at=(b, 0, 0), to=(0, l, 0), loop=True),
+    ]
+    couple = describe(assemble(joints).joint("U")).splitlines()[-1]
+    assert couple == "    moment about z: (59 operations) in the axes of arm * translate(b, 0, 0)"

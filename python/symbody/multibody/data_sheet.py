@@ -53,7 +53,7 @@ class DataSheet:
         """What `show` prints: a line for each row, after those of quantities that long expressions share."""
         shared, entries = self._entries()
         rows = (f"{row.label}: {entry}" for row, entry in zip(self.rows, entries, strict=True))
-        return "\n    ".join([self.title, *shared, *rows])
+        return "\n".join([self.title, *shared, *rows]).replace("\n", "\n    ")
 
     @property
     def latex(self) -> str:

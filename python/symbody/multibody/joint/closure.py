@@ -15,9 +15,9 @@ from typing import Any
 
 from symbody.geometry import Frame, Point, Vector, cross, dot, origin
 from symbody.multibody.data_sheet import DataSheet, Row, WithSheet
-from symbody.symbolic import Expr
+from symbody.symbolic import Expr, cost
 from symbody.symbolic.expression.container import Container, contains
-from symbody.symbolic.given.arguments import brief
+from symbody.symbolic.given.arguments import brief, counted
 
 __all__ = [
     "AXES",
@@ -69,7 +69,13 @@ class Closure(WithSheet):
         """What is shown of the force or the couple that it exerts on the child."""
         is_couple = all(component.is_zero for component in self.force.components)
         kind, vector = ("moment", self.moment) if is_couple else ("force", self.force)
-        return Row(f"{kind} {self.name}", vector.components, f"in the axes of {brief(vector.frame)}")
+        operations = cost(list(vector.components)).total
+        shown = vector.components if operations <= _LONGEST else f"({counted(operations, 'operation')})"
+        return Row(f"{kind} {self.name}", shown, f"in the axes of {brief(vector.frame)}")
+
+
+_LONGEST = 40
+"""The operations of a force or a couple that is written out; the couple across two axes is their product."""
 
 
 def _rebuilt(closure: Closure, parts: Sequence[Any]) -> Closure:
