@@ -108,6 +108,18 @@ def test_elements_on_a_turntable_act_against_it() -> None:
             motor(made.coordinates[0], M, on=on)
 
 
+@pytest.mark.parametrize("driven", [3 * t, functions_of_time("q") + 3 * t])
+def test_friction_of_a_joint_that_is_driven(driven: Expr) -> None:
+    """A given motion has a rate as well: the friction is a torque that the drive must overcome."""
+    arm = Link("arm", m, I, I, I, center=(1, 0, 0))
+    made = assemble([revolute("A", ground, arm, coordinate=driven)])
+    drag = friction(made.joint("A").freedom(), viscous=c, on=made.body(arm))
+    assert drag["effort"] == -c * time_derivative(driven)
+    assert power(drag) == -c * time_derivative(driven) ** 2
+    (action,) = drag.actions
+    assert action.vector.projected(ground).components == (0, 0, drag["effort"])
+
+
 def four_bar(closing: str) -> Mechanism:
     """A crank that turns all around: joints A, B, C, D, of which one closes the loop."""
     crank = Link("crank", 1.0, Iz=0.1, center=(0.15, 0, 0))

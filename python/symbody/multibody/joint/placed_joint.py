@@ -164,9 +164,10 @@ class PlacedJoint(WithSheet):
                 "close the loop by loop=True"
             )
         (parent, one), (child, other) = self.ends
-        if self.opens and travel is not None and travel.is_rotation:
-            travel = None  # the coordinate gives a shorter torque
         value, ends, sides = self.measured[chosen], (parent, child), (one, other)
+        is_driven = not any(leaf.kind == "time_function" for leaf in value.free_symbols)
+        if self.opens and travel is not None and travel.is_rotation and not is_driven:
+            travel = None  # the coordinate gives a shorter torque
         is_coordinate = self.opens or value in self.coordinates
         return Freedom(str(self), chosen, value, ends, sides, travel, is_coordinate=is_coordinate)
 
