@@ -153,6 +153,11 @@ def test_what_stands_directly_below_a_statement_is_its_output(text: str, expecte
     ("text", "expected"),
     [
         ("> x;\n   y\n", ["1 not comparable: the text below it can't be read as a value: y"]),
+        ("> whattype(3); cat(a, 1);\ninteger\n", ["1 equal"]),
+        (
+            "> whattype(3);\n   float\n",
+            ["1 not comparable: the text below it can't be read as a value: float"],
+        ),
         (
             "> a+1;\n\nb\n\n> 2*z;\n\n2*z\n",
             ["1 not comparable: the text below it can't be read as a value: b", "5 equal"],
@@ -166,7 +171,14 @@ def test_what_stands_directly_below_a_statement_is_its_output(text: str, expecte
         ),
         ("> x := 3:\n  note\n> x;\n  3\n  note\n\n# heading\n", ["3 equal"]),
     ],
-    ids=["a name", "a name in a paragraph", "what can't be read", "remarks"],
+    ids=[
+        "a name",
+        "a printed word",
+        "another word",
+        "a name in a paragraph",
+        "what can't be read",
+        "remarks",
+    ],
 )
 def test_what_may_be_output_has_a_verdict(text: str, expected: list[str]) -> None:
     assert [f"{one.line} {one}" for one in check(text)] == expected

@@ -114,3 +114,17 @@ def test_programs_print_what_loops_and_procedures_print(
 ) -> None:
     assert made(sheet)[0].values == values
     assert capsys.readouterr().out == printed
+
+
+def test_operators_on_items_are_written_for_the_items() -> None:
+    program, found = made(
+        "L := [[0,3/2],[2,1],[4,2]]: a := map(x -> x[2], L): m := max(map(x -> x[2], L)): b := x:\n"
+        "w := op(select(x -> x[2] = m, L)): r := remove(x -> x[1] > 1, L): z := map(u -> u*x, [x, y]):\n"
+        "A := map(u -> u^2, Matrix([[1, x], [y, 2]])):\n"
+    )
+    assert (program.values, program.left_out) == (0, 0)
+    assert "a = [x[1] for x in L]\n" in program.text
+    x, y = sb.symbols("x y")
+    assert (found["m"], found["w"], found["z"]) == (2, [4, 2], [x**2, x * y])
+    assert found["r"] == [[0, sb.number("3/2")]]
+    assert found["A"] == sb.Matrix([[1, x**2], [y**2, 4]])

@@ -72,6 +72,8 @@ def verdicts(cells: Sequence[Cell], outcomes: Sequence[Outcome]) -> list[Verdict
 def _doubted(cells: Sequence[Cell], outputs: Sequence[Output]) -> Iterator[Verdict]:
     """Return a verdict on each statement whose output may be a line that can't be read.
 
+    Words that are the value that the statement printed, such as ``integer`` below ``whattype(k)``, are its output.
+
     Args:
         cells: the cells.
         outputs: the outputs of the run that have no partner in the file.
@@ -81,10 +83,17 @@ def _doubted(cells: Sequence[Cell], outputs: Sequence[Output]) -> Iterator[Verdi
         of_cell = [output for output in outputs if output.cell == number]
         for line in cell.doubtful:
             above = [each for each in of_cell if each.line < line.line and each.number not in seen]
-            if above:
-                seen.add(above[-1].number)
-                reason = f"the text below it can't be read as a value: {_shown(line.text.strip())}"
-                yield Verdict(above[-1].line, "not comparable", reason)
+            if not above:
+                continue
+            text = line.text.strip()
+            printed = next((each for each in above if _is_equal(text, each.text)), None)
+            output = printed or above[-1]
+            seen.add(output.number)
+            if printed:
+                yield Verdict(output.line, "equal")
+            else:
+                reason = f"the text below it can't be read as a value: {_shown(text)}"
+                yield Verdict(output.line, "not comparable", reason)
 
 
 def _programs(

@@ -92,7 +92,18 @@ def one_line(text: PythonText, target: syntax.Expression, value: syntax.Expressi
     changed = _entry_of_matrix(text, target, value)
     if changed:
         return changed
-    return _written(text, target, text.text(value))
+    return _written(text, target, _single(text, value))
+
+
+def _single(text: PythonText, value: syntax.Expression) -> str:
+    """Return the text of a value; ``op(L)`` of a list with a single item is this item."""
+    written = text.text(value)
+    match value:
+        case syntax.Call(function=syntax.Name(name="op"), arguments=(_,)):
+            found = text.value(written)
+            if isinstance(found, list) and len(found) == 1:
+                return f"{grouped(written)}[0]"
+    return written
 
 
 def _written(text: PythonText, target: syntax.Expression, written: str) -> list[str]:

@@ -87,29 +87,35 @@ def _selected(form: str) -> Call:
     def write(text: Writer, arguments: Arguments) -> str:
         function, whole, *rest = arguments
         over = text.text(whole)
+        each = _item_name(function, rest)
         inner = text.names.inner()
-        inner.values["each"] = text.value(f"{grouped(over)}[0]")
+        inner.values[each] = text.value(f"{grouped(over)}[0]")
         if not isinstance(text.value(over), list):
             raise NoText("select")
         case = _case(text.within(inner), function, rest)
-        return f"[{form.format(each='each', whole=over, case=case)}]"
+        return f"[{form.format(each=each, whole=over, case=case)}]"
 
     return write
 
 
+def _item_name(function: syntax.Expression, rest: Sequence[syntax.Expression]) -> str:
+    """Return the variable of the items: the parameter of an operator ``x -> condition``."""
+    match function, rest:
+        case syntax.Arrow(parameters=(parameter,)), ():
+            return identifier(parameter.name)
+    return "each"
+
+
 def _case(text: Writer, function: syntax.Expression, rest: Sequence[syntax.Expression]) -> str:
-    """Return the condition on ``each``."""
+    """Return the condition on an item."""
     each = syntax.Name("each", place=function.place)
     match function, rest:
         case syntax.Name(name="type"), (syntax.Name(name=kind),) if kind in _TYPES:
             return f"isinstance(each, {_TYPES[kind]})"
         case syntax.Name(name="has"), (what,):
             return f"each.has({text.text(what)})"
-        case syntax.Arrow(parameters=(parameter,), body=body), () if not isinstance(body, syntax.If):
-            text.names.values[identifier(parameter.name)] = text.names.values["each"]
-            if parameter.name == "each":
-                return condition(text, body)
-            return f"({text.text(function)})(each)"
+        case syntax.Arrow(parameters=(_,), body=body), () if not isinstance(body, syntax.If):
+            return condition(text, body)
     return text.text(syntax.Call(function, (each, *rest), place=function.place))
 
 
@@ -135,6 +141,8 @@ def _extreme(of_numbers: str, of_expressions: str) -> Call:
 
     def write(text: Writer, arguments: Arguments) -> str:
         written = items(text, arguments)
+        if len(arguments) == 1 and isinstance(text.value(written), list):
+            written = f"*{grouped(written)}"
         found = text.value(f"[{written}]")
         are_numbers = isinstance(found, list) and all(isinstance(each, int | float) for each in found)
         return f"{of_numbers if are_numbers else of_expressions}({written})"
@@ -168,8 +176,8 @@ LISTS: Mapping[str, Call] = {
     "ilcm": _of_integers("math.lcm"),
     "zip": _paired,
     "map2": _mapped_second,
-    "select": _selected("{each} for each in {whole} if {case}"),
-    "remove": _selected("{each} for each in {whole} if not {case}"),
+    "select": _selected("{each} for {each} in {whole} if {case}"),
+    "remove": _selected("{each} for {each} in {whole} if not {case}"),
     "Search": _found_place,
     "Flatten": _of_list("np.ravel({0}).tolist()"),
     "binomial": _of_integers("math.comb"),

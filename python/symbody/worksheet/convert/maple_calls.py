@@ -91,30 +91,31 @@ def _mapped(text: Writer, arguments: Arguments) -> str:
     if isinstance(function, syntax.Name) and function.name in _OF_CONTAINERS:
         return text.text(syntax.Call(function=function, arguments=tuple(arguments[1:]), place=function.place))
     if isinstance(found, Matrix) and not rest:
-        return f"{grouped(over)}.map(lambda each: {_applied(text, function, found[0, 0], ())})"
+        name, body = _applied(text, function, found[0, 0], ())
+        return f"{grouped(over)}.map(lambda {name}: {body})"
     if not isinstance(found, list | tuple | np.ndarray) or not len(found):
         raise NoText("map")
-    return f"[{_applied(text, function, found[0], tuple(rest))} for each in {over}]"
+    name, body = _applied(text, function, found[0], tuple(rest))
+    return f"[{body} for {name} in {over}]"
 
 
 _OF_CONTAINERS = {"simplify", "expand", "diff", "evalm", "collect"}
 
 
-def _applied(text: Writer, function: syntax.Expression, first: object, rest: Arguments) -> str:
-    """Return a function of ``each``, whose value is that of a first item."""
+def _applied(text: Writer, function: syntax.Expression, first: object, rest: Arguments) -> tuple[str, str]:
+    """Return the variable of an item, and a function of it, written for the first item."""
     names = text.names.inner()
-    names.values["each"] = first
-    each = syntax.Name(name="each", place=function.place)
     if isinstance(function, syntax.Arrow):
         (parameter,) = function.parameters
-        names.values[parameter.name] = first
         if isinstance(function.body, syntax.If):
             raise NoText("if")
-        body = text.within(names).text(function.body)
-        return f"({text.text(function)})(each)" if parameter.name != "each" and body else body
-    return text.within(names).text(
-        syntax.Call(function=function, arguments=(each, *rest), place=function.place)
-    )
+        name = identifier(parameter.name)
+        names.values[name] = first
+        return name, text.within(names).text(function.body)
+    names.values["each"] = first
+    each = syntax.Name(name="each", place=function.place)
+    called = syntax.Call(function=function, arguments=(each, *rest), place=function.place)
+    return "each", text.within(names).text(called)
 
 
 def _sequence(text: Writer, arguments: Arguments) -> str:
