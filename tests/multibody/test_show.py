@@ -214,3 +214,17 @@ def test_a_system_of_many_parts_is_shown_by_counts_with_the_way_to_each(count: i
     assert "    ... 32 more loads: show(system.loads[4])" in lines
     assert f"    constraint: x0 - a*t = 0, multiplier {train.multipliers[0]}" in lines
     assert describe(train.bodies[4]).startswith("wagon 4 = BODY")
+
+
+def test_an_unnamed_frame_of_a_load_is_its_motions() -> None:
+    """The force of a spring filled lines with 4x4 matrices."""
+    link = rotate("Z", functions_of_time("theta")) * translate(a, 0, 0)
+    bob = Body(link, m, name="bob")
+    at = 'POINT(frame = rotate("Z", theta) * translate(a, 0, 0), coords = [0, 0, 0])'
+    assert describe(Force(link, F, 0, 0, at=bob.center_of_mass, on=bob)) == (
+        'FORCE(frame = rotate("Z", theta) * translate(a, 0, 0), comps = [F, 0, 0], '
+        f"applied = {at}, acting = bob)"
+    )
+    assert describe(Force(T, F, 0, 0, at=Point(T, a, 0, 0), on=bob)) == (
+        "FORCE(frame = T, comps = [F, 0, 0], applied = POINT(frame = T, coords = [a, 0, 0]), acting = bob)"
+    )

@@ -189,9 +189,11 @@ def _value(value: object, style: _Style) -> str:
     """Return a field of a load as text."""
     match value:
         case Frame():
-            return _frame(value, style)
+            return _frame_of_load(value, style)
         case Point():
-            return value.name or _described(value, style)
+            coordinates = _list(map(style.text, value.coordinates))
+            fields = [("frame", _frame_of_load(value.frame, style)), ("coords", coordinates)]
+            return value.name or _record("point", fields)
         case Body():
             return _body(value)
         case Action():
@@ -330,6 +332,13 @@ def _frame(frame: Frame, style: _Style) -> str:
         moving = [leaf for leaf in free_symbols(variables) if leaf.kind == "time_function"]
         return f"{frame.name or 'FRAME'}({brief(', '.join(sorted(map(str, moving), key=_by_number)))})"
     return _rows(frame.matrix, style)
+
+
+def _frame_of_load(frame: Frame, style: _Style) -> str:
+    """Return the motions that lead to a frame, or its name: a load is read by its points and components."""
+    if frame.parent is None or style.longest < inf:
+        return _frame(frame, style)
+    return frame.name or str(frame)
 
 
 _LONGEST = 40
