@@ -11,6 +11,8 @@ from symbody.worksheet.reading.files import source_cells
 
 OSCILLATOR = "sys := {diff(p(t),t)=q(t), diff(q(t),t)=-k*p(t)}: ini := {p(0)=1, q(0)=0}: num := [k=4]: "
 COSINE = np.cos(2 * 1.5)
+pytestmark = pytest.mark.filterwarnings("ignore::symbody.errors.ModelNotice")
+"""Other tests of this process use the names of these sheets for other things."""
 
 
 def values(sheet: str) -> dict[str, object]:

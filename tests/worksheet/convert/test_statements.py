@@ -14,6 +14,9 @@ from symbody.worksheet.convert import convert_file
 from symbody.worksheet.convert.program import Converted, converted
 from symbody.worksheet.reading.files import source_cells
 
+pytestmark = pytest.mark.filterwarnings("ignore::symbody.errors.ModelNotice")
+"""Other tests of this process use the names of these sheets for other things."""
+
 
 def made(text: str) -> tuple[Converted, dict[str, Any]]:
     program, values = converted(source_cells(text), "statements"), dict[str, Any]()
@@ -128,3 +131,17 @@ def test_operators_on_items_are_written_for_the_items() -> None:
     assert (found["m"], found["w"], found["z"]) == (2, [4, 2], [x**2, x * y])
     assert found["r"] == [[0, sb.number("3/2")]]
     assert found["A"] == sb.Matrix([[1, x**2], [y**2, 4]])
+
+
+def test_loops_by_decimals_reach_their_end(capsys: pytest.CaptureFixture[str]) -> None:
+    program, _ = made('for T from 0 to 1 by 0.1 do printf("%4.1f", T) end do: 2 in {1,2};')
+    assert (program.values, program.left_out) == (0, 0)
+    assert capsys.readouterr().out == "".join(f"{k / 10:4.1f}" for k in range(11)) + "True\n"
+
+
+def test_sets_have_no_repeated_items() -> None:
+    program, found = made(
+        "S := {seq(k mod 3, k = 1..7)}: n := nops(S): U := {a, b} union {b, c}: m := nops(U):"
+    )
+    assert (program.values, program.left_out) == (0, 0)
+    assert (found["n"], found["m"]) == (3, 3)

@@ -27,7 +27,7 @@ def unparsed(session: Session, value: Value) -> str:
 
 
 _FORMAT = re.compile(
-    r"%(?P<flags>[-+ 0#{}]*)(?P<width>\d+|\*)?(?:\.(?P<precision>\d+))?(?P<long>[lhZ]*)(?P<kind>[a-zA-Z%])"
+    r"%(?P<flags>[-+ 0#{}]*)(?P<width>\d+|\*)?(?:\.(?P<precision>\d+|\*))?(?P<long>[lhZ]*)(?P<kind>[a-zA-Z%])"
 )
 
 
@@ -40,16 +40,19 @@ def formatted(session: Session, template: Value, values: tuple[Value, ...]) -> s
         kind = found["kind"]
         if kind == "%":
             return "%"
+        width, precision = (_size(each, pending) for each in (found["width"], found["precision"]))
         if not pending:
             raise WorksheetError(f"printf: the format {found[0]} has no value")
-        width = found["width"] or ""
-        if width == "*":
-            width = str(as_integer(pending.pop(0)) or 0)
-        if int(width or 0) > 10_000 or int(found["precision"] or 0) > 1000:
+        if int(width or 0) > 10_000 or int(precision or 0) > 1000:
             raise WorksheetError(f"printf: the format {found[0]} is too wide")
-        return _piece(session, found["flags"].strip("{}"), width, found["precision"], kind, pending.pop(0))
+        return _piece(session, found["flags"].strip("{}"), width or "", precision, kind, pending.pop(0))
 
     return _FORMAT.sub(piece, text)
+
+
+def _size(text: str | None, pending: list[Value]) -> str | None:
+    """Return a width or a precision; that of ``*`` is the next argument."""
+    return str(as_integer(pending.pop(0)) or 0) if text == "*" and pending else text
 
 
 def _piece(session: Session, flags: str, width: str, precision: str | None, kind: str, value: Value) -> str:

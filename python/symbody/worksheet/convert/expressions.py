@@ -10,7 +10,7 @@ from symbody.worksheet.convert.name_text import concatenation, name_text
 from symbody.worksheet.convert.names import Names, NoText
 from symbody.worksheet.convert.operators import infix, postfix, prefix
 from symbody.worksheet.convert.selections import selection
-from symbody.worksheet.convert.sequences import columns, items, listed, matrix
+from symbody.worksheet.convert.sequences import columns, distinct, items, listed, matrix
 from symbody.worksheet.convert.writer import Called, Writer
 from symbody.worksheet.sheet import syntax
 
@@ -82,7 +82,7 @@ _WRITERS: Mapping[type, Callable[[PythonText, Any], str]] = {
     syntax.Postfix: postfix,
     syntax.Concatenation: concatenation,
     syntax.ListDisplay: lambda text, node: listed(text, node.items),
-    syntax.SetDisplay: lambda text, node: listed(text, node.items),
+    syntax.SetDisplay: lambda text, node: distinct(text, listed(text, node.items)),
     syntax.SequenceDisplay: lambda text, node: f"({items(text, node.items)})",
     syntax.Selection: selection,
     syntax.Call: call,

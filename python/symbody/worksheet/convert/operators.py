@@ -17,6 +17,7 @@ from symbody.worksheet.convert.operations import (
     product,
     quotient,
 )
+from symbody.worksheet.convert.sequences import distinct
 from symbody.worksheet.convert.writer import Writer
 from symbody.worksheet.sheet import syntax
 
@@ -36,6 +37,7 @@ _OPERATIONS: Mapping[str, Callable[[str, str], str]] = {
     "union": lambda left, right: f"{grouped(left, SUM)} + {grouped(right, SUM + 1)}",
     "minus": lambda left, right: f"[item for item in {left} if item not in {grouped(right)}]",
     "intersect": lambda left, right: f"[item for item in {left} if item in {grouped(right)}]",
+    "in": lambda left, right: f"{grouped(left, COMPARISON + 1)} in {grouped(right, COMPARISON + 1)}",
     "<>": lambda left, right: f"{grouped(left, COMPARISON + 1)} != {grouped(right, COMPARISON + 1)}",
     **{word: _compared(word) for word in ("<", "<=", ">", ">=")},
 }
@@ -72,7 +74,8 @@ def infix(to: Writer, node: syntax.Infix) -> str:
     writer = _OPERATIONS.get(operator)
     if writer is None:
         raise NoText(operator)
-    return writer(left, right)
+    written = writer(left, right)
+    return distinct(to, written) if operator == "union" else written
 
 
 def _by_entries(to: Writer, operator: str, left: str, right: str) -> str:

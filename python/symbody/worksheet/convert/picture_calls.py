@@ -46,6 +46,11 @@ def _motion_curve(text: Writer, arguments: Arguments) -> str:
     """Return the curve of expressions along a motion."""
     motion = text.text(arguments[0])
     axes = arguments[1] if len(arguments) > 1 else None
+    if isinstance(axes, syntax.ListDisplay) and all(
+        isinstance(each, syntax.ListDisplay) and len(each.items) == 2 for each in axes.items
+    ):
+        curves = [each for one in axes.items if isinstance(one, syntax.ListDisplay) for each in one.items]
+        return f"{_PLANE}.plot({', '.join(f'{grouped(motion)}[{text.text(each)}]' for each in curves)})"
     if not isinstance(axes, syntax.ListDisplay) or len(axes.items) not in {2, 3}:
         raise NoText("odeplot")
     columns = ", ".join(f"{grouped(motion)}[{text.text(each)}]" for each in axes.items)

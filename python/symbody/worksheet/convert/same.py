@@ -127,8 +127,10 @@ class _Comparison:
             return self.solution(made, items)
         if not is_set:
             return len(made) == len(items) and all(map(self.same, made, items))
-        return all(any(self.same(one, item) for one in made) for item in items) and all(
-            any(self.same(one, item) for item in items) for one in made
+        return (
+            len(made) == len(items)
+            and all(any(self.same(one, item) for one in made) for item in items)
+            and all(any(self.same(one, item) for item in items) for one in made)
         )
 
     def numbers(self, made: NDArray[Any], value: Value) -> bool:

@@ -16,7 +16,7 @@ from symbody.worksheet.convert.writer import Writer
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.sheet.within import mentions
 
-__all__ = ["columns", "comprehension", "item", "items", "listed", "matrix"]
+__all__ = ["columns", "comprehension", "distinct", "item", "items", "listed", "matrix"]
 
 
 def items(to: Writer, nodes: tuple[syntax.Expression, ...]) -> str:
@@ -51,6 +51,13 @@ def _are_roots(value: object) -> bool:
     return isinstance(value, np.ndarray) or (
         isinstance(value, list) and not any(isinstance(each, dict) for each in value)
     )
+
+
+def distinct(text: Writer, written: str) -> str:
+    """Return a list that stands for a set: without items that are equal."""
+    found = text.value(written)
+    is_distinct = not isinstance(found, list) or all(each not in found[:k] for k, each in enumerate(found))
+    return written if is_distinct else f"list(dict.fromkeys({written}))"
 
 
 def listed(to: Writer, nodes: tuple[syntax.Expression, ...]) -> str:

@@ -9,9 +9,11 @@ from pathlib import Path
 from types import FunctionType
 from typing import Any
 
+from symbody.symbolic import Expr
 from symbody.worksheet.convert.assignments import assignment_lines
 from symbody.worksheet.convert.expressions import PythonText
 from symbody.worksheet.convert.names import Names, NoText, identifier
+from symbody.worksheet.convert.operations import grouped, plain_decimal
 from symbody.worksheet.convert.operators import condition
 from symbody.worksheet.convert.sequences import items
 from symbody.worksheet.convert.shown_values import value_lines
@@ -184,6 +186,9 @@ def _counted(text: PythonText, loop: syntax.For, inner: Names) -> str:
     if not last or not isinstance(text.value(first), int):
         raise NoText("for from")
     inner.values[name] = text.value(first)
+    if isinstance(text.value(step), Expr) and not step.startswith("-"):
+        step = plain_decimal(step)
+        return f"for {name} in np.arange({first}, {last} + {grouped(step)}/2, {step}):"
     if step.startswith("-"):
         return f"for {name} in range({first}, {last} - 1, {step}):"
     end = str(int(last) + 1) if last.isdigit() else f"{last} + 1"
