@@ -15,6 +15,8 @@ from pathlib import Path
 import pytest
 
 from symbody import (
+    Abs,
+    Max,
     cos,
     cost,
     expand,
@@ -28,6 +30,7 @@ from symbody import (
     show,
     simplify,
     sin,
+    sqrt,
     symbols,
     time_derivative,
     translate,
@@ -104,6 +107,21 @@ def forms_of_models(first: int) -> None:
         print(*source(equations.program(), "c").values())
 
 
+def derivatives_of_lengths(first: int) -> None:
+    """Print what depends on whether a length is known to be real. One form of each length is made first."""
+    x, y, l1, l2 = symbols("x y l1 l2")
+    q = functions_of_time("q")
+    for forms in (
+        (x**2 - 2 * x * y + 2 * y**2, (x - y) ** 2 + y**2),
+        (l1**2 + 2 * l1 * l2 * cos(q) + l2**2, (l1 + l2 * cos(q)) ** 2 + (l2 * sin(q)) ** 2),
+    ):
+        Abs(sqrt(forms[first]))
+        for form in forms:
+            length = sqrt(form)
+            for function in (Abs(length), Max(length, 0), Abs(length - y), Max(length - y, 0)):
+                print(function, [function.diff(variable) for variable in (x, l1, q)])
+
+
 def written_by_a_process(seed: str, *, busy: bool) -> bytes:
     return printed(
         OTHER_NAMES_FIRST * busy + f"from tests.test_determinism import report; report(busy={busy})", seed
@@ -135,6 +153,13 @@ def test_the_order_in_which_names_are_made_does_not_show(capsys: pytest.CaptureF
     texts.add(capsys.readouterr().out)
     assert len(texts) == 1
     assert len(texts.pop().splitlines()) > 300
+
+
+def test_which_form_of_a_length_is_met_first_does_not_show() -> None:
+    call = "from tests.test_determinism import derivatives_of_lengths; derivatives_of_lengths({})"
+    texts = {printed(call.format(first), "0").decode() for first in range(2)}
+    assert len(texts) == 1
+    assert texts.pop().count("sign") == 12  # in derivatives of moduli of differences, not in those of lengths
 
 
 @pytest.mark.parametrize(

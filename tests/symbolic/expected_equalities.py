@@ -234,6 +234,13 @@ EQUALITIES: tuple[Equality, ...] = (
         ("abs(sqrt(-x**2 - 1))**2", "abs(x**2 + 1)"),
         ("abs(sqrt(x)*y)", "sqrt(abs(x))*abs(y)"),
         ("abs(sqrt(x**2 + y**2)*z)", "sqrt(x**2 + y**2)*abs(z)"),
+        ("abs(sqrt(x**2 - 2*x*y + 2*y**2))", "sqrt(x**2 - 2*x*y + 2*y**2)"),
+        ("abs(sqrt(x**2 + y**2 + 2*x*y*cos(z)))", "sqrt(x**2 + y**2 + 2*x*y*cos(z))"),
+        ("abs(sqrt(5 - 4*cos(x)))", "sqrt(5 - 4*cos(x))"),
+    ),
+    *missed(
+        "a radicand is known to be nowhere negative if it is a quadratic form whose pivots are squares or numbers",
+        ("abs(sqrt(x**4 + x*y**3 + y**4))", "sqrt(x**4 + x*y**3 + y**4)"),
     ),
     *known(
         "the rational part of an exponent or of a factor is found beside roots, too",
@@ -376,6 +383,8 @@ DIFFERENCES: tuple[Difference, ...] = (
     Difference("abs(sqrt(x))**2", "x", "x < 0"),
     Difference("abs(sqrt(-x**2 - 1))**2", "-x**2 - 1", "every x"),
     Difference("abs(x**(1/4))**4", "x", "x < 0"),
+    Difference("abs(sqrt(x**2 - 3*x*y + 2*y**2))**2", "x**2 - 3*x*y + 2*y**2", "y < x < 2*y"),
+    Difference("abs(sqrt(4 - 5*cos(x)))**2", "4 - 5*cos(x)", "x = 0"),
     Difference("abs(x**y)**2", "x**(2*y)", "x = -2, y = 1/2"),
     Difference("abs(sqrt(x) + 1)**2", "(sqrt(x) + 1)**2", "x < 0"),
     Difference("abs(x) + x", "0", "x > 0"),

@@ -1,4 +1,5 @@
-//! Which values nodes have for real variables: any, real ones, or none that are negative, as far as forms show.
+//! Which values nodes have for real variables: any, real ones, or none that are negative, as far as forms show, and for
+//! radicands also as far as values show.
 //!
 //! A finite field does not tell sqrt(x^2 + y^2), which is real, from sqrt(x), which is not where x is negative: in a lane
 //! both may lie outside GF(p). The modulus of the one is the root itself, and that of the other one is sqrt(|x|). So what a
@@ -20,7 +21,23 @@ impl Graph {
 
     /// Whether a node is known to be real and nowhere negative.
     pub(crate) fn is_nowhere_negative(&self, id: Id) -> bool {
-        self.real_range(id) == NotNegative
+        let id = self.representative(id);
+        self.range_by_value(id, self.real_range(id)) == NotNegative
+    }
+
+    /// The range of a radicand or of the base of a power from that which its form shows.
+    fn range_by_value(&self, id: Id, range: RealRange) -> RealRange {
+        if range == Real && self.is_seen_nonnegative(id) { NotNegative } else { range }
+    }
+
+    /// Whether a real node is seen to be nowhere negative by value, or each of its factors by form or by value.
+    fn is_seen_nonnegative(&self, id: Id) -> bool {
+        let is_nonnegative = |(base, exponent)| {
+            let exponent: &Number = self.get_number(exponent);
+            exponent.is_even() || self.real_range(base) == NotNegative || self.is_semidefinite(base)
+        };
+        self.is_semidefinite(id)
+            || matches!(self.view(id), View::Product(factors) if factors.iter().all(is_nonnegative))
     }
 
     fn real_range(&self, id: Id) -> RealRange {
@@ -55,8 +72,11 @@ impl Graph {
                 Any // cos(asin(x)) is the root of 1 - x^2
             }
             View::Function(function, args) => {
-                let args: Vec<RealRange> = self.represented(args).map(of).collect();
-                range_of_function(function, &args)
+                let mut ranges: Vec<RealRange> = self.represented(args).map(of).collect();
+                if matches!(function, Function::Power | Function::Log) {
+                    ranges[0] = self.range_by_value(self.representative(args.get(0)), ranges[0]);
+                }
+                range_of_function(function, &ranges)
             }
             _ if self.flags(id).has(Flags::COMPLEX) => Any,
             _ => self.children(id).into_iter().map(of).min().unwrap_or(Real).min(Real),
@@ -74,9 +94,11 @@ impl Graph {
         let range = |(base, exponent)| {
             let exponent: &Number = self.get_number(exponent);
             let is_whole = exponent.is_integer();
-            match of(if is_whole { base } else { self.representative(base) }) {
+            let base = if is_whole { base } else { self.representative(base) };
+            match of(base) {
                 Real if exponent.is_even() => NotNegative,
-                Real if !is_whole => Any,
+                Real if !is_whole && self.range_by_value(base, Real) == Real => Any,
+                Real if !is_whole => NotNegative,
                 range => range,
             }
         };

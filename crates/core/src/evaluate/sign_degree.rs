@@ -45,7 +45,7 @@ const MOST_POINTS: u16 = 29;
 const FEW_NODES: usize = 100;
 
 /// The points that a comparison needs; `None` for degrees that are too large.
-fn points_for(degree: usize) -> Option<u16> {
+pub(super) fn points_for(degree: usize) -> Option<u16> {
     POINTS.get(degree).copied()
 }
 

@@ -49,6 +49,8 @@ pub(crate) struct Lanes {
     complex: FxHashMap<Id, bool>,
     /// What forms tell of the values of nodes for real variables.
     real_ranges: FxHashMap<Id, RealRange>,
+    /// Whether values tell that nodes are nowhere negative.
+    semidefinite: FxHashMap<Id, bool>,
 }
 
 /// The values of a node in all lanes but the hash lanes.
@@ -257,6 +259,14 @@ impl Lanes {
 
     pub(crate) fn insert_real_range(&mut self, id: Id, range: RealRange) {
         self.real_ranges.insert(id, range);
+    }
+
+    pub(crate) fn is_semidefinite(&self, id: Id) -> Option<bool> {
+        self.semidefinite.get(&id).copied()
+    }
+
+    pub(crate) fn insert_semidefinite(&mut self, id: Id, is_semidefinite: bool) {
+        self.semidefinite.insert(id, is_semidefinite);
     }
 
     pub(crate) fn split(&self, id: Id, of_exponential: bool, lane: Option<FieldId>) -> Option<Split> {
