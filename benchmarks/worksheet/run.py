@@ -74,7 +74,7 @@ def main() -> None:
 
 
 def report(rounds: int) -> str:
-    """Return the page."""
+    """Return the page. Without a round after the first one, its times are those of the first one."""
     with TemporaryDirectory() as folder:
         one = Path(folder) / "one.mpl"
         one.write_text("a := 1;\n", encoding="utf-8")
@@ -83,8 +83,9 @@ def report(rounds: int) -> str:
             Trial("a sheet of one statement", ["run", str(one)], BOUND_OF_START),
             *_sheets(folder),
         ]
-        last = {trial.label: _run(trial)[1] for trial in trials}
-        times: dict[str, list[float]] = {trial.label: [] for trial in trials}
+        first = {trial.label: _run(trial) for trial in trials}
+        last = {label: line for label, (_, line) in first.items()}
+        times = {label: [] if rounds else [seconds] for label, (seconds, _) in first.items()}
         for _ in range(rounds):
             for trial in trials:
                 times[trial.label].append(_run(trial)[0])

@@ -44,7 +44,10 @@ def runs_of(programs: Iterable[str], alike: Iterable[str]) -> list[object]:
     ]
 
 
-@pytest.mark.parametrize(("program", "target"), runs_of(PROGRAMS, ["pendulum", "motor_pendulum", "trifilar"]))
+@pytest.mark.parametrize(
+    ("program", "target"),
+    runs_of(PROGRAMS, ["pendulum", "motor_pendulum", "sensed_pendulum", "watched", "trifilar"]),
+)
 def test_against_the_evaluator(program: str, target: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """JAX compiles the trifilar pendulum here and robots in the next test, and runs other long programs uncompiled."""
     if target == "jax" and program in ("long", *REFERENCES):

@@ -130,7 +130,7 @@ def test_speeds_of_choice(
     check_equations(pair, formalism)
 
 
-@pytest.mark.parametrize("seed", range(18))
+@pytest.mark.parametrize("seed", [*range(6), *repeated(range(6, 18))])
 def test_energies(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Energies are right to second order, so that their derivatives give the same linear equations."""
     pair = both(lambda: random_system(seed), SHARES[seed % 3], seed, monkeypatch)
@@ -145,14 +145,14 @@ def test_energies(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     assert truncated(found, 1) == pair.after(slopes)
 
 
-@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("seed", [*range(6), *repeated(range(6, 12))])
 def test_frames_are_of_first_order(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     pair = both(lambda: random_system(seed), SHARES[seed % 3], seed, monkeypatch)
     for body, other in zip(pair.marked.bodies, pair.exact.bodies, strict=True):
         assert body.frame.matrix.entries == pair.after(other.frame.matrix.entries)
 
 
-@pytest.mark.parametrize("seed", range(18))
+@pytest.mark.parametrize("seed", [*range(6), *repeated(range(6, 18))])
 def test_accelerations_satisfy_the_equations(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     pair = both(lambda: random_system(seed), SHARES[seed % 3], seed, monkeypatch)
     equations = newton_euler(pair.marked)

@@ -251,7 +251,7 @@ def test_the_rattleback_of_kane_and_levinson(omega: float) -> None:
     start |= {time_derivative(beta): first, time_derivative(gamma): -second, time_derivative(alpha): -third}
     t = np.linspace(0, 4, 101)
     motion = simulate(newton_euler(model.system), model.parameters, start, t, rtol=1e-9, atol=1e-11)
-    theirs = solve_ivp(kane_and_levinson, (0, 4), y0, method="DOP853", t_eval=t, rtol=1e-9, atol=1e-11)
+    theirs = solve_ivp(kane_and_levinson, (0, 4), y0, method="LSODA", t_eval=t, rtol=1e-9, atol=1e-11)
     for coordinate, expected in zip((beta, gamma, alpha), theirs.y[:3] * [[1], [-1], [-1]], strict=True):
         assert_allclose(motion[coordinate], expected, atol=1e-6)
     spin = motion[time_derivative(alpha)]

@@ -54,7 +54,7 @@ def process(setup: str, call: str, handler: str = "signal.default_int_handler") 
     child = subprocess.Popen([sys.executable, "-c", text], stdout=subprocess.PIPE, text=True)
     assert child.stdout is not None
     assert child.stdout.readline() == "ready\n"
-    sleep(0.5)
+    sleep(0.2)
     assert child.poll() is None
     return child
 
@@ -86,7 +86,7 @@ MEASURED = """
 import os, subprocess, time
 from symbody.symbolic import *
 from symbody.symbolic import _core
-v = symbols("v1:601")
+v = symbols("v1:401")
 {setup}
 begin = time.perf_counter()
 {call}
