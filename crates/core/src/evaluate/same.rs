@@ -75,6 +75,29 @@ impl Graph {
         })
     }
 
+    /// The same for a table with many entries of one fingerprint: what vanishes in the hash lanes is found among all that do,
+    /// such as all multiples of `Max(0, x)`. Entries are told apart in the lanes in which they have been evaluated, before it
+    /// is asked how many lanes a comparison needs.
+    pub(crate) fn find_among_many<'t, T>(&self, table: &'t ByValue<T>, id: Id) -> Option<(&'t T, bool)> {
+        let mut candidates = table.candidates(self.value(id));
+        candidates.find_map(|(known, item)| {
+            if !self.differ_in_known_lanes(*known, id, false) && self.same(*known, id) {
+                return Some((item, false));
+            }
+            let is_opposite =
+                !self.differ_in_known_lanes(*known, id, true) && self.opposite_values(*known, id);
+            is_opposite.then_some((item, true))
+        })
+    }
+
+    /// Whether two nodes do not have equal, or opposite, values in lanes in which both have been evaluated.
+    fn differ_in_known_lanes(&self, a: Id, b: Id, are_opposite: bool) -> bool {
+        let lanes = self.lanes.borrow();
+        let (Some(column), Some(other)) = (lanes.column(a, 0), lanes.column(b, 0)) else { return false };
+        let mut values = FieldId::others(0).zip(column.iter().zip(other.iter()));
+        values.any(|(field, (value, other))| *value != signed(field, other, are_opposite))
+    }
+
     /// Whether two nodes have the same value up to the sign.
     #[inline]
     pub(crate) fn same_up_to_sign(&self, a: Id, b: Id) -> bool {
