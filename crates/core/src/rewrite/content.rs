@@ -31,7 +31,8 @@ pub(crate) fn common_monomial(polynomial: &Polynomial) -> Monomial {
 }
 
 /// The magnitude that most coefficients share, if one multiplication by it saves two or more; otherwise 1.
-/// A magnitude that leaves integers is taken even if it saves nothing.
+/// A magnitude that leaves integers is taken even if it saves nothing; one that leaves a quotient of a decimal, such as
+/// 4.1/0.63, never.
 fn common_factor(polynomial: &Polynomial) -> Number {
     let one = Number::integer(1);
     let mut candidates: Vec<Number> = Vec::new();
@@ -59,8 +60,13 @@ fn common_factor(polynomial: &Polynomial) -> Number {
         let over = |c: &Number| factor.recip().is_ok_and(|f| !c.is_decimal() && !c.mul(&f).is_integer());
         polynomial.iter().filter(|(_, c)| over(c)).count()
     };
+    let stays_printable = |factor: &Number| {
+        let is_printable = |c: &Number| c.decimal_over_integer().is_none();
+        let quotient = |c: &Number| factor.recip().map_or_else(|_| c.clone(), |f| c.mul(&f));
+        polynomial.iter().all(|(_, c)| is_printable(&quotient(c)) || !is_printable(c))
+    };
     let mut best = (multiplications(&one), fractions(&one), one);
-    for candidate in candidates {
+    for candidate in candidates.into_iter().filter(stays_printable) {
         let order = (multiplications(&candidate) + 1, fractions(&candidate));
         if order < (best.0, best.1) {
             best = (order.0, order.1, candidate);
