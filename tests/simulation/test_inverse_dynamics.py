@@ -462,7 +462,7 @@ def test_what_was_found_can_be_seen(tmp_path):
             {"theta1": sin(t), "theta2": cos(t)},
             {"unknowns": ["l1"]},
             ModelError,
-            ", unknowns: the equations of motion aren't linear in l1; expected loads that are",
+            ", unknowns: the equations of motion aren't linear in l1; expected loads in which they ",
         ),
         (
             double_pendulum,

@@ -47,9 +47,9 @@ class Recursion:
     >>> from symbody import Body, functions_of_time, rotate, symbols, t, translate
     >>> (q, p), (m, l) = functions_of_time("q p"), symbols("m l")
     >>> system = System([Body(rotate("Z", q) * translate(l, 0, 0), m)], coordinates=[q])
-    >>> found = Recursion(system, [m * l * (l * q.diff(t, 2) + q.diff(t) ** 2) * k for k in (p, p**2)])
+    >>> found = Recursion(system, [m * l**2 * (q.diff(t, 2) + q.diff(t) ** 2) * k for k in (p, p**2)])
     >>> found.names, found.values, found.terms
-    ((f1,), [l*m*(l*q'' + q'**2)], [f1*p, f1*p**2])
+    ((n1,), [m*l**2*(q'' + q'**2)], [n1*p, n1*p**2])
     """
 
     system: System

@@ -74,10 +74,10 @@ def with_names(
 def merged(expressions: Sequence[Expr]) -> list[Expr]:
     """Return expressions in which parts of one value have one form, so that they are common parts.
 
-    >>> from symbody import cos, sin, symbols
+    >>> from symbody import symbols
     >>> a, b, q = symbols("a b q")
-    >>> merged([b + a * (sin(q) + cos(q)), a * sin(q) + a * cos(q)])[1]
-    a*(cos(q) + sin(q))
+    >>> merged([b * (a + 1) ** 2, b * (a**2 + 2 * a + 1) * q])
+    [b*(a**2 + 2*a + 1), b*q*(a**2 + 2*a + 1)]
     """
     found = [*expressions]
     for _ in range(_PASSES):
