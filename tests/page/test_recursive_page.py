@@ -103,7 +103,8 @@ def test_each_name_tells_what_the_quantity_is() -> None:
 
 
 def test_given_torques_are_on_the_right() -> None:
-    rows = rows_of(arm("ZYXZYX", driven=True).description())
+    """Also about parallel axes, where the torque of the next joint cancels."""
+    rows = rows_of(arm("ZYYZYX", driven=True).description())
     assert all(row.endswith(f" = tau{k}") for k, row in enumerate(rows[-6:]))
     assert not any("tau" in row.rpartition(" = ")[0] for row in rows)
 

@@ -127,11 +127,11 @@ def row_by_quantities(system: System, speed: Expr, residual: Expr) -> EquationPa
 def _sides(residual: Expr, given: frozenset[Expr]) -> tuple[list[Expr], list[Expr]]:
     """Return the terms of a residual, and the opposites of those that are given forces."""
     terms = summands(residual) if residual.free_symbols & given else []
-    right = [-term for term in terms if without(term, [*given]).is_zero]
-    left = (
-        sum((term for term in terms if -term not in right), start=number(0)) if right else _positive(residual)
-    )
-    return [left], right
+    loads = [term for term in terms if without(term, [*given]).is_zero]
+    if not loads:
+        return [_positive(residual)], []
+    left = sum((term for term in terms if term not in loads), start=number(0))
+    return [left], [*summands(-sum(loads, start=number(0)))]
 
 
 def _positive(residual: Expr) -> Expr:
