@@ -144,3 +144,9 @@ def test_latex_has_the_same_quantities() -> None:
         assert f"{chr(92) + letter if len(letter) > 1 else letter}_{{{number}}} &= " in latex
     assert r"\text{w: angular velocities; alpha: angular accelerations; a:" in latex
     assert time_derivative(equations.speeds[3]) in equations.accelerations
+
+
+def test_its_names_are_no_namesakes_of_those_of_the_user() -> None:
+    """A notice would be an error here."""
+    symbols("w1 alpha1 a1 f1 n1")
+    assert "w1 := " in arm("ZYXZYX").description()

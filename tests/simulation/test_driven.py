@@ -9,6 +9,7 @@ from symbody import (
     Equations,
     Point,
     System,
+    Torque,
     cos,
     functions_of_time,
     ground,
@@ -24,7 +25,7 @@ from symbody import (
     time_derivative,
     translate,
 )
-from symbody.errors import ConstraintError, ModelNotice
+from symbody.errors import ConstraintError, ModelError, ModelNotice
 
 phi, psi, s = functions_of_time("phi psi s")
 r, l, m, Omega = symbols("r l m Omega")
@@ -92,3 +93,14 @@ def test_a_rod_without_mass_has_its_place_by_the_constraints(mass: float) -> Non
         eqs, {r: 0.1, l: 0.3, m: mass, M: 1}, {phi: 0, time_derivative(phi): 1}, t=(0, 1), guess={s: 0.4}
     )
     np.testing.assert_allclose(motion[phi], motion.t, atol=1e-9)
+
+
+def test_a_load_on_what_has_a_given_motion_may_have_a_parameter_of_its_own() -> None:
+    """The equations don't contain it; its power is that of the drive, which is not known."""
+    q, (J, T) = functions_of_time("q"), symbols("J T")
+    turning, free = Body(rotate("Z", 2 * t), m, J, J, J), Body(rotate("Z", q), m, J, J, J)
+    equations = newton_euler(System([turning, free], [Torque(ground, 0, 0, T, on=turning)], coordinates=[q]))
+    motion = simulate(equations, {J: 0.1, T: 2.0}, {q: 0.4, time_derivative(q): 3.0}, t=(0, 1))
+    np.testing.assert_allclose(motion[q], 0.4 + 3 * motion.t, rtol=1e-9)
+    with pytest.raises(ModelError, match="the energy isn't constant"):
+        motion.energy_drift  # noqa: B018

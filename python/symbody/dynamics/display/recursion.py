@@ -13,7 +13,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 from symbody.multibody import System
-from symbody.symbolic import Expr, functions_of_time
+from symbody.symbolic import Expr, time_function
 from symbody.symbolic.calculus.rewrite import short_form
 from symbody.symbolic.expression.traverse import post_order
 
@@ -59,7 +59,7 @@ class Recursion:
     def names(self) -> tuple[Expr, ...]:
         """The names of the quantities, in the order in which these are derived."""
         names = names_of([each.kind for each in self._quantities], self._taken)
-        return tuple(functions_of_time(names)) if names else ()
+        return tuple(map(time_function, names))  # without the notice of names that the user has
 
     @property
     def values(self) -> list[Expr]:

@@ -191,8 +191,8 @@ class Model:
     def power(self) -> Expr | None:
         """The power of loads and moving constraints, with accelerations and multipliers.
 
-        What springs and other loads take from their potential energy isn't part of it. None if nothing does work, or no
-        energy is known.
+        What springs and other loads take from their potential energy isn't part of it. None if nothing does work, no
+        energy is known, or loads on what has a given motion depend on parameters that the equations don't contain.
         """
         if not self.energies:
             return None
@@ -204,7 +204,8 @@ class Model:
             for multiplier, drift in zip(self.multipliers, drifts, strict=True):
                 total -= multiplier * drift
         (total,) = without_idle_symbols([total])  # idle symbols have no values where the equations lack them
-        return None if total.is_zero else total
+        is_known = {*parameters_in([total])} <= {*self.parameters}
+        return total if is_known and not total.is_zero else None
 
     @cached_property
     def rates(self) -> tuple[Expr, ...]:
