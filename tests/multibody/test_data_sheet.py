@@ -44,7 +44,8 @@ SHEETS: dict[str, WithSheet] = {
     "    child: slider\n"
     "    to: (0, 0, 0)\n"
     "    loop: closes a loop\n"
-    "    coordinate phi: phi_C": C,
+    "    coordinate phi: phi_C\n"
+    '    motion: rotate("Z", phi_C)': C,
     "revolute A, which opens the tree\n"
     "    parent: ground\n"
     "    axes on the parent: ground\n"
@@ -123,7 +124,7 @@ def test_latex_of_words_and_formulas() -> None:
         r"\begin{aligned} \text{parent} &: \text{rod} \\ \text{at} &: \begin{bmatrix} \cos(b) & -\sin(b) & 0 & l \\ "
         r"\sin(b) & \cos(b) & 0 & 0 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix} \\ \text{child} &: \text{slider} "
         r"\\ \text{to} &: \left(0, 0, 0\right) \\ \text{loop} &: \text{closes a loop} \\ \text{coordinate phi} &: "
-        r"\phi_{C} \end{aligned}"
+        r'\phi_{C} \\ \text{motion} &: \text{rotate("Z", phi}\_\text{C)} \end{aligned}'
     )
 
 

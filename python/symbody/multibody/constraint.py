@@ -62,7 +62,7 @@ class Constraint(WithSheet):
 
     @property
     def sheet(self) -> DataSheet:
-        """What is shown of it."""
+        """The data sheet."""
         rows = [Row("condition", self.condition, "= 0")]
         if self.multiplier is not None:
             rows.append(Row("multiplier", self.multiplier))

@@ -1,4 +1,4 @@
-"""Data sheets: what a joint, a link or a reaction is, in rows, as text, in LaTeX and in notebooks."""
+"""Data sheets of joints, links, reactions and the like: labelled rows as text, in LaTeX and in notebooks."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ __all__ = ["DataSheet", "Row", "WithSheet"]
 
 
 class Row(NamedTuple):
-    """A label and what belongs to it: words, or an expression, a frame, or a tuple of these, with words after it."""
+    """A label and its value: words, an expression, a frame, or a tuple of these, followed by further words."""
 
     label: str
     value: Any
@@ -26,7 +26,7 @@ class Row(NamedTuple):
 
     @property
     def is_formula(self) -> bool:
-        """Whether the value is more than words."""
+        """Whether the value is not only words."""
         return not isinstance(self.value, str)
 
 
@@ -50,7 +50,7 @@ class DataSheet:
 
     @property
     def text(self) -> str:
-        """What `show` prints: a line for each row, after those of quantities that long expressions share."""
+        """What `show` prints: quantities that long expressions share, then one line for each row."""
         shared, entries = self._entries()
         rows = (f"{row.label}: {entry}" for row, entry in zip(self.rows, entries, strict=True))
         return "\n".join([self.title, *shared, *rows]).replace("\n", "\n    ")
@@ -83,12 +83,12 @@ class DataSheet:
 
 
 class WithSheet(ABC):
-    """A thing that `show`, `latex` and notebooks show by its data sheet."""
+    """Base of the classes that `show`, `latex` and notebooks display as a data sheet."""
 
     @property
     @abstractmethod
     def sheet(self) -> DataSheet:
-        """What is shown of it."""
+        """The data sheet."""
 
     def description(self) -> str:
         """Return what `show` prints."""
@@ -103,14 +103,14 @@ class WithSheet(ABC):
 
 
 def _text(value: Any, of_expression: Callable[[Expr], str]) -> str:
-    """Return a value as text, by that of its expressions."""
+    """Return a value as text, with its expressions converted by a given function."""
     if isinstance(value, Expr):
         return of_expression(value)
     return text_of(value, lambda part: _text(part, of_expression)) or str(value)
 
 
 def _in_a_cell(expression: Expr) -> str:
-    """Return an expression as text; of one that shares quantities, its size."""
+    """Return an expression as text, or its size if the text has several lines."""
     text = str(shown_form(expression))
     return f"({counted(cost(expression).total, 'operation')})" if "\n" in text else text
 

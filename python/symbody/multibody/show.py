@@ -335,7 +335,7 @@ def _frame(frame: Frame, style: _Style) -> str:
 
 
 def _frame_of_load(frame: Frame, style: _Style) -> str:
-    """Return the motions that lead to a frame, or its name: a load is read by its points and components."""
+    """Return the name of a frame, or the motions that lead to it, which are easier to read in a load than a matrix."""
     if frame.parent is None or style.longest < inf:
         return _frame(frame, style)
     return frame.name or str(frame)

@@ -1,7 +1,7 @@
-"""Dimensions of quantities, by how they change with the units of mass, length and time.
+"""Dimensions of quantities, found by changing the units of mass, length and time.
 
-A quantity of the dimension ``M^a L^b T^c`` becomes ``2^a`` times as large where the unit of mass is halved, and so on.
-So the dimension of an expression follows from its value, whatever its form.
+If the unit of mass is halved, a quantity of dimension ``M^a L^b T^c`` becomes ``2^a`` times as large, and likewise for
+length and time. So the dimension of an expression follows from its value and does not depend on its form.
 """
 
 from __future__ import annotations
@@ -17,11 +17,11 @@ Dimension = tuple[int, int, int]
 _MASS, _INERTIA, _LENGTH, _NONE, _GRAVITY = (1, 0, 0), (1, 2, 0), (0, 1, 0), (0, 0, 0), (0, 1, -2)
 _WORK, _POWER, _FORCE, _TORQUE = (1, 2, -2), (1, 2, -3), (1, 1, -2), (1, 2, -2)
 _EXPONENTS = (0, 1, -1, 2, -2)
-"""The exponents that quantities of mechanics have."""
+"""The exponents that are tried."""
 
 
 def dimensions(expressions: Sequence[Expr], system: System) -> list[Dimension | None]:
-    """Return the dimensions of expressions; None where they don't follow from the bodies, loads and frames of a system.
+    """Return the dimensions of expressions; None if the bodies, loads and frames of the system don't determine them.
 
     >>> from symbody import Body, functions_of_time, rotate, symbols, t, translate
     >>> q, (m, l) = functions_of_time("q"), symbols("m l")
@@ -72,7 +72,7 @@ def _over(one: Dimension, other: Dimension) -> Dimension:
 
 
 def _of_speeds(system: System, known: Mapping[Expr, Dimension]) -> dict[Expr, Dimension]:
-    """Return the dimensions of quasi-velocities, by the rates of coordinates that they give."""
+    """Return the dimensions of quasi-velocities, from the kinematic equations that contain them."""
     rates = [
         (rate, diff(value, u), u)
         for rate, value in system.known_rates.items()
@@ -85,7 +85,7 @@ def _of_speeds(system: System, known: Mapping[Expr, Dimension]) -> dict[Expr, Di
 
 
 def _of_multipliers(system: System, known: Mapping[Expr, Dimension]) -> dict[Expr, Dimension]:
-    """Return the dimensions of multipliers: that of work over that of a constraint, or of power over one on speeds."""
+    """Return the dimensions of multipliers: work over the constraint, or power over a constraint on speeds."""
     found = zip(system.multipliers, _found(system.constraints, known), strict=True)
     work = [_WORK if k in system.holonomic else _POWER for k in range(len(system.constraints))]
     return {
@@ -96,7 +96,7 @@ def _of_multipliers(system: System, known: Mapping[Expr, Dimension]) -> dict[Exp
 
 
 def _of_leaves(system: System) -> Iterator[tuple[Expr, Dimension]]:
-    """Yield leaves and their dimensions: what stands alone in a mass, an angle, a length, gravity or a load."""
+    """Yield the names that are masses, angles, lengths, gravity or loads by themselves, with their dimensions."""
     for body in system.bodies:
         yield from ((leaf, _INERTIA) for leaf in _multiples((*body.moments, *body.products)))
         yield from ((leaf, _MASS) for leaf in _multiples([body.mass]))
@@ -112,7 +112,7 @@ def _of_leaves(system: System) -> Iterator[tuple[Expr, Dimension]]:
 
 
 def _of_load(load: Load) -> Iterator[tuple[Expr, Dimension]]:
-    """Yield what stands alone in the points and components of a load, or in its law."""
+    """Yield the names that are coordinates of points, components or sizes of a load by themselves."""
     actions = load.actions
     for action in actions:
         if action.point is not None:
@@ -129,7 +129,7 @@ def _of_load(load: Load) -> Iterator[tuple[Expr, Dimension]]:
 
 
 def _multiples(expressions: Iterable[Expr]) -> Iterator[Expr]:
-    """Yield the names that stand in expressions multiplied by a number."""
+    """Yield the names in which expressions are linear with a numeric factor."""
     for expression in expressions:
         for leaf in sorted(expression.free_symbols, key=str):
             if diff(expression, leaf).is_number and (leaf.kind == "symbol" or not leaf.order):

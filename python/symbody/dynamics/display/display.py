@@ -1,6 +1,6 @@
 """The display of equations of motion: written out if they are short enough to be read, otherwise as sizes.
 
-What is too long term by term is written by common quantities where this is short enough.
+Equations that are too long term by term are written as a recursion of named quantities if that is short enough.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ _AT_ONCE = 500
 
 
 _WITHIN_PAGES = 200
-"""Operations of equations from which on they certainly fill pages if the entries of their mass matrix are long."""
+"""Equations with more operations, and long entries of the mass matrix, certainly fill pages."""
 
 
 class Shown(Protocol):
@@ -131,18 +131,18 @@ class Display:
 
     @cached_property
     def _has_long_entries(self) -> bool:
-        """Whether the mass matrix of a system is too long term by term."""
+        """Whether the entries of the mass matrix are too long to be written term by term."""
         is_whole = isinstance(self.system, System) and self.shown.whole is None
         return is_whole and are_long(self.shown.mass_matrix.entries)
 
     @property
     def _is_wall(self) -> bool:
-        """Whether equations certainly fill pages term by term, so that their terms need not be found."""
+        """Whether the equations certainly fill pages term by term, so that this form need not be computed."""
         return cost(self.shown.residuals).total > _WITHIN_PAGES and self._has_long_entries
 
     @cached_property
     def _recursive_page(self) -> RecursivePage | None:
-        """The page by common quantities, if equations are too long term by term, and few lines so."""
+        """The recursion, if the equations are too long term by term and the recursion is short enough."""
         shown, system = self.shown, self.system
         if not isinstance(system, System) or not is_readable(shown.residuals) or not self._has_long_entries:
             return None
@@ -215,7 +215,7 @@ class Display:
         return replace(found, conditions=self._printed_page.conditions) if is_embedded else found
 
     def _is_long_row(self, k: int) -> bool:
-        """Return whether an equation is too long term by term: in a recursion, or of a large system by itself."""
+        """Return whether an equation is too long term by term: those of a recursion are, others are measured."""
         if self._has_page:
             return self._recursive_page is not None
         mass = self.shown.mass_matrix

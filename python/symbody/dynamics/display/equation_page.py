@@ -33,7 +33,7 @@ class EquationPage:
         balance: the equation.
         named: names in it, and what they stand for.
         conditions: the constraints on positions that determine its coordinates, for an embedded equation.
-        moving: the names that stand among the speeds in products.
+        moving: the names that are ordered like speeds in products.
     """
 
     system: Variables

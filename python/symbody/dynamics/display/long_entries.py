@@ -1,4 +1,4 @@
-"""Whether the entries of a mass matrix are too long to be read, which is known before their forms are found."""
+"""Entries of a mass matrix that are too long to be read, which is found without expanding them."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from symbody.symbolic import Expr, free_symbols, substitute
 from symbody.symbolic.calculus.terms import number_of_terms
 
 _TERMS, _OF_EACH = 100, 8
-"""Terms of all entries, and of each on average, up to which they may be read: a sum of parameters is one term."""
+"""The largest number of terms of all entries, and of one entry on average; a sum of parameters is one term."""
 
 
 def are_long(entries: Sequence[Expr]) -> bool:
-    """Return whether entries have many terms when they are multiplied out.
+    """Return whether the entries have too many terms when they are expanded.
 
-    Those of absolute angles have one for each mass, ``(m1 + m2)*l1*l2*cos(q1 - q2)``; those of spatial arms hundreds.
+    An entry for absolute angles has one term, ``(m1 + m2)*l1*l2*cos(q1 - q2)``; one of a spatial arm has hundreds.
 
     >>> from symbody import cos, functions_of_time, symbols
     >>> q, a = functions_of_time("q1:9"), symbols("a1:9")
@@ -33,4 +33,4 @@ def are_long(entries: Sequence[Expr]) -> bool:
 
 
 _FIRST, _STEP = 1009, 211
-"""Numbers in the place of the parameters, of which sums and products are not zero or one by chance."""
+"""Numbers that replace the parameters; no sum or product of them is 0 or 1 by chance."""

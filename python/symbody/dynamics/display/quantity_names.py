@@ -1,4 +1,4 @@
-"""Names of quantities by what they are: w1 of an angular velocity, f1 of a force, n1 of a torque."""
+"""Names of quantities by their dimension: w1 for an angular velocity, f1 for a force, n1 for a torque."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ class Kind(NamedTuple):
     """A kind of quantities.
 
     Attributes:
-        letters: those that are tried: none is the stem of a name of the model.
+        letters: the letters to choose from; the first one is used that the model doesn't use.
         plural: what the quantities are called.
     """
 
@@ -59,12 +59,16 @@ def stage_of(dimension: Dimension | None) -> int:
 
 
 def legend(kinds: Collection[Kind], taken: Collection[str]) -> str:
-    """Return the letters and what they stand for.
+    """Return the letters and their meanings; nothing if no kind is known.
 
     >>> legend({kind_of((1, 2, -2)), kind_of((1, 1, -2))}, {"f"})
     'F: forces; n: torques'
+    >>> legend({kind_of(None)}, {})
+    ''
     """
     known = [kind for kind in (*_KINDS.values(), _OTHER) if kind in kinds]
+    if known == [_OTHER]:
+        return ""
     return "; ".join(f"{_letter(kind, taken)}: {kind.plural}" for kind in known)
 
 

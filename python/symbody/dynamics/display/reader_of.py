@@ -36,7 +36,7 @@ def reader_of(system: Variables, expressions: Sequence[Expr] = (), further: Sequ
 
 
 _placed: WeakKeyDictionary[System, tuple[Sequence[Expr], Sequence[Expr]]] = WeakKeyDictionary()
-"""The expressions of systems and the differences in them: each of many rows needs them."""
+"""The expressions of a system and the differences in them, kept because each row needs them."""
 _BY_BODIES = 400
 """Operations of equations up to which forms with a term for each body are looked for."""
 

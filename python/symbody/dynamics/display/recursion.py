@@ -1,8 +1,8 @@
-"""What equations have in common, as quantities with names: velocities, accelerations, forces, torques.
+"""Equations as a recursion of named quantities: velocities, accelerations, forces and torques.
 
-So textbooks of robotics write the equations of an arm [Craig 2005, sec. 6.5; Khalil & Dombre 2002, ch. 9]: outwards
-from the ground the velocities and accelerations of the bodies, then back the forces and torques. The quantities are
-parts of the graph of the equations, so they are found at once.
+Textbooks of robotics write the equations of an arm in this way [Craig 2005, sec. 6.5; Khalil & Dombre 2002, ch. 9]: the
+velocities and accelerations of the bodies outwards from the ground, then the forces and torques back to it. The
+quantities are shared nodes of the expression graph, so they are found quickly.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ class _Quantity(NamedTuple):
     Attributes:
         value: the quantity.
         stage: positions, velocities, accelerations or forces.
-        kind: what it is.
+        kind: its kind by dimension.
     """
 
     value: Expr
@@ -38,7 +38,7 @@ class _Quantity(NamedTuple):
 
 @dataclass(frozen=True)
 class Recursion:
-    """Terms of equations by the quantities that they have in common.
+    """Terms of equations, written by means of the quantities that they share.
 
     Attributes:
         system: the system to which the equations belong.
@@ -63,12 +63,12 @@ class Recursion:
 
     @property
     def values(self) -> list[Expr]:
-        """The quantities, each by the names of those before it."""
+        """The quantities, each written with the names of earlier ones."""
         return self._by_names[0]
 
     @property
     def terms(self) -> list[Expr]:
-        """The terms, each by the names of the quantities in it."""
+        """The terms, written with the names of the quantities."""
         return self._by_names[1]
 
     @property
@@ -78,7 +78,7 @@ class Recursion:
 
     @property
     def legend(self) -> str:
-        """The letters of the names, and what they stand for."""
+        """The letters of the names and their meanings."""
         return legend({each.kind for each in self._quantities}, self._taken)
 
     @cached_property
@@ -100,7 +100,7 @@ class Recursion:
 
     @property
     def _taken(self) -> set[str]:
-        """The stems of the names of the model."""
+        """The names of the model without their indices."""
         leaves = (*self.system.leaves, *self.system.coordinates)
         names = (leaf.name for leaf in leaves if leaf.kind in {"symbol", "time_function"})
         return {name.rstrip("0123456789").partition("_")[0] for name in names}
@@ -112,7 +112,7 @@ def _shorter(expression: Expr) -> Expr:
 
 
 def _stages(quantities: Sequence[Expr], own: Sequence[int]) -> list[int]:
-    """Return the stages of quantities, none before those of the quantities in it."""
+    """Return the stages of quantities; none is earlier than those of the quantities it contains."""
     known, found = dict(zip(quantities, own, strict=True)), dict[int, int]()
     for node in post_order(quantities, lambda node: node.args, lambda node: node.id):
         within = max((found[arg.id] for arg in node.args), default=0)

@@ -1,4 +1,4 @@
-"""Long equations as a recursion: what they have in common is written once, by names that tell what it is."""
+"""The page of long equations as a recursion, in which shared quantities have names."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from .short_names import Definition, in_order_of_use
 from .source import sources
 
 LINES = 150
-"""The lines up to which equations are written so: three pages, of which each line is short."""
+"""The largest number of lines of a recursion: three pages of short lines."""
 
 _Row = tuple[str, list[Expr], list[Expr]]
 """A label, and the terms on the left and on the right side."""
@@ -31,7 +31,7 @@ _Row = tuple[str, list[Expr], list[Expr]]
 
 @dataclass(frozen=True)
 class RecursivePage:
-    """Equations, constraints and kinematics by the quantities that they have in common.
+    """Equations, constraints and kinematics, written by means of the quantities that they share.
 
     Attributes:
         system: the system to which the equations belong.
@@ -88,7 +88,7 @@ class RecursivePage:
 
 
 _WIDTH = 70
-"""The characters of a line of words in a formula."""
+"""The largest length of a line of text in a formula."""
 _ADVICE = """\
     One of them: show(equations.equation_of({first}));
     all of them with their terms multiplied out: print(equations.description(whole=True));
@@ -98,7 +98,7 @@ _ADVICE = """\
 def recursive_page(
     system: System, residuals: Sequence[Expr], mass_matrix: Matrix, state_rates: Mapping[Expr, Expr]
 ) -> RecursivePage:
-    """Return the page of equations by the quantities that they have in common.
+    """Return the page of equations as a recursion.
 
     Args:
         system: the system to which the equations belong.
@@ -117,7 +117,7 @@ def recursive_page(
 
 
 def row_by_quantities(system: System, speed: Expr, residual: Expr) -> EquationPage:
-    """Return one equation by the quantities that occur in it several times."""
+    """Return one equation with names for the quantities that occur in it several times."""
     found = Recursion(system, [_positive(residual)])
     named = tuple(zip(found.names, found.values, strict=True))
     balance = Balance(velocities=tuple(found.terms))
@@ -125,7 +125,7 @@ def row_by_quantities(system: System, speed: Expr, residual: Expr) -> EquationPa
 
 
 def _sides(residual: Expr, given: frozenset[Expr]) -> tuple[list[Expr], list[Expr]]:
-    """Return the terms of a residual, and the opposites of those that are given forces."""
+    """Return the left and the right side of an equation; given forces are on the right."""
     terms = summands(residual) if residual.free_symbols & given else []
     loads = [term for term in terms if without(term, [*given]).is_zero]
     if not loads:
@@ -135,6 +135,6 @@ def _sides(residual: Expr, given: frozenset[Expr]) -> tuple[list[Expr], list[Exp
 
 
 def _positive(residual: Expr) -> Expr:
-    """Return the opposite of a residual that is a product with a minus sign: of ``-f1 = 0``, the left side f1."""
+    """Return a residual without a leading minus sign: f1 for ``-f1``."""
     factors = residual.args if residual.kind == "product" else ()
     return -residual if any(each.is_number and str(each).startswith("-") for each in factors) else residual

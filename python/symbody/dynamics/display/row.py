@@ -24,7 +24,7 @@ def printed(terms: Iterable[Expr], notation: str, system: Variables, further: Se
         terms: the terms.
         notation: "text" or "latex".
         system: the system to which they belong.
-        further: functions of time that stand among the speeds, such as the names of velocities.
+        further: functions of time that are ordered like speeds, such as names of velocities.
     """
     terms = tuple(terms)
     added, behind = signs(system) if isinstance(system, System) else ((), ())
@@ -50,8 +50,8 @@ def _listed(
         terms: the terms.
         notation: "text" or "latex".
         system: the system to which they belong.
-        subtracted: the parameters behind the minus sign in differences.
-        further: functions of time that stand among the speeds.
+        subtracted: the parameters that follow the minus sign in differences.
+        further: functions of time that are ordered like speeds.
     """
     speeds = (*system.quasi_velocities, *further, *system.multipliers)
     return listing_of_equations(terms, notation, in_order(system), speeds, subtracted)
@@ -71,7 +71,7 @@ def _with_one_direction(
         system: the system to which they belong.
         subtracted: the parameters that are subtracted in differences of lengths.
         listing: the terms printed with these.
-        further: functions of time that stand among the speeds.
+        further: functions of time that are ordered like speeds.
     """
     known = {leaf.name: leaf for leaf in system.leaves if leaf.kind == "symbol"}
     for pair in _opposites(listing)[:_MOST]:

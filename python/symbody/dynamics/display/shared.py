@@ -1,4 +1,4 @@
-"""Quantities that expressions have in common: each is written once, and stands in the others by its name."""
+"""Quantities that expressions share: each is written once and replaced by its name elsewhere."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from symbody.symbolic import Expr, substitute
 from symbody.symbolic.expression.traverse import post_order
 
 _AGAIN, _LONG = 4, 30
-"""Printed leaves from which on a quantity has a name: of one that occurs again, and of one that doesn't."""
+"""The least number of printed leaves of a quantity with a name: if it occurs several times, and if it occurs once."""
 _SAVED = 3
-"""Printed leaves that the name of a shorter sum saves, at least."""
+"""The least number of printed leaves that the name of a shorter sum must save."""
 
 
 def shared(roots: Sequence[Expr]) -> list[Expr]:
@@ -42,7 +42,7 @@ def shared(roots: Sequence[Expr]) -> list[Expr]:
 
 
 def _is_worth_a_name(node: Expr, uses: int, leaves: int) -> bool:
-    """Return whether a name for a quantity that occurs again is shorter; short sums of parameters have none."""
+    """Return whether a quantity that occurs several times gets a name; short sums of parameters don't."""
     if uses == 1 or leaves >= _AGAIN:
         return uses > 1
     return (
@@ -57,7 +57,7 @@ def _is_moving(leaf: Expr) -> bool:
 def with_names(
     roots: Sequence[Expr], quantities: Sequence[Expr], names: Sequence[Expr]
 ) -> tuple[list[Expr], list[Expr]]:
-    """Return the quantities and the roots, each by the names of the quantities in it.
+    """Return the quantities and the roots, written with the names of the quantities.
 
     >>> from symbody import symbols
     >>> a, b, c, w1, w2 = symbols("a b c w1 w2")
@@ -72,7 +72,7 @@ def with_names(
 
 
 def merged(expressions: Sequence[Expr]) -> list[Expr]:
-    """Return expressions in which parts of one value have one form, so that they are common parts.
+    """Return expressions in which equal parts have the same form, so that they can be shared.
 
     >>> from symbody import symbols
     >>> a, b, q = symbols("a b q")
@@ -93,4 +93,4 @@ def merged(expressions: Sequence[Expr]) -> list[Expr]:
 
 
 _PASSES = 3
-"""How often forms are merged, at most: a part that has a changed part may be a new form of a value."""
+"""The largest number of passes: replacing a part may give a known value a new form."""

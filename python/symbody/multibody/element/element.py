@@ -109,18 +109,21 @@ class Element(Load):
     def fields(self) -> Mapping[str, object]:
         """What `show` prints of the element."""
         potential = {} if self.potential is None else {"potential": self.potential}
-        law = {name: value for name, value in self.law.items() if not value.is_zero}
-        return {"kind": self.kind, **law, "actions": self.actions, **potential}
+        return {"kind": self.kind, **self._given_law, "actions": self.actions, **potential}
 
     @property
     def label(self) -> str:
         return self.name or self.kind
 
+    @property
+    def _given_law(self) -> dict[str, Expr]:
+        """The sizes in the law that are not zero."""
+        return {name: value for name, value in self.law.items() if not value.is_zero}
+
     def latex(self) -> str:
         """Return the law, the quantities and the potential energy in LaTeX, without dollar signs."""
-        law = {name: value for name, value in self.law.items() if not value.is_zero}
         potential = {} if self.potential is None else {"potential energy": self.potential}
-        rows = {**law, **self.quantities, **potential}
+        rows = {**self._given_law, **self.quantities, **potential}
         return DataSheet(self.label, tuple(Row(name, value) for name, value in rows.items())).latex
 
     @property

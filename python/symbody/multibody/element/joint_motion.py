@@ -89,7 +89,7 @@ def joint_motion(coordinate: Along, on: Body, reaction: Body | None, where: str)
 
 
 def _moving_side(freedom: Freedom) -> Frame | None:
-    """Return the side of a joint that is on a frame with a given motion, such as the deck of a ship; None elsewhere."""
+    """Return the side of a joint that is on a frame with a given motion, such as the deck of a ship, or None."""
     sides = (side for name, side in zip(freedom.ends, freedom.sides, strict=True) if not name)
     return next((side for side in sides if not all(motion.is_constant for motion in side.motions)), None)
 

@@ -333,7 +333,7 @@ def _vertical(
         load: the load that is given.
         k: the vertical stiffness.
         c: the vertical damping.
-        shape: what the potential must not depend on by functions of time, besides the stiffness.
+        shape: sizes that must not depend on functions of time if there is to be a potential, besides the stiffness.
     """
     if load is not None:
         return _Vertical(expression(load), None)
@@ -343,7 +343,7 @@ def _vertical(
 
 
 def _shape(radius: Shape, crown_radius: Scalar) -> tuple[Expr, ...]:
-    """Return the radii, or the rates at which a tyre is deformed: its profile may depend on the camber."""
+    """Return the radii, or the rates of deformation for a profile that depends on the camber."""
     if isinstance(radius, TireShape):
         return radius.y_rate, radius.z_rate
     return expression(radius), expression(crown_radius)

@@ -59,14 +59,14 @@ class Closure(WithSheet):
 
     @property
     def sheet(self) -> DataSheet:
-        """What is shown of it."""
+        """The data sheet."""
         return DataSheet(
             f"condition {self.name}", (Row("condition", self.condition, "= 0"), self.reaction_row)
         )
 
     @property
     def reaction_row(self) -> Row:
-        """What is shown of the force or the couple that it exerts on the child."""
+        """The row about the force or the couple that the joint exerts on the child."""
         is_couple = all(component.is_zero for component in self.force.components)
         kind, vector = ("moment", self.moment) if is_couple else ("force", self.force)
         operations = cost(list(vector.components)).total
@@ -75,7 +75,7 @@ class Closure(WithSheet):
 
 
 _LONGEST = 40
-"""The operations of a force or a couple that is written out; the couple across two axes is their product."""
+"""The largest number of operations of a force or a couple that is written out."""
 
 
 def _rebuilt(closure: Closure, parts: Sequence[Any]) -> Closure:

@@ -76,7 +76,7 @@ class Freedom(WithSheet):
 
     @property
     def sheet(self) -> DataSheet:
-        """What is shown of it."""
+        """The data sheet."""
         return DataSheet(f"freedom {self}", (Row("value", self.value), Row("rate", self.rate)))
 
     def __repr__(self) -> str:

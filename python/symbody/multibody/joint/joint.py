@@ -51,7 +51,7 @@ class Mounting:
 
     @property
     def rows(self) -> list[Row]:
-        """What is shown of it."""
+        """The rows of the data sheet about the parts that the joint connects."""
         found = [
             Row("parent", brief(self.parent)),
             Row("at", shown_place(self.at)),
@@ -63,7 +63,7 @@ class Mounting:
         return found
 
     def coupling_rows(self, coupled: Sequence[object]) -> list[Row]:
-        """Return what is shown of it for a gear or a rack, which couples two joints."""
+        """Return these rows for a gear or a rack, which couples two joints."""
         ends = Row("parent", brief(self.parent)), Row("child", brief(self.child))
         return [*ends, Row("couples", " and ".join(map(str, coupled)))]
 
@@ -122,14 +122,23 @@ class Joint(WithSheet):
 
     @property
     def sheet(self) -> DataSheet:
-        """What is shown of it."""
+        """The data sheet."""
         rows = [
             *(self.mounting.coupling_rows(self.pair.coupled) if self.pair.coupled else self.mounting.rows),
             *self.coordinate_rows(self.coordinates),
+            *self._motion_rows,
             *(row for each in self.limits for row in each.rows),
             *(Row(size.name, size.value) for size in self.pair.sizes),
         ]
         return DataSheet(str(self), tuple(rows))
+
+    @property
+    def _motion_rows(self) -> list[Row]:
+        """The row about the motion that the coordinates describe, which shows the axes; none if it is long."""
+        if len(self.coordinates) != len(self.pair.names) or not self.coordinates:
+            return []
+        motion = str(self.pair.motion(self.coordinates))
+        return [Row("motion", motion)] if len(motion) <= _LONGEST_MOTION else []
 
     def coordinate_rows(self, coordinates: Sequence[Expr]) -> list[Row]:
         """Return a row for each coordinate of the joint."""
@@ -139,6 +148,10 @@ class Joint(WithSheet):
 
     def __repr__(self) -> str:
         return f"{self.kind} {self.name}"
+
+
+_LONGEST_MOTION = 110
+"""The largest number of characters of a motion that is shown."""
 
 
 def mounted(

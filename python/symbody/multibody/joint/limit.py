@@ -88,12 +88,12 @@ class Limit(WithSheet):
 
     @property
     def sheet(self) -> DataSheet:
-        """What is shown of it."""
+        """The data sheet."""
         return DataSheet(f"limits of {self.name}", tuple(self.rows))
 
     @property
     def rows(self) -> list[Row]:
-        """The limits that there are, as rows."""
+        """One row for each limit."""
         ends = (("least", self.low), ("largest", self.high))
         return [Row(f"{which} {self.name}", value) for which, value in ends if value is not None]
 

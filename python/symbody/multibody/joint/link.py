@@ -36,7 +36,7 @@ def fixed_place(where: str, place: Place) -> Frame:
 
 
 def shown_place(place: Frame) -> Frame | tuple[Expr, ...]:
-    """Return a place in a body for the reader: its coordinates, or a frame if it is turned."""
+    """Return the coordinates of a place in a body, or the frame if its axes are turned."""
     is_turned = any(place.matrix[i, j] != int(i == j) for i in range(3) for j in range(3))
     return place if is_turned else origin(place).projected(ground).coordinates
 
@@ -129,7 +129,7 @@ class Link(WithSheet):
 
     @property
     def sheet(self) -> DataSheet:
-        """What is shown of it."""
+        """The data sheet."""
         inertia = self.body(ground).inertia
         center = Row("centre of mass", shown_place(self.center))
         return DataSheet(f"link {self.name}", (center, Row("mass", self.mass), Row("inertia", inertia)))

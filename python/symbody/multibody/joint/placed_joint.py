@@ -208,7 +208,7 @@ class PlacedJoint(WithSheet):
 
     @property
     def sheet(self) -> DataSheet:
-        """What is shown of it: also the constraints, and what it can exert on the child."""
+        """The data sheet, with the constraints and the forces that the joint can exert on the child."""
         (parent, one), (child, other) = self.ends
         rows = [
             Row("parent", parent or brief(self.joint.parent)),
@@ -224,7 +224,7 @@ class PlacedJoint(WithSheet):
 
     @property
     def line(self) -> str:
-        """One line: what it joins, its coordinates or its conditions, as `show` prints of a mechanism."""
+        """The line about the joint that `show` prints for a mechanism: the parts, the coordinates or the conditions."""
         parent, child = self.joint.parent, self.joint.child
         text = f"{self.joint}: {brief(parent)} -> {brief(child)}"
         if self.opens and self.coordinates:

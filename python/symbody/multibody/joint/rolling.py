@@ -122,7 +122,7 @@ class Contact(Pair):
         return self._leaning(coordinates) * translate(0, 0, self.circle) * rotate("Y", coordinates[4])
 
     def measured(self, sides: Sides) -> Mapping[str, Expr]:
-        """Return the angles by the axes of both sides, and the lowest centre of a cross-section, below the centre."""
+        """Return the coordinates measured on both sides: the centre of the lowest cross-section, and the angles."""
         n, e = sides.of_parent(2), sides.of_child(1).projected(sides.parent)
         lean = dot(n, e)
         down = self.circle / sqrt(1 - lean**2) * (n - lean * e)
@@ -130,7 +130,7 @@ class Contact(Pair):
         return dict(zip(self.names, (x, y, *angles(_TURNS, sides.entry)), strict=True))
 
     def travel(self, sides: Sides, name: str) -> Travel | None:
-        """Return the axis of an angle; the lowest centre of a cross-section is no point of the wheel."""
+        """Return the axis of an angle; None for x and y, which belong to no fixed point of the wheel."""
         if name in ("x", "y"):
             return None
         axis = turning_axis(sides, _TURNS, self.names.index(name) - 2)

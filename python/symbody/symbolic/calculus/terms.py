@@ -1,4 +1,4 @@
-"""The terms that an expression has when it is multiplied out, counted without multiplying."""
+"""The number of terms of an expression after expansion, counted without expanding it."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from symbody.symbolic._core import Expr
 from .reading import nodes_of
 
 MOST = 1500
-"""The terms up to which they are counted, and up to which a form is multiplied out, as this takes some time."""
+"""The largest number of terms that is counted; expressions with more terms are not expanded."""
 _POWER = 20
-"""Powers of sums from which on they count as one term."""
+"""Powers of sums with this exponent or a larger one count as one term."""
 
 
 def number_of_terms(expression: Expr) -> int:
-    """Return the number of terms of an expression when it is multiplied out; of long ones, one more than `MOST`.
+    """Return the number of terms of an expression after expansion, or ``MOST + 1`` if there are more than `MOST`.
 
     >>> from symbody import symbols
     >>> a, b, c = symbols("a b c")

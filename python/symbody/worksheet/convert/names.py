@@ -35,7 +35,7 @@ STATE_AT = '''def state_at(equations, motion, time):
         state = sb.simulate(equations, initial=state, t=span, rtol=1e-9, atol=1e-10).state_at()
     return {sb.t: time} | {x: state[x] for x in sorted(state, key=lambda x: (x.name, x.order))}
 '''
-"""What a program defines for the values of a motion at times."""
+"""The function that a program needs for the values of a motion at given times."""
 
 _TAKEN = frozenset(
     {

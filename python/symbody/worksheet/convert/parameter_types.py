@@ -35,7 +35,7 @@ _CLASSES = {
     "truefalse": "bool",
     "table": "dict",
 }
-"""Classes of Python; types that are not known count as fulfilled, as in the worksheet."""
+"""Classes of Python by type; as in the worksheet, any value passes a type that is not known."""
 
 
 def type_tests(name: str, parameters: Sequence[syntax.Parameter], names: Names) -> Iterator[str]:
@@ -84,7 +84,7 @@ def _test(kind: syntax.Expression, variable: str) -> str:
 
 
 def _joins(test: str) -> bool:
-    """Whether a test is made of several."""
+    """Whether a test is composed of several tests."""
     return " and " in test or " or " in test
 
 

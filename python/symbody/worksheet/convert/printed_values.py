@@ -1,4 +1,4 @@
-"""What a statement prints, in the program and in the worksheet: loops and procedures print values that no name has."""
+"""What a statement prints in the program and in the worksheet: loops and procedures print values without a name."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ __all__ = ["Recorder", "prints_the_same", "shown_items"]
 
 
 class Recorder:
-    """Stands for ``print`` while the code of a statement is tried out."""
+    """A replacement for ``print`` that records what the code of a statement prints."""
 
     def __init__(self, output: TextIO) -> None:
         self.items: list[Any] = []
@@ -36,7 +36,7 @@ class Recorder:
 
     @property
     def is_complete(self) -> bool:
-        """Whether nothing else has printed, as ``show`` does."""
+        """Whether everything was printed by this recorder; ``show`` prints otherwise."""
         return self.length == self._output.tell()
 
 
