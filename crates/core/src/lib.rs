@@ -16,29 +16,9 @@
 //! 1000 [Schwartz 1980; Gonnet 1984]. Hence equality compares two values without any simplification, and a zero is
 //! recognised when it is made:
 //!
-//! ```
-//! use symbody_core::{Assumption, Error, Function, Graph, Id, Number};
-//!
-//! let mut g = Graph::new();
-//! let x = g.symbol("x", Assumption::Real);
-//! let (sin, cos) = (g.apply(Function::Sin, &[x])?, g.apply(Function::Cos, &[x])?);
-//!
-//! // sin(x)**2 + cos(x)**2 is the number 1 as soon as it is made.
-//! let (sin_squared, cos_squared) = (g.mul(sin, sin)?, g.mul(cos, cos)?);
-//! assert_eq!(g.add(sin_squared, cos_squared), Id::ONE);
-//!
-//! // (x + 1)**2 and x**2 + 2*x + 1 are two forms, hence two nodes, of one value.
-//! let sum = g.add(x, Id::ONE);
-//! let square = g.pow_number(sum, &Number::integer(2))?;
-//! let expanded = g.expand(square)?;
-//! assert_ne!(square, expanded);
-//! assert!(g.equal(square, expanded));
-//! assert_eq!(g.to_text(expanded), "x**2 + 2*x + 1");
-//!
-//! // Their difference is the number 0.
-//! assert_eq!(g.sub(square, expanded), Id::ZERO);
-//! # Ok::<(), Error>(())
-//! ```
+#![doc = "```"]
+#![doc = include_str!("../tests/laws/first_example.rs")]
+#![doc = "```"]
 //!
 //! The sign of a value is its quadratic character: whether it is a square. Roots of what is no square lie in larger
 //! fields. In one lane the sign of a symbol is as random as a coin, so nodes that hold signs or roots are found by
@@ -64,7 +44,7 @@
 //! # The chapters
 //!
 //! The sources lie in folders, from the lowest to the highest. A chapter uses only chapters before it
-//! (`tests/chapters.rs` checks this).
+//! (`tests/laws/chapters.rs` checks this).
 //!
 //! | chapter | what lives there |
 //! |---|---|
@@ -97,6 +77,13 @@ mod print;
 mod rewrite;
 mod tape;
 mod value;
+
+// The tests from outside are compiled with those of the files: the crate takes the longest of all to compile.
+#[cfg(test)]
+extern crate self as symbody_core;
+#[cfg(test)]
+#[path = "../tests/laws/mod.rs"]
+mod laws;
 
 // Expressions: the graph and what it shows. The operations are methods of `Graph`.
 pub use graph::{Assumption, Classes, Cost, Graph, Id, LARGEST_ORDER, View};
