@@ -61,6 +61,11 @@ def test_a_modulus_whose_rest_is_known_in_the_form_of_a_quotient_ends() -> None:
         pytest.param(830, 2866, id="parts of pi by 13 that a substitution makes"),
         pytest.param(841, 2308, id="a number of 94 bits that a substitution makes"),
         pytest.param(901, 3204, id="a multiple of pi/2 with a factor of 84 bits"),
+        pytest.param(1001, 4917, id="the gradient of what is constant, though nowhere real"),
+        pytest.param(1104, 763, id="the derivative of the modulus of a power"),
+        pytest.param(1110, 3364, id="the derivative of the sign of a sum with a root"),
+        # more signs in one form of an argument than in the other; roots of what contains units of order 109
+        *repeated([(1102, 4196), (1108, 414), (1108, 3914)]),
     ],
 )
 def test_pairs_that_broke_the_law_keep_it(seed: int, index: int) -> None:

@@ -1,4 +1,4 @@
-"""Derivatives of Max and Min against finite differences, also where several arguments are the extremum."""
+"""Derivatives of moduli, Max and Min against finite differences, also where several arguments are the extremum."""
 
 from __future__ import annotations
 
@@ -13,9 +13,12 @@ from symbody import (
     Max,
     Min,
     Piecewise,
+    asin,
     diff,
     functions_of_time,
     gradient,
+    sign,
+    sqrt,
     symbols,
     t,
     time_derivative,
@@ -69,3 +72,28 @@ def test_extrema_of_what_may_not_be_real_have_the_derivatives_of_their_branches(
         branches = Piecewise((a, ahead), otherwise=root)
         assert extremum == branches
         assert diff(extremum, x) == diff(branches, x)
+
+
+@pytest.mark.parametrize("place", [0.3, 3.0])
+def test_the_modulus_of_what_may_not_be_real(place: float) -> None:
+    modulus = Abs(sqrt(y) - x)
+    fixed = {x: 1.0, y: place}
+    slope = (
+        modulus.evaluate({**fixed, y: place + 1e-6}) - modulus.evaluate({**fixed, y: place - 1e-6})
+    ) / 2e-6
+    assert diff(modulus, y).evaluate(fixed) == pytest.approx(slope, rel=1e-8)
+    assert gradient(1 / modulus, [x, y]) == gradient(Abs(1 / (sqrt(y) - x)), [x, y])
+    assert diff(sign(sqrt(y) - x), y) == diff((sqrt(y) - x) / modulus, y) == 0
+
+
+def test_the_modulus_of_a_length_that_is_not_known_to_be_real_has_a_derivative_where_it_is_zero() -> None:
+    length = sqrt(x**4 - 2 * x**3 * y + 2 * x**2 * y**2 - 2 * x * y**3 + y**4)
+    slope = diff(Abs(length - w), w)
+    assert slope == -sign(length - w)
+    assert slope.evaluate({x: 1, y: 0, w: 1}) == 0
+
+
+def test_the_gradient_of_what_is_constant_by_value_divides_by_nothing() -> None:
+    root = sqrt(Fraction(3, 2))
+    mean = (2 * root + y * (1 - x) * root + x * y * root) / (y + 2)
+    assert gradient(asin(mean), [x, y]) == (0, 0)

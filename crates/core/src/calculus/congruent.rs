@@ -93,6 +93,17 @@ impl Graph {
         are_same
     }
 
+    /// Whether an expression is real at all random points, such as a length that is not known to be real by value.
+    pub(super) fn is_real_in_numbers(&self, id: Id) -> bool {
+        let leaves = self.variables(&[id]);
+        let Ok(tape) = self.tape(&leaves, &[id]) else { return false };
+        let evaluator = Evaluator::new(&tape);
+        (0..POINTS).all(|point| {
+            let inputs: Vec<f64> = leaves.iter().map(|&leaf| self.real_number_of(leaf, point)).collect();
+            evaluator.evaluate(&inputs).is_ok_and(|values| values[0].is_finite())
+        })
+    }
+
     /// The value of a variable at a random point: at most two, and of either sign unless the variable is positive.
     fn real_number_of(&self, leaf: Id, point: u64) -> f64 {
         let [first, second] = self.value(leaf).words();

@@ -244,12 +244,17 @@ impl Graph {
         let root = self.adopt(id);
         let dependence = self.dependence(&[root], variables);
         if self.has_complex_moduli(&dependence) {
-            return variables
-                .iter()
-                .map(|&variable| Ok(self.partial_tangents(&[root], variable)?[0]))
-                .collect();
+            return self.gradient_forward(root, variables);
         }
-        self.adjoints(root, &dependence, variables)
+        match self.adjoints(root, &dependence, variables) {
+            // a partial derivative by what is constant may have no value: asin(u) where u = sqrt(3/2)
+            Err(_) => self.gradient_forward(root, variables),
+            gradient => gradient,
+        }
+    }
+
+    fn gradient_forward(&mut self, root: Id, variables: &[Id]) -> Result<Vec<Id>, Error> {
+        variables.iter().map(|&variable| Ok(self.partial_tangents(&[root], variable)?[0])).collect()
     }
 
     /// Whether moduli or signs of what is complex depend on the variables: their derivatives are those by a variable.

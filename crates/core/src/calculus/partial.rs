@@ -98,7 +98,7 @@ impl Graph {
                 let quotient = self.div(if k == 0 { x } else { y }, square)?;
                 Ok(if k == 0 { quotient } else { self.neg(quotient) })
             }
-            Function::Abs => self.apply(Function::Sign, args),
+            Function::Abs => self.modulus_partial(x, id),
             Function::Sign => Ok(Id::ZERO),
             Function::Min | Function::Max => self.extremum_partial(function, args, k),
             Function::Power if k == 0 => {
@@ -111,6 +111,15 @@ impl Graph {
             }
             Function::Piecewise => self.branch_partial(args, k),
         }
+    }
+
+    /// d|u| = sign(u) du of what is real, and |u| du/u of what may not be real. The last one follows from the value of |u|:
+    /// |u v| = |u| |v|, |u**k| = |u|**k and sign(u) = u/|u| have equal derivatives. But it has no value where u is zero.
+    fn modulus_partial(&mut self, u: Id, modulus: Id) -> Result<Id, Error> {
+        if self.has_real_values(u) || self.is_real_in_numbers(u) {
+            return self.apply(Function::Sign, &[u]);
+        }
+        self.div(modulus, u)
     }
 
     /// The partial derivative of max(max(max(a, b), c), ...) by argument k: the product of those of each max(m, a) = (m + a +

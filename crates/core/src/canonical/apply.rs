@@ -198,9 +198,11 @@ impl Graph {
             Function::Exp | Function::Sinh | Function::Cosh | Function::Tanh
                 if self.makes_roots(args[0], true) =>
             {
-                flags.with(Flags::BRANCH)
+                flags.with(Flags::BRANCH).with(Flags::UNITS)
             }
-            Function::Power if self.is_branching_power(args[0], args[1]) => flags.with(Flags::BRANCH),
+            Function::Power if self.is_branching_power(args[0], args[1]) => {
+                flags.with(Flags::BRANCH).with(Flags::UNITS)
+            }
             _ => flags,
         }
     }

@@ -1,7 +1,7 @@
 //! Products and powers: equal bases merge by value, and numbers and signs are taken out.
 
 use crate::error::Error;
-use crate::evaluate::Pending;
+use crate::evaluate::{Pending, makes_units};
 use crate::graph::{Factors, Flags, Function, Graph, Id, Kind, LONGEST, NumberId, View};
 use crate::value::Number;
 
@@ -136,14 +136,14 @@ impl Graph {
             }
         }
         for (base, exponent) in std::mem::take(&mut collector.factors) {
-            self.push_power_of_odd_roots(&mut collector, base, &exponent);
+            self.push_power_of_drawn_roots(&mut collector, base, &exponent);
         }
         self.finish_product(collector)
     }
 
-    /// (u**(m/n) v**k)**n = u**m v**(k n). The lanes do not know it of roots of odd degree where u is complex.
-    fn push_power_of_odd_roots(&self, out: &mut Collector, root: Id, exponent: &Number) {
-        let Some(powers) = self.powers_of_odd_roots(root, exponent) else {
+    /// (u**(m/n) v**k)**n = u**m v**(k n). The lanes do not know it of roots that they draw, where u is not real.
+    fn push_power_of_drawn_roots(&self, out: &mut Collector, root: Id, exponent: &Number) {
+        let Some(powers) = self.powers_of_drawn_roots(root, exponent) else {
             return out.push(self, root, exponent);
         };
         for (base, power) in powers {
@@ -203,6 +203,9 @@ impl Graph {
         let mut flags = self.joined_flags(factors.iter().map(|&(base, _)| base));
         if factors.iter().any(|(base, exponent)| self.is_branching(*base, exponent)) {
             flags = flags.with(Flags::BRANCH);
+            if factors.iter().any(|(base, e)| makes_units(e) && self.is_branching(*base, e)) {
+                flags = flags.with(Flags::UNITS);
+            }
         }
         // Moduli merge to squares as roots do.
         root |= factors.iter().any(|&(base, _)| {
@@ -215,7 +218,7 @@ impl Graph {
         let words: Vec<u32> = factors.iter().flat_map(|&(base, e)| [base.0, e.0]).collect();
         let value = self.product_fingerprint(&factors);
         let id = self.finish(Kind::Product, flags, &words, value);
-        if self.holds_odd_root(id) {
+        if self.holds_drawn_root(id) {
             self.representative(id); // so that it stands for the sums of its value
         }
         self.mark_used(factors.iter().map(|&(base, _)| base));

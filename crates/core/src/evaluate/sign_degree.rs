@@ -131,12 +131,13 @@ impl Graph {
 
     fn signs_of_product(&self, factors: impl Iterator<Item = (Id, NumberId)>) -> Signs {
         let product = factors.fold(none(), |product, (base, exponent)| {
-            let (mut signs, exponent) = (self.signs(base), self.get_number(exponent));
+            let exponent = self.get_number(exponent);
+            let base = if exponent.is_integer() { base } else { self.representative(base) };
+            let mut signs = self.signs(base);
             let power = exponent.to_i64().and_then(|n| usize::try_from(n).ok());
             match power {
                 Some(n) => signs.degree = signs.degree.saturating_mul(n),
                 None if self.is_branching(base, exponent) => {
-                    let base = self.representative(base);
                     signs = with_signs(&signs, u64::from(base.0) << 8 | ROOT as u64, 1);
                 }
                 None => signs = closed(signs),
@@ -148,7 +149,9 @@ impl Graph {
         Signs { degree: product.degree.min(most), ..product }
     }
 
+    /// The signs of a function, which is evaluated for the nodes that stand for its arguments.
     fn signs_of_function(&self, function: Function, args: &[Id], token: u64) -> Signs {
+        let args: Vec<Id> = args.iter().map(|&arg| self.representative(arg)).collect();
         let all = args.iter().fold(none(), |all, &arg| union(&all, &self.signs(arg)));
         let own = match function {
             Function::Abs | Function::Sign if !self.has_real_values(args[0]) => 2, // that of its norm, too

@@ -204,9 +204,12 @@ impl Flags {
     pub(crate) const INVERSE: Self = Self(32);
     /// Contains a small variable.
     pub(crate) const SMALL: Self = Self(64);
+    /// Contains a root of odd degree or a power of e, which may make units of any order: lanes may draw roots of these.
+    pub(crate) const UNITS: Self = Self(128);
 
     /// What a node has if one of its children has it.
-    const INHERITED: u16 = Self::TIME.0 | Self::COMPLEX.0 | Self::BRANCH.0 | Self::INVERSE.0 | Self::SMALL.0;
+    const INHERITED: u16 =
+        Self::TIME.0 | Self::COMPLEX.0 | Self::BRANCH.0 | Self::INVERSE.0 | Self::SMALL.0 | Self::UNITS.0;
 
     pub(crate) const fn has(self, other: Self) -> bool {
         self.0 & other.0 != 0
