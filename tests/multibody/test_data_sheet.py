@@ -4,26 +4,34 @@ from __future__ import annotations
 
 from symbody import (
     Constraint,
+    Event,
+    Frame,
     Link,
     Vector,
     assemble,
     describe,
+    floating_frame,
     friction,
     functions_of_time,
     gear,
     ground,
     latex,
+    moving_frame,
     newton_euler,
+    number,
     prismatic,
     reaction,
     revolute,
     rotate,
     spherical,
+    sqrt,
     symbols,
     translate,
     universal,
 )
+from symbody.geometry.frame.chain import Chain
 from symbody.multibody.data_sheet import WithSheet
+from symbody.simulation import Occurrence
 
 m, a, b, l, g = symbols("m a b l g")
 crank, slider = Link("crank", m, center=(a, 0, 0)), Link("slider", m)
@@ -121,11 +129,55 @@ def test_latex_of_an_element_and_of_a_mechanism() -> None:
 
 def test_latex_of_words_and_formulas() -> None:
     assert latex(C) == (
-        r"\begin{aligned} \text{parent} &: \text{rod} \\ \text{at} &: \begin{bmatrix} \cos(b) & -\sin(b) & 0 & l \\ "
-        r"\sin(b) & \cos(b) & 0 & 0 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix} \\ \text{child} &: \text{slider} "
+        r"\begin{aligned} \text{parent} &: \text{rod} \\ \text{at} &: \mathrm{Trans}\left(l, 0, 0\right)\,"
+        r"\mathrm{Rot}_{z}\left(b\right) \\ \text{child} &: \text{slider} "
         r"\\ \text{to} &: \left(0, 0, 0\right) \\ \text{loop} &: \text{closes a loop} \\ \text{coordinate phi} &: "
-        r'\phi_{C} \\ \text{motion} &: \text{rotate("Z", phi}\_\text{C)} \end{aligned}'
+        r"\phi_{C} \\ \text{motion} &: \mathrm{Rot}_{z}\left(\phi_{C}\right) \end{aligned}"
     )
+    assert latex(mechanism.joint(C)).endswith(
+        r"\text{force y} &: \left(0, 1, 0\right)\ \text{in the axes of}\ \text{ground} \end{aligned}"
+    )
+
+
+def test_a_gear_shows_its_radii_and_where_it_meshes() -> None:
+    axle, shaft = revolute("P", ground, crank), revolute("Q", ground, rod, at=(a - b, 0, 0))
+    placed = assemble([axle, shaft, gear("G", axle, shaft, a, b, internal=True)]).joint("G")
+    assert describe(placed).splitlines()[5:] == [
+        "    radius1: a",
+        "    radius2: b",
+        "    constraint G.mesh: a*phi_P - b*phi_Q = 0",
+        "    force mesh: (0, -1, 0) in the axes of ground",
+        "    force at: (a, 0, 0) in the axes of ground",
+    ]
+
+
+def test_parts_of_joints_and_events_have_short_names() -> None:
+    happened = Occurrence(Event(a - b, name="landing"), 0.25, {a: 1.0, b: 1.0})
+    condition = mechanism.joint(D).closures[0]
+    assert repr([A.limits[0], condition, happened]) == (
+        "[Limit(phi from None to 2), Closure(y, 0 = 0), Occurrence(landing at t = 0.25)]"
+    )
+
+
+def test_motions_are_written_as_in_textbooks() -> None:
+    x, y, z = functions_of_time("x y z")
+    tilted, turned = rotate((sqrt(3) / 2, 0, number(1) / 2), a), rotate("Y", b)
+    for k in range(12):
+        turned = turned * rotate("XY"[k % 2], a)
+    for frame, expected in (
+        (tilted, r"\mathrm{Rot}_{\left(\frac{\sqrt{3}}{2}, 0, \frac{1}{2}\right)}\left(a\right)"),
+        (
+            moving_frame(a, 0, 0, 0, 0, b, name="car") * translate(l, 0, 0),
+            r"\text{car}\,\mathrm{Trans}\left(l, 0, 0\right)",
+        ),
+        (floating_frame(), r"\mathrm{Floating}\left(\right)"),
+        (
+            Frame([[x, -y, 0, z], [y, x, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]),
+            r"\begin{bmatrix} x & -y & 0 & z \\",
+        ),
+        (turned, r"\text{Frame(13 motions from ground)}"),
+    ):
+        assert latex(Chain(frame)).startswith(expected)
 
 
 def test_a_long_reaction_is_shown_at_once_and_without_symbols_that_cancel() -> None:

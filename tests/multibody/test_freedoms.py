@@ -8,12 +8,15 @@ from scipy.integrate import solve_ivp
 
 from symbody import (
     Expr,
+    Frame,
     Link,
     Mechanism,
     ModelNotice,
     Torque,
     Vector,
     assemble,
+    atan2,
+    cos,
     cylindrical,
     equilibrium,
     free,
@@ -24,6 +27,7 @@ from symbody import (
     lagrange_equations,
     motor,
     newton_euler,
+    number,
     pi,
     planar,
     point_on_curve,
@@ -34,6 +38,7 @@ from symbody import (
     rolling,
     rotate,
     simulate,
+    sin,
     spherical,
     sqrt,
     symbols,
@@ -384,3 +389,32 @@ def test_the_rate_of_a_freedom_of_a_spatial_loop_is_the_slope_of_its_angle() -> 
         np.testing.assert_allclose(rate, slope, atol=2e-4 * np.abs(rate).max())
         assert np.abs(rate).max() > 0.04
     assert mechanism.joint(A).freedom().rate == time_derivative(A.coordinate)
+
+
+@pytest.mark.parametrize(
+    ("at", "to", "angle"),
+    [
+        (rotate("Z", 0.3), rotate("Z", 0.1), -0.2),
+        (rotate("Z", -3), rotate("Z", 3), 6 - 2 * pi),
+        (rotate("Z", 0.3) * rotate("X", pi), rotate("X", pi) * rotate("Z", 0.1), 0.4),
+        (rotate("Z", pi / 7) * rotate("X", pi), rotate("Y", pi) * rotate("Z", a), None),
+    ],
+)
+def test_an_angle_that_counts_all_turns_begins_with_a_sum_of_turns(
+    at: Frame, to: Frame, angle: object
+) -> None:
+    """A parallel linkage, in which the turns of the places are all that is left where all coordinates are zero."""
+    bars = [Link(name, m) for name in ("one", "bar", "other")]
+    one, bar, other = bars
+    joints = [
+        revolute("A", ground, one),
+        revolute("B", one, bar, at=(0, 1, 0)),
+        revolute("D", ground, other, at=(1, 0, 0)),
+        revolute("C", bar, other, at=translate(1, 0, 0) * at, to=translate(0, 1, 0) * to, loop=True),
+    ]
+    value = assemble(joints).joint("C").freedom().value
+    constant = value.subs({joint.coordinate: 0 for joint in joints})
+    if angle is None:
+        assert constant == atan2(sin(pi + pi / 7 + a), cos(pi + pi / 7 + a))
+    else:
+        assert constant.same_form(number(1) * angle)

@@ -7,27 +7,45 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple, final
 
+from symbody.geometry import Frame
+from symbody.geometry.frame.chain import Chain
 from symbody.symbolic import Expr, cost, latex, listing
 from symbody.symbolic.calculus.shown_form import shown_form
 from symbody.symbolic.expression.container import Container, contains, text_of
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.expression.latex_layout import aligned, upright
-from symbody.symbolic.given.arguments import counted
+from symbody.symbolic.given.arguments import brief, counted
 
 __all__ = ["DataSheet", "Row", "WithSheet"]
 
 
 class Row(NamedTuple):
-    """A label and its value: words, an expression, a frame, or a tuple of these, followed by further words."""
+    """A label and its value: words, an expression, a frame, or a tuple of expressions, followed by further words.
+
+    Attributes:
+        label: what the value is.
+        value: the value.
+        words: what follows it.
+        axes: the frame in whose axes it is; None if that doesn't matter.
+    """
 
     label: str
     value: Any
     words: str = ""
+    axes: Frame | None = None
 
     @property
     def is_formula(self) -> bool:
         """Whether the value is not only words."""
         return not isinstance(self.value, str)
+
+    def written(self, value: str) -> str:
+        """Return the value, which is given as text, with what follows it."""
+        axes = "" if self.axes is None else f"{_IN_AXES} {brief(self.axes)}"
+        return " ".join(part for part in (value, self.words, axes) if part)
+
+
+_IN_AXES = "in the axes of"
 
 
 @final
@@ -63,7 +81,7 @@ class DataSheet:
     @property
     def html(self) -> str:
         """The rows as a table of a notebook, in which long values are shortened."""
-        rows = [[row.label, f"{_text(row.value, _in_a_cell)} {row.words}".strip()] for row in self.rows]
+        rows = [[row.label, row.written(_text(row.value, _in_a_cell))] for row in self.rows]
         return html_table(self.title, ["field", "value"], rows)
 
     def _entries(self) -> tuple[list[str], list[str]]:
@@ -78,7 +96,7 @@ class DataSheet:
             _text(row.value, collect)
         definitions, texts = listing(expressions)
         remaining = iter(texts)
-        entries = [f"{_text(row.value, lambda _: next(remaining))} {row.words}".strip() for row in self.rows]
+        entries = [row.written(_text(row.value, lambda _: next(remaining))) for row in self.rows]
         return [f"{name} = {value}" for name, value in definitions], entries
 
 
@@ -118,25 +136,46 @@ def _in_a_cell(expression: Expr) -> str:
 def _layout(sheet: DataSheet, texts: list[str]) -> str:
     formulas = iter(texts)
     rows = []
-    for label, value, words in sheet.rows:
-        formula = upright(value) if isinstance(value, str) else next(formulas)
-        rows.append(rf"{upright(label)} &: {formula}" + (rf"\ {upright(words)}" if words else ""))
+    for row in sheet.rows:
+        parts = [next(formulas) if row.is_formula else upright(row.value)]
+        if row.words:
+            parts.append(upright(row.words))
+        if row.axes is not None:
+            parts += [upright(_IN_AXES), next(formulas)]
+        rows.append(rf"{upright(row.label)} &: " + r"\ ".join(parts))
     return aligned(rows)
 
 
-def _formulas(sheet: DataSheet) -> Sequence[Any]:
-    return [row.value for row in sheet.rows if row.is_formula]
+def _formulas(sheet: DataSheet) -> list[Any]:
+    """Return the values that are no words, each with the axes in which it is."""
+    found = []
+    for row in sheet.rows:
+        found += [row.value] if row.is_formula else []
+        found += [] if row.axes is None else [row.axes]
+    return found
+
+
+def _shown(sheet: DataSheet) -> list[Any]:
+    return [Chain(each) if isinstance(each, Frame) else each for each in _formulas(sheet)]
 
 
 def _rebuilt(sheet: DataSheet, parts: Sequence[Any]) -> DataSheet:
-    values = iter(parts)
+    remaining = iter(parts)
     return DataSheet(
         sheet.title,
-        tuple(row._replace(value=next(values)) if row.is_formula else row for row in sheet.rows),
+        tuple(
+            row._replace(
+                value=next(remaining) if row.is_formula else row.value,
+                axes=None if row.axes is None else next(remaining),
+            )
+            for row in sheet.rows
+        ),
     )
 
 
 contains(
     DataSheet,
-    Container(_formulas, _rebuilt, layout=_layout, advice="the thing that it describes may have one"),
+    Container(
+        _formulas, _rebuilt, layout=_layout, shown=_shown, advice="the thing that it describes may have one"
+    ),
 )

@@ -10,6 +10,7 @@ from symbody import (
     Body,
     SymbodyError,
     errors,
+    ground,
     linear_tire,
     magic_formula,
     pi,
@@ -21,6 +22,16 @@ from symbody import (
 from tests.errors.given import F, Mistake, a, b, check, m, phi, wheel
 
 MISTAKES: list[Mistake] = [
+    (
+        errors.LoadError,
+        lambda: tire(
+            Body(rotate("Y", phi), m), a, linear_tire(cornering=b), load=m, carrier=ground, name="front"
+        ),
+        (
+            "tire front: the contact never moves along its direction of rolling (VS = 0), so that its slips are 0/0; "
+            "expected a carrier that travels, relaxation=(sigma_x, sigma_y), or a least_speed"
+        ),
+    ),
     (
         errors.LoadError,
         lambda: magic_formula({"FNOMIN": 4000, "UNLOADED_RADIUS": 0.3}, version="2002"),

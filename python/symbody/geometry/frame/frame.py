@@ -247,17 +247,22 @@ class Frame:
     def __hash__(self) -> int:
         return hash(self.key)
 
-    def __repr__(self) -> str:
-        """Return the name, or the motions from the last frame that has a name."""
+    @property
+    def shown_motions(self) -> tuple[str, tuple[FrameMotion, ...]]:
+        """The name of the last frame of the chain that has one, empty for ground, and the motions from there."""
         frame, motions = self, list[FrameMotion]()
         while not frame.name and frame.parent is not None and frame.motion is not None:
             motions.append(frame.motion)
             frame = frame.parent
         start = frame.name or ground.name
         if len(motions) > _SHOWN:
-            return f"Frame({len(motions)} motions from {start})"
-        known = [] if motions and frame == ground else [start]
-        return " * ".join([*known, *map(str, reversed(motions))])
+            return f"Frame({len(motions)} motions from {start})", ()
+        return ("" if motions and frame == ground else start), tuple(reversed(motions))
+
+    def __repr__(self) -> str:
+        """Return the name, or the motions from the last frame that has a name."""
+        start, motions = self.shown_motions
+        return " * ".join([*([start] if start else []), *map(str, motions)])
 
     def _repr_latex_(self) -> str:
         return displayed(latex(self), name=self.name)

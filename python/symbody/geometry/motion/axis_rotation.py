@@ -81,6 +81,10 @@ class AxisRotation(FrameMotion):
     def __repr__(self) -> str:
         return f"rotate(({', '.join(map(str, self.axis))}), {self.angle})"
 
+    def in_latex(self, variables: Sequence[str]) -> str:
+        *axis, angle = variables
+        return rf"\mathrm{{Rot}}_{{\left({', '.join(axis)}\right)}}\left({angle}\right)"
+
     def merged(self, following: FrameMotion) -> FrameMotion | None:
         if isinstance(following, AxisRotation) and following.axis == self.axis:
             return AxisRotation(self.axis, self.angle + following.angle)

@@ -116,6 +116,12 @@ class Floating(FrameMotion):
             return "floating_frame()"
         return f"moving_frame({', '.join(map(str, (*self.twist.linear, *self.twist.angular)))})"
 
+    def in_latex(self, variables: Sequence[str]) -> str:
+        if self.quaternion:
+            return r"\mathrm{Floating}\left(\right)"
+        angular, linear = variables[-6:-3], variables[-3:]
+        return rf"\mathrm{{Moving}}\left({', '.join((*linear, *angular))}\right)"
+
     def rewritten(self, variables: Sequence[Expr]) -> FrameMotion:
         x, y, z, u, v, w = variables[-6:]
         pose, twist = self._pose.rewritten(variables[:-6]), Twist((x, y, z), (u, v, w))

@@ -17,6 +17,7 @@ from symbody.geometry.component.triple import NULL, Rate, Scalar, Triple, is_nul
 from symbody.geometry.component.turning import Accelerated, Nine, Turning
 from symbody.geometry.component.twist import Twist
 from symbody.symbolic import Expr, add3, cross3, matvec3, number, scale3, time_derivatives
+from symbody.symbolic.expression.latex_layout import upright
 
 Substitution: TypeAlias = Mapping[Expr, Scalar]
 Rows: TypeAlias = tuple[Triple, Triple, Triple]
@@ -87,6 +88,11 @@ class FrameMotion(ABC):
     @abstractmethod
     def __repr__(self) -> str:
         """Return what makes the motion, as a user writes it."""
+
+    def in_latex(self, variables: Sequence[str]) -> str:
+        """Return the motion as textbooks write it, by its `variables` in LaTeX; by default its matrix isn't shown."""
+        del variables
+        return upright(str(self))
 
     def rewritten(self, variables: Sequence[Expr]) -> FrameMotion:
         """Return the motion with its `variables` in other forms; by default it keeps its form."""

@@ -7,6 +7,7 @@ from typing import final
 
 from symbody.geometry.component.triple import NULL, Rate, Triple, rates, triple
 from symbody.symbolic import Expr, common_parameters, cross3, dot3, matvec3, sub3, substitute
+from symbody.symbolic.expression.latex_layout import bmatrix
 
 from .frame_motion import FrameMotion, Rows, Substitution
 
@@ -56,6 +57,10 @@ class Placement(FrameMotion):
     def __repr__(self) -> str:
         rows = [[*row, place] for row, place in zip(self.rows, self._displacement, strict=True)]
         return f"Frame({[*rows, [0, 0, 0, 1]]})"
+
+    def in_latex(self, variables: Sequence[str]) -> str:
+        rows = ((*variables[3 * k : 3 * k + 3], variables[9 + k]) for k in range(3))
+        return bmatrix([entry for row in (*rows, "0001") for entry in row], 4)
 
     def subs(self, substitution: Substitution) -> Placement:
         return self.rewritten(substitute(self.variables, substitution))

@@ -58,6 +58,9 @@ class Rotation(FrameMotion):
     def __repr__(self) -> str:
         return f'rotate("{AXES[self.axis]}", {self.angle})'
 
+    def in_latex(self, variables: Sequence[str]) -> str:
+        return rf"\mathrm{{Rot}}_{{{AXES[self.axis].lower()}}}\left({variables[1]}\right)"
+
     def merged(self, following: FrameMotion) -> FrameMotion | None:
         if type(following) is Rotation and following.axis == self.axis:
             return Rotation(self.axis, self.angle + following.angle)

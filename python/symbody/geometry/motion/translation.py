@@ -50,6 +50,9 @@ class Translation(FrameMotion):
     def __repr__(self) -> str:
         return f"translate({', '.join(map(str, self.displacement))})"
 
+    def in_latex(self, variables: Sequence[str]) -> str:
+        return rf"\mathrm{{Trans}}\left({', '.join(variables)}\right)"
+
     def merged(self, following: FrameMotion) -> FrameMotion | None:
         """Merge only translations that cancel: any other sum would hide the frame in between, which may be shared."""
         if type(following) is not Translation:

@@ -359,6 +359,12 @@ def _slips(contact: TireKinematics, relaxation: Lengths | None, least: Expr, nam
     speed = Abs(contact.VS) if least.is_zero else sqrt(contact.VS**2 + least**2)
     sliding = contact.VS + contact.VR
     if relaxation is None:
+        if speed.is_zero:
+            raise LoadError(
+                f"{_WHERE}{f' {name}' if name else ''}: the contact never moves along its direction of rolling "
+                "(VS = 0), so that its slips are 0/0; expected a carrier that travels, relaxation=(sigma_x, sigma_y), "
+                "or a least_speed"
+            )
         return _Slips(-sliding / speed, contact.VN / speed, {})
     if len(relaxation) != 2:
         raise LoadError(

@@ -21,6 +21,7 @@ from symbody.symbolic.given.arguments import brief, counted
 
 __all__ = [
     "AXES",
+    "LONGEST",
     "NEARLY",
     "Closure",
     "Sides",
@@ -53,6 +54,9 @@ class Closure(WithSheet):
     force: Vector
     moment: Vector
 
+    def __repr__(self) -> str:
+        return f"Closure({self.name}, {brief(self.condition)} = 0)"
+
     def moment_about(self, point: Point) -> Vector:
         """Return the moment about a point, with that of the force."""
         return self.moment + cross(self.at - point, self.force)
@@ -70,11 +74,11 @@ class Closure(WithSheet):
         is_couple = all(component.is_zero for component in self.force.components)
         kind, vector = ("moment", self.moment) if is_couple else ("force", self.force)
         operations = cost(list(vector.components)).total
-        shown = vector.components if operations <= _LONGEST else f"({counted(operations, 'operation')})"
-        return Row(f"{kind} {self.name}", shown, f"in the axes of {brief(vector.frame)}")
+        shown = vector.components if operations <= LONGEST else f"({counted(operations, 'operation')})"
+        return Row(f"{kind} {self.name}", shown, axes=vector.frame)
 
 
-_LONGEST = 40
+LONGEST = 40
 """The largest number of operations of a force or a couple that is written out."""
 
 

@@ -53,9 +53,9 @@ class Mounting:
     def rows(self) -> list[Row]:
         """The rows of the data sheet about the parts that the joint connects."""
         found = [
-            Row("parent", brief(self.parent)),
+            _part_row("parent", self.parent),
             Row("at", shown_place(self.at)),
-            Row("child", brief(self.child)),
+            _part_row("child", self.child),
             Row("to", shown_place(self.to)),
         ]
         if self.loop is not None:
@@ -64,8 +64,12 @@ class Mounting:
 
     def coupling_rows(self, coupled: Sequence[object]) -> list[Row]:
         """Return these rows for a gear or a rack, which couples two joints."""
-        ends = Row("parent", brief(self.parent)), Row("child", brief(self.child))
+        ends = _part_row("parent", self.parent), _part_row("child", self.child)
         return [*ends, Row("couples", " and ".join(map(str, coupled)))]
+
+
+def _part_row(label: str, part: Link | Frame) -> Row:
+    return Row(label, part if isinstance(part, Frame) else part.name)
 
 
 @final
@@ -137,8 +141,8 @@ class Joint(WithSheet):
         """The row about the motion that the coordinates describe, which shows the axes; none if it is long."""
         if len(self.coordinates) != len(self.pair.names) or not self.coordinates:
             return []
-        motion = str(self.pair.motion(self.coordinates))
-        return [Row("motion", motion)] if len(motion) <= _LONGEST_MOTION else []
+        motion = self.pair.motion(self.coordinates)
+        return [Row("motion", motion)] if len(str(motion)) <= _LONGEST_MOTION else []
 
     def coordinate_rows(self, coordinates: Sequence[Expr]) -> list[Row]:
         """Return a row for each coordinate of the joint."""

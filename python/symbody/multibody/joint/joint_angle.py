@@ -16,7 +16,6 @@ from symbody.symbolic import (
     atan2,
     derivation,
     diff,
-    free_symbols,
     functions_of_time,
     number,
     sqrt,
@@ -27,6 +26,7 @@ from symbody.symbolic import (
 )
 
 from .closure import AXES, Sides
+from .constant_angle import constant_angle
 
 Entry: TypeAlias = Callable[[int, int], Expr]
 
@@ -87,7 +87,7 @@ def turning_axis(sides: Sides, turns: str, which: int) -> Vector:
     return n.projected(sides.parent)
 
 
-def over_all_turns(sides: Sides, axis: int, angle: Expr) -> Expr | None:
+def over_all_turns(sides: Sides, axis: int) -> Expr | None:
     """Return the angle about an axis that both sides share at every position, as a sum of coordinates.
 
     It is smooth over any number of turns, as in a plane mechanism. None if the angular velocity is no sum of rates.
@@ -95,7 +95,6 @@ def over_all_turns(sides: Sides, axis: int, angle: Expr) -> Expr | None:
     Args:
         sides: P and C, whose axes are parallel by themselves.
         axis: the one that they share.
-        angle: the same angle, from -pi to pi.
     """
     with derivation(order=ENERGY):
         w = angular_velocity(sides.child).projected(sides.parent) - angular_velocity(sides.parent)
@@ -111,8 +110,8 @@ def over_all_turns(sides: Sides, axis: int, angle: Expr) -> Expr | None:
         if not rest.is_number:
             return None
         total += rest * t
-        moving = {each: number(0) for each in free_symbols([angle]) if each.depends_on_time}
-        return total + substitute([angle], moving)[0]
+        i, j = (axis + 1) % 3, (axis + 2) % 3
+        return total + constant_angle(sides, axis, sides.entry(j, i), sides.entry(i, i))
 
 
 def _coordinate(leaf: Expr) -> Expr | None:

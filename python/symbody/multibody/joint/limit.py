@@ -86,6 +86,9 @@ class Limit(WithSheet):
             found["upper"] = self.value - self.high
         return found
 
+    def __repr__(self) -> str:
+        return f"Limit({self.name} from {self.low} to {self.high})"
+
     @property
     def sheet(self) -> DataSheet:
         """The data sheet."""

@@ -194,7 +194,7 @@ def whole_angle(sides: Sides, axis: str) -> Expr | None:
     """
     if not all(holds_by_itself(each.condition) for each in held_turns(sides, axis)):
         return None
-    return over_all_turns(sides, AXES.index(axis), angles(axis, sides.entry)[0])
+    return over_all_turns(sides, AXES.index(axis))
 
 
 def held_turns(sides: Sides, axes: str) -> tuple[Closure, ...]:

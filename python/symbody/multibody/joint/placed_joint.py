@@ -11,11 +11,11 @@ from symbody.errors import JointError
 from symbody.geometry import Frame, Point
 from symbody.geometry.given.argument import checked
 from symbody.multibody.data_sheet import DataSheet, Row, WithSheet
-from symbody.symbolic import Expr
+from symbody.symbolic import Expr, cost
 from symbody.symbolic.expression.container import Container, contains
 from symbody.symbolic.given.arguments import brief, counted
 
-from .closure import Closure, Sides, names_that_constrain
+from .closure import LONGEST, Closure, Sides, names_that_constrain
 from .freedom import Freedom
 from .joint import Joint
 from .joint_angle import cone_angle
@@ -211,16 +211,27 @@ class PlacedJoint(WithSheet):
         """The data sheet, with the constraints and the forces that the joint can exert on the child."""
         (parent, one), (child, other) = self.ends
         rows = [
-            Row("parent", parent or brief(self.joint.parent)),
-            Row("axes on the parent", str(one)),
-            Row("child", child or brief(self.joint.child)),
-            Row("axes on the child", str(other)),
+            Row("parent", parent or self.joint.parent),
+            Row("axes on the parent", one),
+            Row("child", child or self.joint.child),
+            Row("axes on the child", other),
             *self.joint.coordinate_rows(self.coordinates),
             *(row for limit in self.limits for row in limit.rows),
+            *(Row(size.name, size.value) for size in self.joint.pair.sizes),
             *(Row(f"constraint {self.name}.{each.name}", each.condition, "= 0") for each in self.active),
             *(each.reaction_row for each in (self.closures if self.opens else self.active)),
+            *self._point_rows,
         ]
         return DataSheet(f"{self}, which {'opens the tree' if self.opens else 'closes a loop'}", tuple(rows))
+
+    @property
+    def _point_rows(self) -> list[Row]:
+        """The row about the point where teeth or wheels touch, if it is short."""
+        if not self.joint.pair.coupled and not self.joint.pair.rolls:
+            return []
+        point = self.acting_point
+        is_short = cost(list(point.coordinates)).total <= LONGEST
+        return [Row("force at", point.coordinates, axes=point.frame)] if is_short else []
 
     @property
     def line(self) -> str:

@@ -41,6 +41,9 @@ class Occurrence:
     state: Mapping[Expr, float]
     sensitivities: NDArray[np.float64] | None = field(default=None, repr=False, compare=False)
 
+    def __repr__(self) -> str:
+        return f"Occurrence({brief(self.event)} at t = {self.t:.6g})"
+
     def __getitem__(self, expression: object) -> NoReturn:
         """Refuse brackets: the motion has the values of expressions at its events."""
         raise ArgumentError(
