@@ -48,7 +48,7 @@ from symbody import (
     translate,
     universal,
 )
-from symbody.errors import JointError, LoadError
+from symbody.errors import JointError, LoadError, SimulationError
 
 m, I, k, c, M, a = symbols("m I k c M a")
 
@@ -182,7 +182,18 @@ def test_a_spatial_pin_that_closes_a_loop_is_a_rotor() -> None:
     assert motion.energy_drift < 1e-7
     driven = newton_euler(made.system([motor(J, 2.0, on=on)]))
     motion = simulate(driven, {}, {}, t=(0, 4), rtol=1e-9, atol=1e-11)
-    np.testing.assert_allclose(np.unwrap(motion[J.value]), 2 * motion.t**2, atol=1e-6)
+    np.testing.assert_allclose(motion[J], 2 * motion.t**2, atol=1e-6)
+    assert np.ptp(motion[J.value]) < 2 * np.pi
+    fast = simulate(driven, {}, {}, t=np.linspace(0, 40, 101), rtol=1e-9, atol=1e-11)
+    np.testing.assert_allclose(fast[J], 2 * fast.t**2, rtol=1e-5)  # many turns between two instants
+    braked = newton_euler(made.system([motor(J, 20 * cos(4 * t), on=on)]))
+    with pytest.raises(SimulationError) as caught:
+        simulate(braked, {}, {}, t=np.linspace(0, 20, 11))[J]
+    assert str(caught.value) == (
+        "motion[...]: phi of revolute J can't be followed from t = 0 s to 2 s, between which it may make a turn more "
+        "or less; expected instants that are closer together, t=np.linspace(...), or freedom.value, which is known "
+        "from -pi to pi"
+    )
     dragged = newton_euler(made.system([friction(J, viscous=1.5, on=on)]))
     start = {time_derivative(base.coordinates[3]): 5.0}
     motion = simulate(dragged, {}, start, t=(0, 2), rtol=1e-9, atol=1e-11)

@@ -25,7 +25,7 @@ class Freedom(WithSheet):
         name: of the coordinate, such as "phi".
         value: the coordinate; where the joint closes a loop, what it would be. An angle then counts from -pi to pi,
             unless its axis has a constant direction in both bodies at every position, as in a plane mechanism: there
-            it is a sum of coordinates, over any number of turns.
+            it is a sum of coordinates, over any number of turns. ``motion[freedom]`` has all turns in any case.
         ends: the names of the parent and of the child, empty for a frame.
         sides: the axes of the joint on both.
         travel: how the child moves along it; None where the coordinate alone determines it.

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from symbody.errors import ArgumentError, ModelError, SimulationError, SymbodyError
 from symbody.multibody import Variables
+from symbody.multibody.joint.freedom import Freedom
 from symbody.simulation.given.wording import joined_by_and
 from symbody.simulation.integrate.methods import methods_that
 from symbody.simulation.integrate.outcome import Statistics
@@ -22,6 +23,7 @@ from symbody.simulation.model.unknown import explain_unknown
 from symbody.symbolic import Expr, ExprLike
 from symbody.symbolic.given.arguments import counted, described, with_known_names
 
+from .continuous_angle import continuous
 from .differentiated_motion import DifferentiatedMotion
 from .drawing import NotebookPage, drawing_function
 from .occurrence import Occurrence
@@ -113,14 +115,19 @@ class Motion:
         """Refuse to iterate: Python would ask for ``motion[0]``, ``motion[1]`` and so on."""
         _READING.refuse_iteration()
 
-    def __getitem__(self, expression: Expr) -> Array:
+    def __getitem__(self, expression: Expr | Freedom) -> Array:
         """Return the values of an expression, shape (N,).
+
+        A freedom of a joint, ``motion[mechanism.joint("C").freedom()]``, is its value, and an angle among them goes
+        over pi without a jump.
 
         Raises:
             ArgumentError: the argument is not an expression, or is a number.
             SimulationError: the expression contains a variable that the model does not know.
             ParameterError: a parameter that is not in the equations has no value.
         """
+        if isinstance(expression, Freedom):
+            return self._along(expression)
         if isinstance(expression, str) and expression in self.output_expressions:
             raise ArgumentError(
                 f"motion[...]: {expression!r} is the name of an output; expected motion.outputs[{expression!r}]"
@@ -130,6 +137,12 @@ class Motion:
             return self.states[:, self.model.state.index(expression)]
         values: Array = self.evaluate([expression])[0]
         return values
+
+    def _along(self, freedom: Freedom) -> Array:
+        """Return the values of a freedom, in which angles are continuous."""
+        if not freedom.jumps:
+            return self[freedom.value]
+        return continuous(freedom, self.t, *self.evaluate([freedom.value, freedom.rate]))
 
     @cached_property
     def at_events(self) -> Motion:

@@ -10,6 +10,7 @@ from typing import NoReturn
 from symbody.dynamics import Reaction
 from symbody.errors import ArgumentError
 from symbody.geometry import Point, Vector
+from symbody.multibody.joint.freedom import Freedom
 from symbody.multibody.joint.joint import Joint
 from symbody.multibody.joint.placed_joint import PlacedJoint
 from symbody.symbolic import Expr, Matrix
@@ -86,6 +87,8 @@ class Reading:
             return f"; {self._components(wanted)}"
         if isinstance(wanted, Reaction):
             return f"; its force and its moment are vectors: {self.name}.evaluate(reaction.force.components)"
+        if isinstance(wanted, Freedom):
+            return f"; its value is an expression: {self.name}[freedom.value]"
         if isinstance(wanted, Joint | PlacedJoint):
             return (
                 f"; {self.name}[joint.coordinate] is that of a joint of the tree, and "
