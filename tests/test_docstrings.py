@@ -5,8 +5,6 @@ import inspect
 from collections.abc import Iterator
 from pathlib import Path
 
-import pytest
-
 import symbody
 
 HOME = Path(symbody.__file__).parent
@@ -15,9 +13,8 @@ MANY = 5
 PUBLIC = [name for name in symbody.__all__ if callable(getattr(symbody, name))]
 
 
-@pytest.mark.parametrize("name", PUBLIC)
-def test_each_public_name_has_an_example(name: str) -> None:
-    assert ">>> " in (inspect.getdoc(getattr(symbody, name)) or "")
+def test_each_public_name_has_an_example() -> None:
+    assert [name for name in PUBLIC if ">>> " not in (inspect.getdoc(getattr(symbody, name)) or "")] == []
 
 
 def _functions(tree: ast.AST) -> Iterator[tuple[ast.FunctionDef, str]]:
@@ -43,13 +40,15 @@ def _arguments(function: ast.FunctionDef) -> list[str]:
     return [name for name in names if name not in {"self", "cls"}]
 
 
-@pytest.mark.parametrize(
-    "path", sorted(HOME.rglob("*.py")), ids=lambda path: path.relative_to(HOME).as_posix()
-)
-def test_functions_of_many_arguments_list_them(path: Path) -> None:
+def _missing(path: Path) -> Iterator[str]:
+    """Yield the arguments that the docstrings of a file don't list, with their functions and places."""
     for function, text in _functions(ast.parse(path.read_text(encoding="utf-8"))):
         names = _arguments(function)
-        if len(names) >= MANY:
-            listed = text.partition("Args:")[2] or text.partition("Attributes:")[2]
-            missing = [name for name in names if f"{name}:" not in listed and f"{name}," not in listed]
-            assert not missing, f"{function.name}, line {function.lineno}: {missing} not described"
+        listed = text.partition("Args:")[2] or text.partition("Attributes:")[2]
+        for name in names if len(names) >= MANY else []:
+            if f"{name}:" not in listed and f"{name}," not in listed:
+                yield f"{path.relative_to(HOME).as_posix()}, line {function.lineno}, {function.name}: {name}"
+
+
+def test_functions_of_many_arguments_list_them() -> None:
+    assert [place for path in sorted(HOME.rglob("*.py")) for place in _missing(path)] == []

@@ -92,7 +92,7 @@ def changed(text: str, change: str) -> str:
 def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A copy of the package and its tests in which all recipes of the page have been followed."""
     home = tmp_path_factory.mktemp("recipes")
-    ignored = shutil.ignore_patterns("__pycache__", "golden")
+    ignored = shutil.ignore_patterns("golden")  # what is compiled serves the copy as well
     for folder in ("python", "tests", "docs", "scripts"):
         shutil.copytree(ROOT / folder, home / folder, ignore=ignored)
     shutil.copy(ROOT / "pyproject.toml", home)

@@ -54,10 +54,9 @@ def test_what_is_too_large_is_listed(tmp_path: Path) -> None:
     assert f"      {MANY_PARAMETERS} python/symbody/layer/long.py: long" in text
 
 
-def test_it_runs_and_says_the_same_again() -> None:
+def test_it_runs() -> None:
     command = [sys.executable, str(ROOT / "scripts/sizes.py")]
-    first, second = (subprocess.run(command, capture_output=True, text=True, check=True) for _ in range(2))
-    assert first.stdout == second.stdout
+    printed = subprocess.run(command, capture_output=True, text=True, check=True).stdout
     for layer in ("symbolic", "simulation", "crates/core"):
-        assert f"\n{layer} " in first.stdout
-    assert len(first.stdout.splitlines()) < 80
+        assert f"\n{layer} " in printed
+    assert len(printed.splitlines()) < 80

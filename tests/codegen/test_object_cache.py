@@ -281,7 +281,7 @@ from tests.codegen.test_long_code import chain
 
 x, y = symbols("x y")
 out = np.empty((1, 2))
-for links in range(150, 156):
+for links in range(150, 153):
     MachineCode((x, y), tuple(chain(links)[-2:])).evaluate(np.array([[0.3, 0.2]]), out)
     print(out.tobytes().hex())
 """
@@ -293,8 +293,8 @@ def test_processes_at_the_same_time_share_it(home: Path):
     started = [subprocess.Popen(command, stdout=subprocess.PIPE, text=True, cwd=root) for _ in range(3)]
     reported = {process.communicate()[0] for process in started}
     assert len(reported) == 1
-    assert len(reported.pop().split()) == 6
-    assert len(list(home.iterdir())) == 6
+    assert len(reported.pop().split()) == 3
+    assert len(list(home.iterdir())) == 3
     assert all(object_cache._read(file) for file in home.iterdir())
 
 

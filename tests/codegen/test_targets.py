@@ -13,6 +13,7 @@ import os
 import subprocess
 import sys
 from collections.abc import Iterable
+from itertools import product
 from pathlib import Path
 
 import pytest
@@ -29,27 +30,34 @@ GOLDEN = ROOT / "tests" / "golden"
 COMPILES_LONG = ("long", "trifilar", "panda_7dof", "solo12_floating")
 
 
-def runs_of(programs: Iterable[str], alike: Iterable[str]) -> list[object]:
+def runs_of(programs: Iterable[str], alike: Iterable[str], elsewhere: Iterable[str] = ()) -> list[object]:
     """The parameters of tests that run programs in all targets.
 
     Args:
         programs: the names of the programs.
         alike: those in which JAX, which takes a second to begin, does what it does in others.
+        elsewhere: those that another test runs.
     """
-    marks = dict.fromkeys(COMPILES_LONG, pytest.mark.slow) | dict.fromkeys(alike, pytest.mark.repeated)
-    return [
-        run_of(program, target, mark=marks.get(program) if target == "jax" else None)
-        for program in programs
-        for target in TARGETS
-    ]
+    repeats = {(program, target) for program in elsewhere for target in TARGETS}
+    repeats |= {(program, "jax") for program in alike}
+    long = {(program, "jax") for program in COMPILES_LONG}
+
+    def mark(run: tuple[str, str]) -> pytest.MarkDecorator | None:
+        return pytest.mark.repeated if run in repeats else pytest.mark.slow if run in long else None
+
+    return [run_of(*run, mark=mark(run)) for run in product(programs, TARGETS)]
 
 
 @pytest.mark.parametrize(
     ("program", "target"),
-    runs_of(PROGRAMS, ["pendulum", "motor_pendulum", "sensed_pendulum", "watched", "trifilar"]),
+    runs_of(
+        PROGRAMS,
+        alike=["pendulum", "motor_pendulum", "sensed_pendulum", "watched", "trifilar"],
+        elsewhere=["panda_7dof", "solo12_floating"],
+    ),
 )
 def test_against_the_evaluator(program: str, target: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    """JAX compiles the trifilar pendulum here and robots in the next test, and runs other long programs uncompiled."""
+    """JAX compiles robots in the next test, and runs other long programs uncompiled."""
     if target == "jax" and program in ("long", *REFERENCES):
         monkeypatch.setenv("JAX_DISABLE_JIT", "1")
     name = module_name(PROGRAMS[program]().name, TARGETS[target].language)

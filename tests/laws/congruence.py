@@ -285,8 +285,10 @@ def _result(operation: Operation, u: Expr) -> Any:
         return _Failed()
 
 
-def broken_operations(A: Expr, B: Expr, draw: random.Random) -> Iterator[tuple[str, bool]]:
-    """Yield each operation, and whether it breaks the law for two equal expressions."""
+def broken_operations(
+    A: Expr, B: Expr, draw: random.Random, compositions: int = 20
+) -> Iterator[tuple[str, bool]]:
+    """Yield each operation and some compositions, and whether it breaks the law for two equal expressions."""
     C = _build(random_tree(draw, draw.choice((0, 1, 1, 2)))) or x
     operations = OPERATIONS | with_others(C)
     policies = draw.choice(POLICIES), draw.choice(POLICIES)
@@ -299,7 +301,7 @@ def broken_operations(A: Expr, B: Expr, draw: random.Random) -> Iterator[tuple[s
             if operation in SUBSTITUTIONS.values() and _Failed() in (one, two):
                 continue  # a value that one of the forms divides by
             yield name, one != two
-        for _ in range(20):
+        for _ in range(compositions):
             name, operation = nested(draw)
             yield f"nested: {name}", _result(operation, A) != _result(operation, B)
         for name, relation in RELATIONS.items():
@@ -316,7 +318,7 @@ def _build(tree: Tree) -> Expr | None:
         return None
 
 
-def check(pair: Pair, report: Report) -> None:
+def check(pair: Pair, report: Report, compositions: int = 20) -> None:
     """Try the law on one pair, and note what is found."""
     chain = [_build(tree) for tree in pair.chain or (pair.one, pair.two)]
     if any(expression is None for expression in chain):
@@ -351,7 +353,7 @@ def check(pair: Pair, report: Report) -> None:
             report.example("equal pairs that differ off the real line", pair.length, str(pair))
         report.counts["pairs"] += 1
         _check_transitivity(chain, pair, report)
-        _check_law(A, B, pair, report)
+        _check_law(A, B, pair, report, compositions)
 
 
 def _has_rewrite(pair: Pair) -> bool:
@@ -367,9 +369,9 @@ def _check_transitivity(chain: Sequence[Any], pair: Pair, report: Report) -> Non
         report.example("transitivity", pair.length, str(pair))
 
 
-def _check_law(A: Expr, B: Expr, pair: Pair, report: Report) -> None:
+def _check_law(A: Expr, B: Expr, pair: Pair, report: Report, compositions: int) -> None:
     broken = False
-    for name, is_broken in broken_operations(A, B, random.Random(f"law {pair.place}")):
+    for name, is_broken in broken_operations(A, B, random.Random(f"law {pair.place}"), compositions):
         group = "nested" if name.startswith("nested") else name
         report.tried[group] += 1
         if is_broken:

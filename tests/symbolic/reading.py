@@ -40,6 +40,7 @@ FUNCTIONS = (
     "sqrt",
 )
 SPREADS = (0.9, 0.9, *[2.5] * 6, 9.0, 9.0)  # inside the principal branches, and outside them
+FEW = (0.9, 2.5, 2.5, 9.0)
 
 
 class _Constants(ast.NodeTransformer):
@@ -119,11 +120,11 @@ def expression(text: str) -> Any:
 
 
 @cache
-def agrees(left: str, right: str) -> bool:
+def agrees(left: str, right: str, spreads: tuple[float, ...] = SPREADS) -> bool:
     """Return whether mpmath finds the two texts equal at every random point where both exist."""
     met, sides = False, [_read(text, _Derivatives()) for text in (left, right)]
     with mpmath.workdps(DIGITS):
-        for seed, spread in enumerate(SPREADS, start=20):
+        for seed, spread in enumerate(spreads, start=20):
             names = _numeric_names(seed, spread)
             try:
                 one, two = (mpmath.mpmathify(side(names)) for side in sides)
