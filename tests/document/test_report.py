@@ -237,7 +237,7 @@ def test_multipliers_have_the_unit_that_makes_work() -> None:
     x, y, theta, psi, k = *functions_of_time("x y theta psi"), symbols("k")
     frame = translate(x, y, 0) * rotate("Z", theta) * translate(l, 0, 0)
     bodies = [Body(frame, m1, 0, 0, I1), Body(rotate("Z", psi), 0, 0, 0, I2)]
-    gaps = [x + l * cos(theta), x**2 + y**2 - l**2, theta - 2 * psi, x - k * y]
+    gaps = [x + l * cos(theta), x**2 + y**2 - l**2, theta - 2 * psi, k * (x - y)]
     system = System(bodies, coordinates=[x, y, theta, psi], constraints=gaps[:3])
     found = {row[0]: row[2] for row in cells(blocks(lagrange_equations(system))) if "multiplier" in row[1]}
     assert list(found.values()) == ["N", "N/m", "N m"]
@@ -520,7 +520,7 @@ def test_equations_of_seven_joints_are_printed_by_common_quantities() -> None:
     start = document.blocks.index(Heading("Equations of motion"))
     _, formula = document.blocks[start + 1 : start + 3]
     assert isinstance(formula, Formula)
-    assert r"\text{w: angular velocities; alpha: angular accelerations; a: accelerations;}" in formula.latex
+    assert r"&w\colon \text{angular velocities};\; \alpha\colon \text{angular accelerations}" in formula.latex
     assert r"&n_{1} = 0" in formula.latex
 
 

@@ -87,14 +87,15 @@ def test_each_name_tells_what_the_quantity_is() -> None:
     equations = arm("ZYXZYX")
     system, text = equations.system, equations.description()
     assert text.splitlines()[1] == (
-        "    w: angular velocities; alpha: angular accelerations; a: accelerations; f: forces; n: torques"
+        "    w: angular velocities; alpha: angular accelerations; a: accelerations less that of gravity; f: forces"
     )
+    assert text.splitlines()[2] == ("    n: torques; W: products of angular velocities")
     found = Recursion(system, equations.residuals)
     masses = {leaf: 2 * leaf for leaf in system.leaves if leaf.name[0] in "mI"}
     lengths = {
         leaf: (4 if leaf.name[0] == "I" else 2) * leaf for leaf in system.leaves if leaf.name[0] in "lbIg"
     }
-    powers = {"w": (1, 1), "alpha": (1, 1), "a": (1, 2), "f": (2, 2), "n": (2, 4)}
+    powers = {"w": (1, 1), "alpha": (1, 1), "W": (1, 1), "a": (1, 2), "f": (2, 2), "n": (2, 4)}
     for name, quantity in zip(found.names, (each.value for each in found._quantities), strict=True):
         by_mass, by_length = (substitute([quantity], each)[0] for each in (masses, lengths))
         assert (by_mass, by_length) == tuple(k * quantity for k in powers[name.name.rstrip("0123456789")]), (
@@ -107,6 +108,17 @@ def test_given_torques_are_on_the_right() -> None:
     rows = rows_of(arm("ZYYZYX", driven=True).description())
     assert all(row.endswith(f" = tau{k}") for k, row in enumerate(rows[-6:]))
     assert not any("tau" in row.rpartition(" = ")[0] for row in rows)
+
+
+def test_the_acceleration_of_a_row_has_a_positive_coefficient() -> None:
+    equations = arm("ZYZYZYZ")
+    texts = [
+        equations.description(),
+        *(equations.equation_of(q).description() for q in equations.coordinates),
+    ]
+    rows = [row for text in texts for row in rows_of(text) if " := " not in row]
+    assert sum("q1''" in row for row in rows) == 2
+    assert not [row for row in rows for k in range(7) if re.search(rf"- ([\w*]+|\([^()]*\))\*q{k}''", row)]
 
 
 def test_one_equation_has_the_quantities_that_it_needs() -> None:
@@ -127,9 +139,9 @@ def test_a_letter_of_the_model_stands_for_nothing_else() -> None:
         bodies.append(Body(Point(frame, b, 0, 0), m, Ix, Iy, Iz))
         frame = frame * translate(a, 0, 0)
     equations = newton_euler(System(bodies, [], [*q], gravity=Vector(ground, 0, 0, -g)))
-    legend = equations.description().splitlines()[1]
-    assert legend.split(": ")[0].strip() == "omega"
-    assert "; A: accelerations; F: forces; n: torques" in legend
+    legend = "; ".join(line.strip() for line in equations.description().splitlines()[1:3])
+    assert legend.split(": ")[0] == "omega"
+    assert "; A: accelerations less that of gravity; F: forces; n: torques" in legend
     defined = {row.split(" := ")[0] for row in rows_of(equations.description()) if " := " in row}
     assert not defined & {leaf.name for leaf in equations.system.leaves}
 
@@ -142,7 +154,7 @@ def test_latex_has_the_same_quantities() -> None:
     for name in names:
         letter, number = re.fullmatch(r"([a-zA-Z]+)(\d+)", name).groups()
         assert f"{chr(92) + letter if len(letter) > 1 else letter}_{{{number}}} &= " in latex
-    assert r"\text{w: angular velocities; alpha: angular accelerations; a:" in latex
+    assert r"&w\colon \text{angular velocities};\; \alpha\colon \text{angular accelerations}" in latex
     assert time_derivative(equations.speeds[3]) in equations.accelerations
 
 

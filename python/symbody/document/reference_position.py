@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.codegen import lambdify
-from symbody.document.role import ANGLE, LENGTH, roles_of
 from symbody.document.subject import Subject
 from symbody.errors import ConstraintError
 from symbody.multibody import Body, System, Variables
+from symbody.multibody.quantity.role import ANGLE, LENGTH, roles_of
 from symbody.simulation import consistent_state
 from symbody.symbolic import Expr, free_symbols
 from symbody.view import DrawableMotion
@@ -84,7 +84,7 @@ def _placed(subject: Subject, lengths: Sequence[float]) -> Still:
 def _numbers(subject: Subject, lengths: Sequence[float]) -> dict[Expr, float]:
     """Return values of all parameters, by what they mean."""
     found = dict.fromkeys(subject.constrained.parameters, PARAMETER)
-    roles = roles_of(subject)
+    roles = {} if subject.mechanism is None else roles_of(subject.mechanism)
     found |= {each: TILT for each, role in roles.items() if role == ANGLE}
     its_lengths = [each for each, role in roles.items() if role == LENGTH]
     found |= zip(its_lengths, cycle(lengths), strict=False)

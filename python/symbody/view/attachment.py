@@ -6,7 +6,6 @@ points: ``xA, yA, zA``. What their names suggest is drawn only if the motion con
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -40,28 +39,6 @@ class Attachment:
     body: int
     place: Array
     """Its coordinates in the frame of the body at its centre of mass."""
-
-
-def natural_points(system: System) -> list[Point]:
-    """Return the points whose places are coordinates, from their names: ``x1, y1`` is the point 1.
-
-    >>> from symbody import Body, functions_of_time, translate
-    >>> x, y = functions_of_time("xA yA")
-    >>> [A] = natural_points(System([Body(translate(x, y, 0), 1)], coordinates=[x, y]))
-    >>> A.name, A.coordinates
-    ('A', (xA, yA, 0))
-    """
-    of_joints = {q for joint in system.joints for q in joint.coordinates}  # they are relative to the parent
-    groups: dict[str, dict[int, Expr]] = {}
-    for coordinate in (q for q in system.coordinates if q not in of_joints):
-        found = re.fullmatch(r"([xyzXYZ])_?(.*)", coordinate.name)
-        if found:
-            groups.setdefault(found[2], {})["xyz".index(found[1].lower())] = coordinate
-    return [
-        Point(system.root, *(axes.get(k, number(0)) for k in range(3)), name=name)
-        for name, axes in groups.items()
-        if len(axes) >= 2
-    ]
 
 
 def threads(system: System, points: Sequence[Point]) -> list[Thread]:

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 
-from symbody.geometry.motion.frame_motion import FrameMotion
 from symbody.multibody import System, Variables
-from symbody.symbolic import Expr, number, pi, substitute, time_derivative
-from symbody.view.attachment import natural_points
+from symbody.multibody.quantity.coordinate_kind import kinds_of_coordinates
+from symbody.symbolic import Expr, time_derivative
 
 MOST = 8
 """The most curves of a panel; more are spread over several panels."""
@@ -51,7 +50,7 @@ def overview(system: Variables) -> tuple[list[Group], list[Group]]:
     >>> [(group.kind, group.expressions) for group in coordinates]
     [('length', (x,)), ('angle', (phi, psi))]
     """
-    kinds = _kinds(system)
+    kinds = kinds_of_coordinates(system) if isinstance(system, System) else {}
     coordinates = {q: kinds.get(q, "coordinate") for q in system.coordinates}
     velocities = {u: kinds.get(u, "speed") for u in system.quasi_velocities}
     rates = {time_derivative(q): RATES[kind] for q, kind in coordinates.items() if q in system.driving}
@@ -68,46 +67,3 @@ def _groups(kinds: Mapping[Expr, str]) -> list[Group]:
         width = min(MOST, 3 * -(-len(members) // (3 * panels)))  # three coordinates place a point
         groups += [Group(kind, tuple(members[k : k + width])) for k in range(0, len(members), width)]
     return groups
-
-
-def _kinds(system: Variables) -> dict[Expr, str]:
-    """Return the kinds of coordinates and speeds, from the frames of bodies and the names of natural coordinates."""
-    found: dict[Expr, str] = {}
-    if not isinstance(system, System):
-        return found
-    motions = [m for body in system.bodies for m in body.frame.motions]
-    twists = [m.twist for m in motions if m.twist is not None]
-    twists += [] if system.root.carrier is None else [system.root.carrier]
-    for kind, leaves in (
-        ("length", (leaf for motion in motions for leaf in _multiples(motion.displacement))),
-        ("angle", (leaf for motion in motions for leaf in _angles(motion))),
-        ("length", (x for point in natural_points(system) for x in point.coordinates)),
-        ("velocity", (u for twist in twists for u in twist.linear)),
-        ("angular velocity", (u for twist in twists for u in twist.angular)),
-        ("component", (leaf for motion in motions for leaf in motion.leaves)),
-    ):
-        for leaf in leaves:
-            found.setdefault(leaf, kind)
-    return found
-
-
-def _multiples(expressions: Sequence[Expr]) -> list[Expr]:
-    """Return the functions of time that appear in expressions multiplied by a number."""
-    return [leaf for x in expressions for leaf in _moving(x) if x.diff(leaf).kind == "number"]
-
-
-def _angles(motion: FrameMotion) -> list[Expr]:
-    """Return the functions of time for which a full turn changes nothing."""
-    if motion.turn_axis is not None:
-        return _multiples(motion.variables)
-    if not motion.rotates:
-        return []
-    axes = [[number(int(i == j)) for j in range(3)] for i in range(3)]
-    entries = [x for i, j, k in axes for x in motion.to_parent((i, j, k))]
-    leaves = dict.fromkeys(leaf for x in entries for leaf in _moving(x))
-    turned = {leaf: substitute(entries, {leaf: leaf + 2 * pi}) for leaf in leaves}
-    return [leaf for leaf in leaves if list(turned[leaf]) == entries]
-
-
-def _moving(expression: Expr) -> list[Expr]:
-    return sorted((leaf for leaf in expression.free_symbols if leaf.depends_on_time), key=str)

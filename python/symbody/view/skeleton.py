@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from symbody.geometry import Point, origin
 from symbody.multibody import System
-from symbody.view.attachment import RIGID, Attachment, Thread, attachment, natural_points, threads
+from symbody.multibody.quantity.coordinate_kind import natural_points
+from symbody.view.attachment import RIGID, Attachment, Thread, attachment, threads
 from symbody.view.chain import carried_by_segments, guides, segments
 from symbody.view.drawable_motion import DrawableMotion, mechanism_of
 from symbody.view.frame_table import FrameTable

@@ -8,13 +8,13 @@ from itertools import groupby
 from symbody.document.document import NO_BREAK, Block, Heading, Math, Picture, Table, Words, prose
 from symbody.document.formula import listed
 from symbody.document.picture import drawn_motion, no_picture
-from symbody.document.role import in_order, roles_of, units_of_coordinates
 from symbody.document.subject import Subject
 from symbody.dynamics.display.row import written
 from symbody.errors import SymbodyError
 from symbody.geometry import Vector
 from symbody.multibody import Body, System
 from symbody.multibody.element.element import is_along_line, terms_of_law
+from symbody.multibody.quantity.role import in_order, units_of_names
 from symbody.simulation.given.wording import joined_by_and
 from symbody.symbolic import Expr, cost, free_symbols, latex, listing
 from symbody.symbolic.expression.latex_layout import LINE, width
@@ -65,10 +65,8 @@ def _numbers(subject: Subject, drawn: DrawableMotion) -> list[Block]:
     names = _placing(subject)
     if not names:
         return []
-    units = {
-        **{each: unit for each, (_, unit) in roles_of(subject).items()},
-        **units_of_coordinates(drawn.system),
-    }
+    system = subject.mechanism
+    units = {} if system is None else units_of_names(system)
     units |= subject.units
     values = [f"{row[0] + 0.0:.4g}" for row in drawn.evaluate(names)]
     words: list[str | Math] = []

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from itertools import groupby
 from typing import NamedTuple
 
 from symbody.document.document import Block, Heading, Table
 from symbody.document.formula import listed
-from symbody.document.role import in_order, roles_of, units_of_coordinates
 from symbody.document.subject import Subject
+from symbody.multibody.quantity.dimension import units_of_multipliers
+from symbody.multibody.quantity.role import in_order, roles_of
 from symbody.simulation.given.wording import joined_by_and
-from symbody.symbolic import Expr, substitute
+from symbody.symbolic import Expr
 from symbody.view.overview import overview
 
 
@@ -81,28 +82,15 @@ def _entries(subject: Subject) -> Iterator[tuple[Expr, str, str]]:
         kind = speed if group.kind == "speed" else f"{speed}, {group.kind}"
         yield from ((each, kind, group.unit("s")) for each in own)
     yield from ((each, "state", "") for each in equations.states)
-    roles = roles_of(subject)
+    mechanism = subject.mechanism
+    roles = {} if mechanism is None else roles_of(mechanism)
     for each in (each for each in equations.inputs if each.order == 0):
         meaning, unit = roles.get(each, ("", ""))
         yield each, f"input, {meaning}" if meaning else "input", unit
-    units = {each: unit for each, (_, unit) in roles.items()} | units_of_coordinates(system)
-    pairs = zip(equations.multipliers, equations.constraints, strict=True)
-    for number, (multiplier, constraint) in enumerate(pairs, start=1):
-        unit = _unit_of_multiplier(constraint, units | dict(subject.units))
+    units = {} if mechanism is None else units_of_multipliers(mechanism, subject.units)
+    for number, multiplier in enumerate(equations.multipliers, start=1):
         name = system.conditions[number - 1].name
-        yield multiplier, f"multiplier of {name or f'constraint {number}'}", unit
+        yield multiplier, f"multiplier of {name or f'constraint {number}'}", units.get(multiplier, "")
     symbols = {leaf for leaf in system.leaves if leaf.kind == "symbol"} | {*equations.parameters}
     for each in sorted(symbols, key=in_order):
         yield each, *roles.get(each, ("parameter", ""))
-
-
-def _unit_of_multiplier(constraint: Expr, units: Mapping[Expr, str]) -> str:
-    """Return the unit of a multiplier: that of work divided by that of the constraint, if the lengths in it are known.
-
-    A constraint of degree n in the lengths is in m^n, and its multiplier in N m/m^n.
-    """
-    leaves = constraint.free_symbols
-    if not all(units.get(leaf) in {"m", "rad"} for leaf in leaves):
-        return ""
-    (scaled,) = substitute([constraint], {leaf: 2 * leaf for leaf in leaves if units[leaf] == "m"})
-    return next((unit for n, unit in enumerate(("N m", "N", "N/m")) if scaled == 2**n * constraint), "")

@@ -13,11 +13,11 @@ from functools import cached_property
 from typing import NamedTuple
 
 from symbody.multibody import System
-from symbody.symbolic import Expr, time_function
+from symbody.multibody.quantity.dimension import dimensions
+from symbody.symbolic import Expr, free_symbols, time_function
 from symbody.symbolic.calculus.rewrite import short_form
 from symbody.symbolic.expression.traverse import post_order
 
-from .dimension import dimensions
 from .quantity_names import Kind, kind_of, legend, names_of, stage_of
 from .shared import merged, shared, with_names
 
@@ -77,9 +77,13 @@ class Recursion:
         return [name for name, each in zip(self.names, self._quantities, strict=True) if each.stage]
 
     @property
-    def legend(self) -> str:
+    def legend(self) -> list[tuple[str, str]]:
         """The letters of the names and their meanings."""
-        return legend({each.kind for each in self._quantities}, self._taken)
+        gravity = free_symbols(() if self.system.gravity is None else self.system.gravity.components)
+        points = kind_of((0, 1, -2))
+        with_gravity = (each.value.free_symbols & gravity for each in self._quantities if each.kind == points)
+        kinds = {each.kind for each in self._quantities}
+        return legend(kinds, self._taken, has_gravity=any(with_gravity))
 
     @cached_property
     def _merged(self) -> list[Expr]:
@@ -90,8 +94,17 @@ class Recursion:
         values = shared(self._merged)
         found = dimensions(values, self.system)
         stages = _stages(values, [stage_of(each) for each in found])
-        made = map(_Quantity, values, stages, map(kind_of, found))
-        return sorted(made, key=lambda each: each.stage)
+        changing = [self._has_accelerations(value) for value in values]
+        kinds = (kind_of(each, has_accelerations=its) for each, its in zip(found, changing, strict=True))
+        return sorted(map(_Quantity, values, stages, kinds), key=lambda each: each.stage)
+
+    def _has_accelerations(self, quantity: Expr) -> bool:
+        """Return whether a quantity depends on second derivatives, or on rates of quasi-velocities."""
+        least = {speed.name: 1 for speed in self.system.quasi_velocities}
+        return any(
+            leaf.kind == "time_function" and leaf.order >= least.get(leaf.name, 2)
+            for leaf in quantity.free_symbols
+        )
 
     @cached_property
     def _by_names(self) -> tuple[list[Expr], list[Expr]]:

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from textwrap import wrap
+from itertools import islice
+from typing import NamedTuple
 
 from symbody.multibody import System
-from symbody.symbolic import Expr, Matrix, number
+from symbody.symbolic import Expr, Matrix, latex, number, time_function
 from symbody.symbolic.calculus.summands import summands
 from symbody.symbolic.expression.latex_layout import ARTICLE, aligned, broken
 from symbody.symbolic.expression.text_layout import LINE
@@ -25,8 +26,20 @@ from .source import sources
 LINES = 150
 """The largest number of lines of a recursion: three pages of short lines."""
 
-_Row = tuple[str, list[Expr], list[Expr]]
-"""A label, and the terms on the left and on the right side."""
+
+class _Row(NamedTuple):
+    """An equation.
+
+    Attributes:
+        label: what it is called.
+        left, right: the terms of its sides.
+        is_reversed: whether the left side is one term without the minus sign that the equation has in front of it.
+    """
+
+    label: str
+    left: list[Expr]
+    right: list[Expr]
+    is_reversed: bool = False
 
 
 @dataclass(frozen=True)
@@ -35,7 +48,7 @@ class RecursivePage:
 
     Attributes:
         system: the system to which the equations belong.
-        rows: their labels and sides.
+        rows: the equations and conditions.
     """
 
     system: System
@@ -54,7 +67,7 @@ class RecursivePage:
         return "\n".join(
             [
                 f"EQUATIONS OF MOTION of {names}, by quantities that they have in common",
-                *(f"    {line}" for line in wrap(self._recursion.legend, LINE - 4)),
+                *(f"    {'; '.join(map(': '.join, row))}" for row in self._legend(LINE - 4)),
                 *lines_of(texts),
                 *_ADVICE.format(first=self.system.driving[0]).splitlines(),
             ]
@@ -63,28 +76,50 @@ class RecursivePage:
     def latex(self) -> str:
         """Return the same in LaTeX."""
         definitions, rows = self._printed("latex")
-        made = [rf"&\text{{{line}}}" for line in wrap(self._recursion.legend, _WIDTH)]
+        made = [
+            "&"
+            + r";\; ".join(rf"{latex(time_function(name))}\colon \text{{{meaning}}}" for name, meaning in row)
+            for row in self._legend(_WIDTH)
+        ]
         made += [row for name, value in definitions for row in broken(f"{name} &= ", value, ARTICLE)]
         made += [row for _, left, right in rows for row in broken("&", f"{left} = {right}", ARTICLE)]
         return aligned(made)
 
+    def _legend(self, longest: int) -> list[list[tuple[str, str]]]:
+        """Return the letters and their meanings row by row."""
+        rows, length = list[list[tuple[str, str]]](), longest
+        for entry in self._recursion.legend:
+            size = len(": ".join(entry)) + len("; ")
+            rows, length = (rows, length + size) if length + size <= longest else ([*rows, []], size)
+            rows[-1].append(entry)
+        return rows
+
     @cached_property
     def _recursion(self) -> Recursion:
-        return Recursion(self.system, [term for _, left, right in self.rows for term in (*left, *right)])
+        return Recursion(self.system, [term for row in self.rows for term in (*row.left, *row.right)])
 
     def _printed(self, notation: str) -> tuple[list[Definition], list[tuple[str, str, str]]]:
         """Return the names with their definitions, and the labels and sides of the rows."""
         found = self._recursion
-        expressions = [*found.names, *found.values, *found.terms]
-        further, texts = printed(expressions, notation, self.system, found.moving)
+        named = self._rows_by_names()
+        terms = [term for row in named for term in (*row.left, *row.right)]
+        further, texts = printed([*found.names, *found.values, *terms], notation, self.system, found.moving)
         count = len(found.names)
-        named = zip(texts[:count], texts[count : 2 * count], strict=True)
-        definitions = in_order_of_use([*further, *named]) if further else [*named]
+        pairs = zip(texts[:count], texts[count : 2 * count], strict=True)
+        definitions = in_order_of_use([*further, *pairs]) if further else [*pairs]
         remaining, rows = iter(texts[2 * count :]), list[tuple[str, str, str]]()
-        for label, *sides in self.rows:
-            left, right = (written([next(remaining) for _ in side]) for side in sides)
-            rows.append((label, left, right))
+        for row in named:
+            left, right = (written(islice(remaining, len(side))) for side in (row.left, row.right))
+            rows.append((row.label, left, right))
         return definitions, rows
+
+    def _rows_by_names(self) -> list[_Row]:
+        """Return the rows by the names of quantities; the sign of a sum is that of the equation."""
+        remaining, made = iter(self._recursion.terms), list[_Row]()
+        for row in self.rows:
+            left, right = ([*islice(remaining, len(side))] for side in (row.left, row.right))
+            made.append(row._replace(left=[_negative(*left)] if row.is_reversed else left, right=right))
+        return made
 
 
 _WIDTH = 70
@@ -108,33 +143,42 @@ def recursive_page(
     """
     given = sources(system, mass_matrix, system.actions).given
     pairs = zip(system.driving, residuals, strict=True)
-    rows: list[_Row] = [(f"equation of {speed}", *_sides(each, given)) for speed, each in pairs]
-    rows += [(each.label, [each.condition], []) for each in system.conditions]
+    rows = [_row(f"equation of {speed}", each, given) for speed, each in pairs]
+    rows += [_Row(each.label, [each.condition], []) for each in system.conditions]
     kinematics = {rate: value for rate, value in system.known_rates.items() if rate not in state_rates}
     for label, rates in (("kinematics", kinematics), ("state", state_rates)):
-        rows += [(label, [rate], [value]) for rate, value in rates.items()]
+        rows += [_Row(label, [rate], [value]) for rate, value in rates.items()]
     return RecursivePage(system, tuple(rows))
 
 
 def row_by_quantities(system: System, speed: Expr, residual: Expr) -> EquationPage:
     """Return one equation with names for the quantities that occur in it several times."""
-    found = Recursion(system, [_positive(residual)])
+    positive = _positive(residual)
+    found = Recursion(system, [positive])
     named = tuple(zip(found.names, found.values, strict=True))
-    balance = Balance(velocities=tuple(found.terms))
+    (term,) = found.terms
+    balance = Balance(velocities=(term if positive == residual else _negative(term),))
     return EquationPage(system, speed, balance, named, moving=tuple(found.moving))
 
 
-def _sides(residual: Expr, given: frozenset[Expr]) -> tuple[list[Expr], list[Expr]]:
-    """Return the left and the right side of an equation; given forces are on the right."""
+def _row(label: str, residual: Expr, given: frozenset[Expr]) -> _Row:
+    """Return an equation by its sides; given forces are on the right."""
     terms = summands(residual) if residual.free_symbols & given else []
     loads = [term for term in terms if without(term, [*given]).is_zero]
     if not loads:
-        return [_positive(residual)], []
+        positive = _positive(residual)
+        return _Row(label, [positive], [], is_reversed=positive != residual)
     left = sum((term for term in terms if term not in loads), start=number(0))
-    return [left], [*summands(-sum(loads, start=number(0)))]
+    return _Row(label, [left], [*summands(-sum(loads, start=number(0)))])
 
 
 def _positive(residual: Expr) -> Expr:
     """Return a residual without a leading minus sign: f1 for ``-f1``."""
     factors = residual.args if residual.kind == "product" else ()
     return -residual if any(each.is_number and str(each).startswith("-") for each in factors) else residual
+
+
+def _negative(term: Expr) -> Expr:
+    """Return a sum with the other sign; anything else, such as a name, can have either sign."""
+    terms = summands(term)
+    return sum((-each for each in terms), start=number(0)) if len(terms) > 1 else term

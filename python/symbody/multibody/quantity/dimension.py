@@ -6,16 +6,33 @@ length and time. So the dimension of an expression follows from its value and do
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
-from symbody.multibody import Element, Load, System
+from symbody.multibody.system import System
 from symbody.symbolic import Expr, diff, free_symbols, number, substitute
+
+from .role import units_of_names
 
 Dimension = tuple[int, int, int]
 """The exponents of mass, length and time."""
 
-_MASS, _INERTIA, _LENGTH, _NONE, _GRAVITY = (1, 0, 0), (1, 2, 0), (0, 1, 0), (0, 0, 0), (0, 1, -2)
-_WORK, _POWER, _FORCE, _TORQUE = (1, 2, -2), (1, 2, -3), (1, 1, -2), (1, 2, -2)
+_OF_UNITS: dict[str, Dimension] = {
+    "rad": (0, 0, 0),
+    "": (0, 0, 0),
+    "rad/s": (0, 0, -1),
+    "m": (0, 1, 0),
+    "m/s": (0, 1, -1),
+    "m/s²": (0, 1, -2),
+    "kg": (1, 0, 0),
+    "kg m²": (1, 2, 0),
+    "N": (1, 1, -2),
+    "N m": (1, 2, -2),
+    "N/m": (1, 0, -2),
+    "N m/rad": (1, 2, -2),
+    "N s/m": (1, 0, -1),
+    "N m s/rad": (1, 2, -1),
+}
+_WORK, _POWER = (1, 2, -2), (1, 2, -3)
 _EXPONENTS = (0, 1, -1, 2, -2)
 """The exponents that are tried."""
 
@@ -29,12 +46,29 @@ def dimensions(expressions: Sequence[Expr], system: System) -> list[Dimension | 
     >>> dimensions([m * l * q.diff(t) ** 2, q.diff(t), m + l], System([bob], coordinates=[q]))
     [(1, 1, -2), (0, 0, -1), None]
     """
-    known = dict[Expr, Dimension]()
-    for leaf, each in _of_leaves(system):
-        known.setdefault(leaf, each)
+    known = _of_names(system)
     known |= _of_speeds(system, known)
-    known |= _of_multipliers(system, known)
-    return _found(expressions, known)
+    return _found(expressions, known | _of_multipliers(system, known))
+
+
+def units_of_multipliers(system: System, units: Mapping[Expr, str]) -> dict[Expr, str]:
+    """Return the units of multipliers whose dimensions are known, such as N for the force that keeps a distance.
+
+    Args:
+        system: the system with its constraints.
+        units: what the user says of units; those of the SI that are known here count.
+    """
+    known = _of_names(system) | {
+        leaf: _OF_UNITS[unit] for leaf, unit in units.items() if unit in _OF_UNITS and unit
+    }
+    found = _of_multipliers(system, known | _of_speeds(system, known))
+    names = {each: unit for unit, each in reversed(_OF_UNITS.items())}  # the first unit of a dimension
+    return {multiplier: names[each] for multiplier, each in found.items() if each in names}
+
+
+def _of_names(system: System) -> dict[Expr, Dimension]:
+    """Return the dimensions of the parameters and coordinates that are known by what they are."""
+    return {leaf: _OF_UNITS[unit] for leaf, unit in units_of_names(system).items()}
 
 
 def _found(expressions: Sequence[Expr], known: Mapping[Expr, Dimension]) -> list[Dimension | None]:
@@ -93,44 +127,3 @@ def _of_multipliers(system: System, known: Mapping[Expr, Dimension]) -> dict[Exp
         for (multiplier, each), of_work in zip(found, work, strict=True)
         if each is not None
     }
-
-
-def _of_leaves(system: System) -> Iterator[tuple[Expr, Dimension]]:
-    """Yield the names that are masses, angles, lengths, gravity or loads by themselves, with their dimensions."""
-    for body in system.bodies:
-        yield from ((leaf, _INERTIA) for leaf in _multiples((*body.moments, *body.products)))
-        yield from ((leaf, _MASS) for leaf in _multiples([body.mass]))
-        yield from ((leaf, _LENGTH) for leaf in _multiples(body.center_of_mass.coordinates))
-        for motion in body.frame.motions:
-            if motion.turn_axis is not None:
-                yield from ((leaf, _NONE) for leaf in _multiples(motion.variables))
-            yield from ((leaf, _LENGTH) for leaf in _multiples(motion.displacement))
-    if system.gravity is not None:
-        yield from ((leaf, _GRAVITY) for leaf in _multiples(system.gravity.components))
-    for load in system.loads:
-        yield from _of_load(load)
-
-
-def _of_load(load: Load) -> Iterator[tuple[Expr, Dimension]]:
-    """Yield the names that are coordinates of points, components or sizes of a load by themselves."""
-    actions = load.actions
-    for action in actions:
-        if action.point is not None:
-            yield from ((leaf, _LENGTH) for leaf in _multiples(action.point.coordinates))
-    is_force = any(action.is_force for action in actions)
-    effort, path = (_FORCE, _LENGTH) if is_force else (_TORQUE, _NONE)
-    if isinstance(load, Element):
-        of_law = {"stiffness": _over(effort, path), "damping": _over(_over(effort, path), (0, 0, -1))}
-        of_law |= {"free_length": path}
-        known = ((of_law[name], value) for name, value in load.law.items() if name in of_law)
-        yield from ((leaf, each) for each, value in known for leaf in _multiples([value]))
-    else:
-        yield from ((leaf, effort) for action in actions for leaf in _multiples(action.vector.components))
-
-
-def _multiples(expressions: Iterable[Expr]) -> Iterator[Expr]:
-    """Yield the names in which expressions are linear with a numeric factor."""
-    for expression in expressions:
-        for leaf in sorted(expression.free_symbols, key=str):
-            if diff(expression, leaf).is_number and (leaf.kind == "symbol" or not leaf.order):
-                yield leaf

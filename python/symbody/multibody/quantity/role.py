@@ -1,0 +1,200 @@
+"""Roles: what the parameters of a model mean, and their units, where the model shows them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import combinations
+
+from symbody.multibody.element.element import Element
+from symbody.multibody.system import System
+from symbody.symbolic import Expr, substitute
+
+from .coordinate_kind import AXES, kinds_of_coordinates, multiples
+
+_MOST_OWNERS = 4
+"""Bodies of one mass that are listed."""
+
+LENGTH, ANGLE = ("length", "m"), ("angle", "rad")
+
+Role = tuple[str, str]
+"""A meaning and a unit of the SI."""
+
+UNITS_OF_KINDS = {"angle": "rad", "length": "m", "angular velocity": "rad/s", "velocity": "m/s"}
+"""The units of the kinds of coordinates and speeds."""
+
+
+def roles_of(system: System) -> dict[Expr, Role]:
+    """Return the roles of parameters that stand alone in a mass, an inertia, gravity, a load, a length or an angle.
+
+    >>> from symbody import Body, functions_of_time, rotate, symbols, translate
+    >>> q, (m, l) = functions_of_time("q"), symbols("m l")
+    >>> roles_of(System([Body(rotate("Z", q) * translate(l, 0, 0), m, name="bob")], coordinates=[q]))
+    {m: ('mass of bob', 'kg'), q: ('angle', 'rad'), l: ('length', 'm')}
+    """
+    return _known(system)[0]
+
+
+def units_of_names(system: System) -> dict[Expr, str]:
+    """Return the units of names: of those with a role, of coordinates and speeds, and none of pure numbers."""
+    return _known(system)[1]
+
+
+def _known(system: System) -> tuple[dict[Expr, Role], dict[Expr, str]]:
+    """Return the roles of parameters, and the units of all names that are known."""
+    roles: dict[Expr, Role] = {}
+    for name, role in _of_system(system):
+        if name.kind in {"symbol", "time_function"}:
+            roles.setdefault(name, role)
+    units = {each: unit for each, (_, unit) in roles.items()} | units_of_coordinates(system)
+    for expression, degrees in _geometry(system):
+        for name, unit in _lengths_and_numbers(expression, degrees, units).items():
+            units[name] = unit
+            if unit == "m":
+                roles[name] = LENGTH
+    return roles, units
+
+
+def units_of_coordinates(system: System) -> dict[Expr, str]:
+    """Return the units of coordinates and speeds whose kinds are known from the frames."""
+    kinds = kinds_of_coordinates(system)
+    return {each: UNITS_OF_KINDS[kind] for each, kind in kinds.items() if kind in UNITS_OF_KINDS}
+
+
+def in_order(symbol: Expr) -> tuple[str, int, str]:
+    """Return the key that puts m2 before m10."""
+    letters = symbol.name.rstrip("0123456789")
+    return letters, int(symbol.name[len(letters) :] or 0), symbol.name
+
+
+def _of_system(system: System) -> Iterator[tuple[Expr, Role]]:
+    """Yield names and roles; the first role of a name is its own."""
+    yield from _of_bodies(system)
+    gravity = system.gravity
+    for each in () if gravity is None else multiples(gravity.components):
+        yield each, ("acceleration of gravity", "m/s²")
+    yield from _of_laws(system)
+    for motion in (motion for body in system.bodies for motion in body.frame.motions):
+        yield from ((leaf, LENGTH) for leaf in multiples(motion.displacement))
+        if motion.turn_axis is not None:
+            yield from ((leaf, ANGLE) for leaf in multiples(motion.variables))
+    yield from _of_loads(system)
+    points = (action.point for load in system.loads for action in load.actions if action.point is not None)
+    for point in (*(body.center_of_mass for body in system.bodies), *points):
+        yield from ((leaf, LENGTH) for leaf in multiples(point.coordinates))
+
+
+def _of_bodies(system: System) -> Iterator[tuple[Expr, Role]]:
+    """Yield the masses, moments and products of inertia, and then what these are sums and multiples of."""
+    names = {body: body.name or f"body {number}" for number, body in enumerate(system.bodies, start=1)}
+    for mass in dict.fromkeys(body.mass for body in system.bodies):
+        owners = [name for body, name in names.items() if body.mass == mass]
+        yield mass, (f"mass of {_in_words(owners)}", "kg")
+    for body, name in names.items():
+        for axis, moment in zip("xyz", body.moments, strict=True):
+            yield moment, (f"moment of inertia of {name} about {axis}", "kg m²")
+        for axes, product in zip(("yz", "xz", "xy"), body.products, strict=True):
+            for each in (product, -product):
+                yield each, (f"product of inertia of {name}, {axes}", "kg m²")
+    for body in names:
+        yield from ((leaf, ("mass", "kg")) for leaf in multiples([body.mass]))
+        inertia = multiples((*body.moments, *body.products))
+        yield from ((leaf, ("moment of inertia", "kg m²")) for leaf in inertia)
+
+
+_EFFORT, _SPEED, _DAMPING = ("N", "N m"), ("m/s", "rad/s"), ("N s/m", "N m s/rad")
+_IN_LAWS = {
+    "stiffness": (("stiffness", "stiffness"), ("N/m", "N m/rad")),
+    "free_length": (("free length", "free length"), ("m", "m")),
+    "free_angle": (("free length", "free angle"), ("m", "rad")),
+    "damping": (("damping", "damping"), _DAMPING),
+    "force": (("force", "torque"), _EFFORT),
+    "effort": (("force", "torque"), _EFFORT),
+    "limit": (("largest force", "largest torque"), _EFFORT),
+    "least_effort": (("least force", "least torque"), _EFFORT),
+    "largest_effort": (("largest force", "largest torque"), _EFFORT),
+    "viscous": (("viscous friction", "viscous friction"), _DAMPING),
+    "coulomb": (("dry friction", "dry friction"), _EFFORT),
+    "static": (("static friction", "static friction"), _EFFORT),
+    "stribeck_speed": (("Stribeck speed", "Stribeck speed"), _SPEED),
+    "creep_speed": (("creep speed", "creep speed"), _SPEED),
+}
+"""Meanings and units of the arguments of laws: of forces along lines and slides, and of torques about axes."""
+
+
+def _of_laws(system: System) -> Iterator[tuple[Expr, Role]]:
+    """Yield what stands alone in the laws of elements, such as springs, motors and frictions."""
+    roles = [
+        (value, *_role_in_law(argument, element), element.name or f"the {element.kind.replace('_', ' ')}")
+        for element in system.loads
+        if isinstance(element, Element)
+        for argument, value in element.law.items()
+    ]
+    for value, meaning, unit, _ in roles:
+        owners = dict.fromkeys(owner for *role, owner in roles if role == [value, meaning, unit])
+        yield value, (f"{meaning} of {_in_words([*owners])}", unit)
+    for value, meaning, unit, _ in roles:
+        yield from ((leaf, (meaning, unit)) for leaf in multiples([value]))
+
+
+def _role_in_law(argument: str, element: Element) -> Role:
+    """Return the meaning and the unit of an argument; torques alone act about an axis, forces along it."""
+    is_about = not any(action.is_force for action in element.actions)
+    meanings, units = _IN_LAWS[argument]
+    return meanings[is_about], units[is_about]
+
+
+def _of_loads(system: System) -> Iterator[tuple[Expr, Role]]:
+    for action in (action for load in system.loads for action in load.actions):
+        role = ("force", "N") if action.is_force else ("torque", "N m")
+        yield from ((each, role) for each in multiples(action.vector.components))
+
+
+def _geometry(system: System) -> Iterator[tuple[Expr, tuple[int, ...]]]:
+    """Yield what is made of lengths and angles alone, each with the degrees that it may have in the lengths."""
+    for motion in dict.fromkeys(motion for body in system.bodies for motion in body.frame.motions):
+        yield from ((component, (1,)) for component in motion.displacement)
+        if motion.turn_axis is None and motion.rotates:
+            yield from ((entry, (0,)) for axis in AXES for entry in motion.to_parent(axis))
+    points = (body.center_of_mass for body in system.bodies)
+    yield from ((component, (1,)) for point in points for component in point.coordinates)
+    yield from ((each, (0, 1, 2)) for each in (*system.position_constraints, *system.eliminated_constraints))
+
+
+def _lengths_and_numbers(
+    expression: Expr, degrees: Sequence[int], units: Mapping[Expr, str]
+) -> dict[Expr, str]:
+    """Return the units of what must be a length, as l and r in ``l*cos(beta) - x + r*cos(theta)`` where x is one.
+
+    Each choice of lengths among the names without a unit is tried: if the expression is homogeneous in the lengths with
+    one choice only, this is the right one, and the other names are numbers.
+    """
+    leaves = sorted(expression.free_symbols, key=str)
+    unknown = [leaf for leaf in leaves if leaf not in units]
+    if (
+        not unknown
+        or len(unknown) > _MOST_UNKNOWN
+        or any(units.get(leaf, "") not in _PLACES for leaf in leaves)
+    ):
+        return {}
+    known = [leaf for leaf in leaves if units.get(leaf) == "m"]
+    choices = [each for count in range(len(unknown) + 1) for each in combinations(unknown, count)]
+    found = [each for each in choices if _is_homogeneous(expression, (*known, *each), degrees)]
+    return {leaf: "m" if leaf in found[0] else "" for leaf in unknown} if len(found) == 1 else {}
+
+
+_PLACES = {"m", "rad", ""}
+"""The units of names that occur in places and directions."""
+_MOST_UNKNOWN = 4
+"""The unknown symbols of an expression among which the lengths are searched."""
+
+
+def _is_homogeneous(expression: Expr, lengths: Sequence[Expr], degrees: Sequence[int]) -> bool:
+    (scaled,) = substitute([expression], {leaf: 2 * leaf for leaf in lengths})
+    return any(scaled == 2**degree * expression for degree in degrees)
+
+
+def _in_words(names: Sequence[str]) -> str:
+    """Return names with commas and an "and"; of many the first and the last."""
+    if len(names) > _MOST_OWNERS:
+        return f"{names[0]}, ..., {names[-1]}"
+    return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
