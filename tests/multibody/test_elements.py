@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import warnings
+
 import numpy as np
 import pytest
 
@@ -9,6 +11,8 @@ from symbody import (
     Body,
     Event,
     Matrix,
+    ModelNotice,
+    Point,
     System,
     Vector,
     air_force,
@@ -211,3 +215,25 @@ def test_a_plane_on_a_body_takes_the_reaction() -> None:
 def test_a_bushing_needs_six_coefficients(bad: object) -> None:
     with pytest.raises(LoadError, match="expected six numbers"):
         bushing(block.frame, ground, bad, on=block)  # type: ignore[arg-type]
+
+
+def test_a_contact_that_no_step_felt_is_reported() -> None:
+    """A rotor without drive takes a few long steps; short ones feel its spike touch the ground at each turn."""
+    rotor = Body(translate(0, 0, z) * rotate("Y", a1), 1, Iy=1, name="rotor")
+    spike = contact(Point(rotor.frame, 0, 0, -1), 0.01, k, on=rotor, name="spike")
+    equations = newton_euler(System([rotor], [spike], coordinates=[a1], inputs=[z]))
+    numbers, start = {k: 1e6}, {a1: 1.0, time_derivative(a1): 10.0}
+    instants = np.linspace(0, 3, 301)
+    with pytest.warns(ModelNotice) as caught:
+        passed = simulate(equations, numbers, start, t=instants, inputs={z: 0.9999})
+    (notice,) = caught
+    assert str(notice.message) == (
+        "simulate: spike is passed without its force at about t = 1.785 s, by up to 0.0101 m: the contact begins and "
+        "ends within a step; give max_step, a fraction of the duration of the contact"
+    )
+    assert passed[a1][-1] == pytest.approx(31, abs=1e-9)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        felt = simulate(equations, numbers, start, t=instants, inputs={z: 0.9999}, max_step=1e-3)
+    assert felt[a1][-1] == pytest.approx(30.976, abs=1e-3)
+    assert felt.energy_drift < 1e-5

@@ -26,6 +26,7 @@ from .integrated import Integrated
 from .joint_limit import passed_limits, strange_limits, unknown_limits
 from .kinematics_at import kinematics_at
 from .methods import DEFAULT, methods_that
+from .missed_contact import missed_contacts
 from .opened_constraint import LEFT, opened_constraints
 from .outcome import FailureKind
 from .pole_at_start import pole_at_start
@@ -233,6 +234,10 @@ def _half_turns(motion: Integrated) -> Iterable[Finding]:
     return [Finding("half turn", each.load, t=each.t) for each in half_turns(motion)]
 
 
+def _missed_contacts(motion: Integrated) -> Iterable[Finding]:
+    return [Finding("missed", each.load, each.depth, each.t) for each in missed_contacts(motion)]
+
+
 def _jumps(motion: Integrated) -> Iterable[Finding]:
     found = motion.outcome.sensitivities
     return [] if found is None or found.jump is None else [Finding("jump", found.jump[1], t=found.jump[0])]
@@ -324,6 +329,11 @@ ROWS: dict[str, _Row] = {
         "{subject} is turned by more than half a turn from its free angle, first at about t = {t:.4g} s, where its "
         "torque changes to the other side: its joint closes a loop, and its angle is known from -pi to pi only; make "
         "the spring with all_turns=True, or let another joint close the loop by loop=True",
+    ),
+    "missed": _Row(
+        _missed_contacts,
+        "{subject} is passed without its force at about t = {t:.6g} s, by up to {size:.3g} m: the contact begins and "
+        "ends within a step; give max_step, a fraction of the duration of the contact",
     ),
     "jump": _Row(
         _jumps,

@@ -126,6 +126,7 @@ MAY_HAVE: dict[str, Callable[[Motions], Flags]] = {
     "unlimited": _limits,
     "limits": _limits,
     "half turn": _half_turns,
+    "missed": _never,  # not looked for in batches: it would take as long as short motions
     "jump": _never,
     "left": _never,
     "stiff": _stiffness,
