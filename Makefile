@@ -24,6 +24,9 @@ OPTIONS := $(if $(filter no,$(INSTALL)),--no-install)
 TOOLS   := $(BIN)/python scripts/tools.py $(OPTIONS)
 SYSTEM_PYTHON := PYTHON='$(PYTHON)' INSTALL=$(INSTALL) sh scripts/python.sh
 
+# What maturin tells PyO3 of Python: told otherwise, PyO3 is compiled once more.
+AS_MATURIN = PYO3_BUILD_EXTENSION_MODULE=1 PYO3_CONFIG_FILE="$$(ls $(CURDIR)/target/maturin/pyo3-config-*.txt)"
+
 # A lint whose tool could not be installed is left out; in CI, $(STAMPS)/tools-lint has failed before.
 cargo-lint = @if cargo $(firstword $(2)) --version >/dev/null 2>&1; \
   then set -x; cargo $(2); else echo "Skipped: $(1) not found: cargo $(2)"; fi
@@ -61,11 +64,11 @@ test-python: $(STAMPS)/tools-test $(STAMPS)/build $(STAMPS)/develop $(RIVALS)
 
 lint: lint-rust lint-python  ## formats, lints, types and layers
 
-lint-rust: $(STAMPS)/tools-lint
+lint-rust: $(STAMPS)/tools-lint $(if $(CI),$(STAMPS)/build)
 	$(call say,Rust lints)
 	$(call cargo-lint,rustfmt,fmt --all --check)
 ifdef CI    # with the crates of others that the build has compiled, instead of reading them all anew
-	PATH="$(abspath $(BIN)):$$PATH" RUSTC_WORKSPACE_WRAPPER=$(abspath scripts/lint_crate.py) \
+	PATH="$(abspath $(BIN)):$$PATH" RUSTC_WORKSPACE_WRAPPER=$(abspath scripts/lint_crate.py) $(AS_MATURIN) \
 	  cargo build --release --config crates/lint.toml --workspace --all-targets $(LOCKED)
 else
 	$(call cargo-lint,clippy,clippy --release --workspace --all-targets $(LOCKED) -- --deny warnings)
