@@ -10,16 +10,21 @@ import pytest
 from symbody import (
     Body,
     Force,
+    Link,
     Point,
     System,
     Vector,
+    assemble,
     dot,
     functions_of_time,
     ground,
+    kinetic_energy,
     lagrange_equations,
     newton_euler,
     origin,
     project,
+    reaction,
+    revolute,
     rotate,
     simulate,
     symbols,
@@ -27,6 +32,7 @@ from symbody import (
     time_derivative,
     translate,
 )
+from symbody.errors import ModelError
 from tests.reference.mechanisms.n_fourbar import bar_of
 
 m, l, g, w, k, c = symbols("m l g w k c")
@@ -94,3 +100,26 @@ def test_projection_does_not_take_errors_of_bdf_for_leaps(speed: float, rtol: fl
         rtol=rtol,
     )
     assert motion.completed
+
+
+def test_the_drive_of_a_turntable_works_through_a_pin_that_closes_a_loop() -> None:
+    """Its torque W is that of both pins about the axis; the pin of the tree is there, so the other one does it all."""
+    table, arms = rotate("Z", 2 * t), [Link(name, 1, Iz=0.02, center=(0.1, 0, 0)) for name in "abc"]
+    joints = [
+        revolute("A", table, arms[0]),
+        revolute("B", arms[0], arms[1], at=(0.3, 0, 0)),
+        revolute("C", arms[1], arms[2], at=(0.9, 0, 0)),
+        revolute("D", table, arms[2], at=(0.8, 0, 0), to=(0.5, 0, 0), loop=True),
+    ]
+    equations = newton_euler(assemble(joints).system())
+    A, B, C = equations.coordinates
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        motion = simulate(equations, {}, {A: 1.2, B.diff(t): 1}, t=(0, 1), guess={B: -1, C: -2}, rtol=1e-10)
+    with pytest.raises(ModelError, match="frames move by t, a prescribed motion"):
+        motion.energy_drift  # noqa: B018
+    energy = motion[kinetic_energy(equations.system)]
+    power = 2 * motion[reaction(equations, "D", frame=ground).about(origin(ground)).moment.components[2]]
+    work = np.concatenate([[0], np.cumsum((power[1:] + power[:-1]) / 2 * np.diff(motion.t))])
+    assert np.ptp(energy) > 0.1
+    np.testing.assert_allclose(energy - energy[0], work, atol=1e-4)

@@ -219,7 +219,11 @@ def _scale(eqs: Equations, accelerations: Sequence[Expr]) -> Expr | None:
 
 
 def _equation_names(eqs: Equations, method: str) -> tuple[str, ...]:
-    constraints = tuple(map(str, eqs.constraints))
+    conditions = eqs.system.conditions
+    constraints = tuple(
+        f"of {condition.name}" if condition.name else str(constraint)
+        for condition, constraint in zip(conditions, eqs.constraints, strict=True)
+    )
     speeds = tuple(f"of {speed}" for speed in eqs.speeds)
     return {"schur_complement": constraints, "pivoted": speeds + constraints}.get(method, ())
 

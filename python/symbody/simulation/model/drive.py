@@ -2,7 +2,8 @@
 
 The velocities of bodies and loads are ``v = V u + v_0``. The equations of motion balance power along ``V``, the virtual
 velocities: then the energy changes by the work of the loads alone if, and only if, v is such a velocity too. So it is
-where ``v_0`` is a combination of the columns of V, as after a shift of the speeds. If not, something is led by a force
+where ``v_0 = V u_0``, as after a shift of the speeds, with ``A u_0 = 0``: else the forces of the constraints A u + b do
+more work than the ``-lambda . b`` that is counted. If there is no such u_0, something is led by a force
 that the equations don't contain: a frame that moves with time, a constant forward velocity, kinematics such as
 ``y' = V``, or an eliminated constraint that moves.
 """
@@ -33,20 +34,24 @@ def moves_at_rest(system: System, speeds: Sequence[Expr], by_state: Rate) -> boo
         return bool(_velocities_and_drift(system, speeds, by_state)[1])
 
 
-def does_uncounted_work(system: System, speeds: Sequence[Expr], by_state: Rate) -> bool:
+def does_uncounted_work(
+    system: System, speeds: Sequence[Expr], by_state: Rate, constraints: Sequence[Expr]
+) -> bool:
     """Return whether something is led by a force whose work the equations don't contain.
 
     Args:
         system: the system.
         speeds: u.
         by_state: writes expressions by time, coordinates and speeds.
+        constraints: A u + b, in time, coordinates and speeds.
     """
     with derivation():
         velocities, drift = _velocities_and_drift(system, speeds, by_state)
         if not drift:
             return False
-        partial = jacobian(velocities, speeds)
-        both = Matrix([[*partial.row(k), each] for k, each in enumerate(drift)])
+        partial = jacobian([*velocities, *constraints], speeds)
+        drifts = [*drift, *(number(0) for _ in constraints)]
+        both = Matrix([[*partial.row(k), each] for k, each in enumerate(drifts)])
         return both.rank() > partial.rank()
 
 

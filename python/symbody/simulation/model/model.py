@@ -330,7 +330,7 @@ class Model:
     def is_driven(self) -> bool:
         """Whether something is led by a force whose work the equations don't contain, so that the energy varies."""
         return isinstance(self.system, System) and does_uncounted_work(
-            self.system, self.speeds, self.with_inputs
+            self.system, self.speeds, self.with_inputs, self.velocity_constraints
         )
 
     @cached_property
