@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.worksheet.printed_by import printed
+from tests.worksheet.printed_by import failures, printed
 
 CASES = {
     "operands": (
@@ -52,6 +52,27 @@ CASES = {
     "collect": (
         "collect(a*x+b*x+c,x); collect((x+1)*(x+a),x,simplify);",
         ["x*(a+b)+c", "x^2+x*(a+1)+a"],
+    ),
+    "parts of a structured type": (
+        (
+            "e := X*cos(d) + m*diff(x(t),t,t): indets(e,'specfunc(anything,diff)'); indets(e,specfunc(cos));"
+            " indets(e,And(name,Not(identical(m,t)))); subs(map(d->d=0,[op(indets(e,specfunc(diff)))]),e);"
+            " hastype(e,float); subsindets(2.5*x(t)+y,float,convert,rational);"
+        ),
+        ["{diff(x(t),`$`(t,2)), diff(x(t),t)}", "{cos(d)}", "{X, d}", "X*cos(d)", "false", "5/2*x(t)+y"],
+    ),
+    "structured types": (
+        (
+            "type(a=3,name=numeric), type(a=b,name=numeric), type([a=1],'list(name=numeric)'),"
+            " type(sin(x),polynom(anything,x)), type(x^2,'name^integer'), type(3,satisfies(x->x>2)),"
+            " type(f(x),'anyfunc'(name)), type(Matrix(2,3),'Matrix'(square)), type(x^2,quadratic(x));"
+            " `type/odd2` := e -> type(e,odd): type(3,odd2), type(2,odd2);"
+        ),
+        ["true, false, true, false, true, true, true, false, true", "true, false"],
+    ),
+    "basic types": (
+        "whattype(f(x)), whattype(a[1]), whattype(a<b), whattype(Matrix(2)), whattype(<1,2>);",
+        ["function, indexed, `<`, Matrix, Vector[column]"],
     ),
     "indets": (
         "indets(x^2+sin(y(t)),'function'); indets(a+b*c);",
@@ -103,3 +124,11 @@ def test_an_operand_gets_a_function() -> None:
 
 def test_parts_of_strings_are_ranges() -> None:
     assert printed('"abcdef"[2..4], "abc"[2..], "abc"[-1];') == ['"bcd", "bc", "c"']
+
+
+def test_a_type_that_nobody_knows() -> None:
+    (message,) = failures("type(3, fooo);")
+    assert message == (
+        "type: fooo is not a type that is known here; expected one of Maple's, such as name, or one of the "
+        "sheet's own, `type/fooo` := e -> .."
+    )

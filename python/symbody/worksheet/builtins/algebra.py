@@ -144,6 +144,8 @@ def _with_relations(
         unknowns.items if isinstance(unknowns, Listed | MapleSet) else () if unknowns is None else (unknowns,)
     )
     wanted = [scalar(session, each) for each in names]
+    if any(each.kind == "function" for each in wanted):
+        return _with_relations_of_calls(session, value, relations, wanted)
     residuals = [left - right for left, right in relations]
     if wanted:
         solve = eliminated if is_linear(residuals, wanted) else eliminated_in_turn
@@ -156,6 +158,23 @@ def _with_relations(
         for left, right in relations:
             each = reduced(each, left, right, wanted)
         return _simple(session, each)
+
+    return entrywise(session, value, reduce)
+
+
+def _with_relations_of_calls(
+    session: Session, value: Value, relations: list[tuple[Expr, Expr]], wanted: list[Expr]
+) -> Value:
+    """Relations in which functions such as cos(x) are unknowns: names stand for them while polynomials are reduced."""
+    calls = {each: symbol(f"_call{i}") for i, each in enumerate(wanted) if each.kind == "function"}
+    back = {name: call for call, name in calls.items()}
+    named = [(left.subs(calls), right.subs(calls)) for left, right in relations]
+
+    def reduce(each: Expr) -> Expr:
+        found = each.subs(calls)
+        for left, right in named:
+            found = reduced(found, left, right, [each.subs(calls) for each in wanted])
+        return _simple(session, found).subs(back)
 
     return entrywise(session, value, reduce)
 

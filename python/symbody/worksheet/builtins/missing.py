@@ -10,7 +10,7 @@ _BY_PURPOSE = {
         "laurent asympt singular residue numapprox chebyshev pade minimax implicitdiff plotcompare"
     ),
     "forms": (
-        "hastype coeftayl gcdex "
+        "coeftayl gcdex "
         "frontend powsubs trigsubs radnormal compoly sqrfree resultant discrim sturm realroot content "
         "primpart prem divide roots irreduc completesquare asubs fnormal shake evalr"
     ),

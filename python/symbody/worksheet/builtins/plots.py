@@ -12,7 +12,7 @@ from symbody.errors import SymbodyError, WorksheetError
 from symbody.symbolic import Expr
 from symbody.worksheet.drawing.options import number_of, plot_options, range_of, styled
 from symbody.worksheet.drawing.pieces import Piece, pieces_of
-from symbody.worksheet.evaluation.at_numbers import value_at
+from symbody.worksheet.evaluation.at_numbers import to_be_evaluated, value_at
 from symbody.worksheet.evaluation.session import Command, Session
 from symbody.worksheet.values.complex_number import as_complex, has_i
 from symbody.worksheet.values.numeric import decimal
@@ -54,7 +54,7 @@ def plot(session: Session, *arguments: Value, logarithmic: str = "") -> Value:
     span, others = spans[0] if spans else None, spans[1:]
     if others and "view" not in options:
         options["view"] = range_of(session, others[0])
-    found = session.current(session.resolve(what)) if not _is_function(session, what) else what
+    found = to_be_evaluated(session, what) if not _is_function(session, what) else what
     curves = styled(
         session, curves_of(session, found, span, options, logarithmic="x" in logarithmic), options
     )

@@ -12,7 +12,7 @@ from symbody.symbolic import Expr
 from symbody.worksheet.builtins.plots import curves_of, is_span, plot, point_shape, span_of
 from symbody.worksheet.drawing.options import number_of, plot_options, styled
 from symbody.worksheet.drawing.pieces import Piece
-from symbody.worksheet.evaluation.at_numbers import value_at
+from symbody.worksheet.evaluation.at_numbers import to_be_evaluated, value_at
 from symbody.worksheet.evaluation.session import Command, Session
 from symbody.worksheet.values.numeric import decimal
 from symbody.worksheet.values.value import Listed, Plot, Relation, String, Value
@@ -67,7 +67,7 @@ def spacecurve(session: Session, *arguments: Value) -> Value:
 
 def plot3d(session: Session, *arguments: Value) -> Value:
     """plot3d(f, x = a..b, y = c..d), or plot3d([x, y, z], u = .., v = ..): a surface."""
-    what, options = session.current(session.resolve(arguments[0])), plot_options(session, list(arguments[1:]))
+    what, options = to_be_evaluated(session, arguments[0]), plot_options(session, list(arguments[1:]))
     (x, first), (y, second) = _two_spans(session, arguments, "plot3d", _GRID)
     u, v = (each.ravel() for each in np.meshgrid(first, second))
     if isinstance(what, Listed):
@@ -82,7 +82,7 @@ def plot3d(session: Session, *arguments: Value) -> Value:
 
 def implicitplot(session: Session, *arguments: Value) -> Value:
     """plots[implicitplot](f = g, x = a..b, y = c..d): the curve on which an equation holds."""
-    what, options = session.current(session.resolve(arguments[0])), plot_options(session, list(arguments[1:]))
+    what, options = to_be_evaluated(session, arguments[0]), plot_options(session, list(arguments[1:]))
     (x, first), (y, second) = _two_spans(session, arguments, "implicitplot", _FINE)
     value = what.left - what.right if isinstance(what, Relation) else what  # type: ignore[operator]
     u, v = np.meshgrid(first, second)

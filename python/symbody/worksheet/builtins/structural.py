@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import replace
 from functools import cmp_to_key
 
@@ -10,13 +10,13 @@ from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, number
 from symbody.worksheet.evaluation.arithmetic import scalar
 from symbody.worksheet.evaluation.condition import compared, is_type, truth
-from symbody.worksheet.evaluation.current import flattened, set_of
+from symbody.worksheet.evaluation.current import flattened
 from symbody.worksheet.evaluation.entrywise import parts_of, with_parts
 from symbody.worksheet.evaluation.session import Command, Session, sequence
 from symbody.worksheet.printing.print import sort_key
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.numeric import as_integer
-from symbody.worksheet.values.structure import Tree, leaves, tree_of, walk
+from symbody.worksheet.values.structure import Tree, tree_of, walk
 from symbody.worksheet.values.value import (
     Array,
     Boolean,
@@ -158,34 +158,6 @@ def _function_name(node: Tree) -> str:
 def depends(session: Session, value: Value, part: Value) -> Value:
     """depends(e, x): as has."""
     return has(session, value, part)
-
-
-def indets(session: Session, value: Value, kind: Value | None = None) -> Value:
-    """indets(e), indets(e, 'function'): names and functions that occur; those of a type."""
-    found: list[Value] = []
-    for each in _scalars(session, value):
-        if kind is None:
-            found.extend(leaf for leaf in leaves(each) if not leaf.is_number)
-        else:
-            found.extend(node.value for node in walk(tree_of(each)) if is_type(session, node.value, kind))
-    return set_of(each for each in found if not (isinstance(each, Expr) and each.kind == "constant"))
-
-
-def _scalars(session: Session, value: Value) -> Iterable[Expr]:
-    if isinstance(value, Expr):
-        yield value
-        return
-    found = session.resolve(value)
-    parts = (
-        found.entries.values()
-        if isinstance(found, Table)
-        else found.entries
-        if isinstance(found, Array)
-        else parts_of(found)
-    )
-    for part in parts:
-        if not isinstance(part, Reference):
-            yield from _scalars(session, session.current(part))
 
 
 def items_of(session: Session, value: Value) -> tuple[Value, ...]:
@@ -412,15 +384,26 @@ def whattype(session: Session, *values: Value) -> Value:
     if len(values) != 1:
         return symbol("exprseq")
     (value,) = values
+    kind = _basic_type(value)
+    return symbol(kind) if kind else _head(value)
+
+
+_ARRAY_TYPES = {"Vector": "Vector[column]", "RowVector": "Vector[row]", "matrix": "array", "vector": "array"}
+_SCALAR_TYPES = {"function": "function", "derivative": "function"}
+
+
+def _basic_type(value: Value) -> str | None:
+    """Return the basic type of a value; None if it is the head that ``op(0, e)`` tells."""
     if isinstance(value, Expr):
         if value.is_number:
-            return symbol("float" if value.is_decimal else "integer" if value.ratio[1] == 1 else "fraction")
-        return _head(value)
+            return "float" if value.is_decimal else "integer" if value.ratio[1] == 1 else "fraction"
+        indexed = value.kind == "symbol" and "[" in value.name
+        return "indexed" if indexed else _SCALAR_TYPES.get(tree_of(value).kind)
+    if isinstance(value, Array):
+        return _ARRAY_TYPES.get(value.kind, value.kind)
     if isinstance(value, Relation):
-        return symbol("equation")
-    if isinstance(value, ProcedureValue):
-        return symbol("procedure")
-    return _head(value)
+        return "equation" if value.operator == "=" else value.operator
+    return {Unevaluated: "function", ProcedureValue: "procedure"}.get(type(value))
 
 
 def holds(session: Session, relation: Value) -> Value:
@@ -448,7 +431,6 @@ COMMANDS: dict[str, Command] = {
     "numelems": element_count,
     "has": has,
     "depends": depends,
-    "indets": indets,
     "map": mapped,
     "map2": mapped_second,
     "foldl": folded,

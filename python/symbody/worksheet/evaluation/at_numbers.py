@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from symbody.errors import WorksheetError
+from symbody.errors import SymbodyError, WorksheetError
 from symbody.symbolic import Expr
 from symbody.symbolic.expression.traverse import post_order
 from symbody.worksheet.evaluation.session import Session
 from symbody.worksheet.values.numeric import as_float, decimal
+from symbody.worksheet.values.value import Value
 
-__all__ = ["calls_functions", "value_at"]
+__all__ = ["calls_functions", "to_be_evaluated", "value_at"]
 
 _DIGITS = 16
 """Of a double."""
@@ -38,3 +39,13 @@ def value_at(session: Session, expression: Expr, values: Mapping[Expr, float]) -
     if result is None:
         raise WorksheetError(f"{session.text(found)[:60]} is no number")
     return result
+
+
+def to_be_evaluated(session: Session, value: Value) -> Value:
+    """Return the present value of what is evaluated at numbers; ``'f(x)'`` as it is if f needs a number for x."""
+    try:
+        return session.current(session.resolve(value))
+    except SymbodyError:
+        if isinstance(value, Expr) and calls_functions(session, value):
+            return value
+        raise

@@ -108,5 +108,5 @@ def _equal_arrays(session: Session, a: Array, b: Array | Expr) -> bool:
 
 
 def is_type(session: Session, value: Value, kind: Value) -> bool:
-    """Return whether a value is of a type; what isn't known counts as fulfilled."""
+    """Return whether a value is of a type."""
     return has_type(session, value, kind)

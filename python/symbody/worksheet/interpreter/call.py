@@ -13,6 +13,7 @@ from symbody.worksheet.evaluation import arithmetic
 from symbody.worksheet.evaluation.current import flattened
 from symbody.worksheet.evaluation.entrywise import entrywise
 from symbody.worksheet.evaluation.session import Session
+from symbody.worksheet.evaluation.structured_types import STRUCTURED
 from symbody.worksheet.interpreter.leaf import named
 from symbody.worksheet.interpreter.procedure import ProcedureCall, call_procedure
 from symbody.worksheet.interpreter.quoted_name import head_in_quotes
@@ -53,6 +54,8 @@ def _call(session: Session, node: syntax.Call) -> Value:
         head_name = head_in_quotes(session, function.body)
         if isinstance(session.resolve(symbol(head_name)), ProcedureValue):
             return _waiting(session, head_name, session.evaluated(node.arguments))
+        if head_name in STRUCTURED:  # 'Matrix'(square) is a type
+            return Unevaluated(symbol(head_name), session.evaluated(node.arguments))
     name = function.name if isinstance(function, syntax.Name) else None
     if name == "procname" and session.scopes:
         name = session.scopes[-1].name

@@ -10,7 +10,7 @@ from symbody.errors import WorksheetError
 from symbody.symbolic import Expr
 from symbody.worksheet.builtins import PACKAGES
 from symbody.worksheet.evaluation.session import Command, Scope, Session
-from symbody.worksheet.evaluation.types import has_type
+from symbody.worksheet.evaluation.types import UnknownTypeError, has_type
 from symbody.worksheet.interpreter.other_file import in_file
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.values.naming import symbol
@@ -222,7 +222,15 @@ def _is_equation(value: Value) -> bool:
 def _admits_true(session: Session, parameter: syntax.Parameter) -> bool:
     """Whether the bare name of a keyword stands for ``name = true``; else it is a value like any other."""
     kind = _type(session, parameter)
-    return kind is None or has_type(session, Boolean(truth=True), kind)
+    return kind is None or _fulfils(session, Boolean(truth=True), kind)
+
+
+def _fulfils(session: Session, value: Value, kind: Value) -> bool:
+    """Whether an argument is of a type; packages that are not here may have more types, which count as fulfilled."""
+    try:
+        return has_type(session, value, kind)
+    except UnknownTypeError:
+        return True
 
 
 def _keyword(value: Value) -> tuple[str, Value] | None:
@@ -247,7 +255,7 @@ def _check(
         place: its index, from 0; None for a keyword.
     """
     kind = _type(session, parameter)
-    if kind is not None and not has_type(session, value, kind):
+    if kind is not None and not _fulfils(session, value, kind):
         expected = (
             f"value for keyword parameter {parameter.name}"
             if place is None
