@@ -209,7 +209,6 @@ def test_stick_and_slip_on_a_belt() -> None:
     [
         lambda: motor(q1, M, on=fore),
         lambda: motor(x, M, on=upper),
-        lambda: motor(m, M, on=upper),
         lambda: motor(q1 * q2, M, on=fore, reaction=upper),
         lambda: motor(q1, M, on=Body(rotate("X", q1) * translate(l, 0, 0) * rotate("Y", q2), m)),
         lambda: motor(q1, M, on=Body(rotate("X", q1) * rotate("X", q2), m)),

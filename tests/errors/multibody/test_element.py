@@ -24,6 +24,7 @@ from symbody import (
     rotate,
     saturated,
     spring,
+    time_derivative,
     torsion_spring,
     translate,
 )
@@ -97,6 +98,19 @@ MISTAKES: list[Mistake] = [
             "coordinate of a joint between them, or the difference of absolute ones; if several joints are between "
             "them, put massless bodies there: Body(frame, 0); of a wheel, a joint on a frame that moves, or one that "
             "closes a loop, give mechanism.joint(...).freedom()"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: motor(2 * time_derivative(x), F, on=body),
+        "motor: the coordinate 2*x' holds the rate x'; expected the coordinate itself, such as x",
+    ),
+    (
+        errors.LoadError,
+        lambda: torsion_spring(2 * m, F, on=body),
+        (
+            "torsion_spring: the coordinate 2*m doesn't depend on time; expected that of a joint, such as "
+            "joint.coordinate"
         ),
     ),
     (

@@ -14,7 +14,7 @@ from symbody.geometry.motion.floating import rate_by
 from symbody.multibody.body import Body
 from symbody.multibody.joint.freedom import Freedom
 from symbody.multibody.load import Action
-from symbody.symbolic import ENERGY, Expr, cross3, derivation, diff, dot3, scale3, sub3
+from symbody.symbolic import ENERGY, Expr, cross3, derivation, diff, dot3, functions_of_time, scale3, sub3
 from symbody.symbolic.given.arguments import brief
 
 from .attachment import check_bodies, forces, is_fixed, torques
@@ -76,6 +76,8 @@ def joint_motion(coordinate: Along, on: Body, reaction: Body | None, where: str)
                 return _along(coordinate, on, reaction)
         base = _moving_side(coordinate) or base
         coordinate = coordinate.value
+    else:
+        _check_coordinate(coordinate, where)
     with derivation(order=ENERGY):
         found = _by_coordinate(coordinate, (on, reaction), base, of_one_joint=of_one_joint)
     if found is None:
@@ -92,6 +94,22 @@ def _moving_side(freedom: Freedom) -> Frame | None:
     """Return the side of a joint that is on a frame with a given motion, such as the deck of a ship, or None."""
     sides = (side for name, side in zip(freedom.ends, freedom.sides, strict=True) if not name)
     return next((side for side in sides if not all(motion.is_constant for motion in side.motions)), None)
+
+
+def _check_coordinate(coordinate: Expr, where: str) -> None:
+    """Check that a coordinate moves, and holds no rates, along which nothing acts."""
+    leaves = sorted(coordinate.free_symbols, key=str)
+    rate = next((leaf for leaf in leaves if leaf.kind == "time_function" and leaf.order), None)
+    if rate is not None:
+        raise LoadError(
+            f"{where}: the coordinate {brief(coordinate)} holds the rate {rate}; expected the coordinate itself, such "
+            f"as {functions_of_time(rate.name)}"
+        )
+    if not coordinate.depends_on_time:
+        raise LoadError(
+            f"{where}: the coordinate {brief(coordinate)} doesn't depend on time; expected that of a joint, such as "
+            "joint.coordinate"
+        )
 
 
 def _check_ends(freedom: Freedom, on: Body, reaction: Body | None, where: str) -> None:
