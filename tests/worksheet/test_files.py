@@ -52,6 +52,26 @@ def test_values_are_saved_with_what_was_assigned_since(tmp_path: Path) -> None:
     assert (tmp_path / "a.m").read_text() == "a := 6;\n"
 
 
+def test_all_names_are_saved_if_none_is_given(tmp_path: Path) -> None:
+    text = "with(MBSymba_r6): a := 2: X(t) := V*t: nothing := NULL: `diff/w` := proc(t) wd(t) end: "
+    printed(text + 'linear_modeling({y(t)}): save "all.m": save X, unknown, "x.m";', tmp_path)
+    assert printed('read "all.m": a, X(t), diff(w(t),t), [nothing]; type(ground,frame);', tmp_path) == [
+        "2, V*t, wd(t), []",
+        "true",
+    ]
+    assert "small_vars" not in (tmp_path / "all.m").read_text()
+    assert (tmp_path / "x.m").read_text() == "X(t) := V*t;\n"
+
+
+def test_what_can_not_be_saved(tmp_path: Path) -> None:
+    assert failures('save(x + 1, "x.m"):', tmp_path) == [
+        "save: x+1 is not a name; expected names, then a file"
+    ]
+    interpreter = Interpreter()
+    printed('save unknown, "x.m":', tmp_path, interpreter)
+    assert interpreter.session.notices == ["save: unknown has no value; the file is written without it"]
+
+
 def test_read_looks_beside_the_sheet_second(tmp_path: Path) -> None:
     sheet, output = tmp_path / "sheet", tmp_path / "out"
     sheet.mkdir()

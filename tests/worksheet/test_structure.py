@@ -70,6 +70,10 @@ CASES = {
         ),
         ["true, false, true, false, true, true, true, false, true", "true, false"],
     ),
+    "an entry that gets its own name has none": (
+        "T := table([a=1,b=2]): T[a] := 'T[a]': eval(T), assigned(T[a]); indices(T,pairs); cat(q,1..2);",
+        ["table([b = 2]), false", "b = 2", "q1, q2"],
+    ),
     "basic types": (
         "whattype(f(x)), whattype(a[1]), whattype(a<b), whattype(Matrix(2)), whattype(<1,2>);",
         ["function, indexed, `<`, Matrix, Vector[column]"],

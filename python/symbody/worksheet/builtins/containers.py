@@ -59,8 +59,11 @@ def copy(session: Session, value: Value, *options: Value) -> Value:
 
 
 def indices(session: Session, value: Value, *options: Value) -> Value:
-    """indices(T): the indices of a table, each in a list."""
+    """indices(T): the indices of a table, each in a list; by pairs, equations with the entries."""
     found = session.table(value)
+    if any(getattr(each, "name", "") == "pairs" for each in options) and isinstance(found, Table):
+        pairs = found.entries.items()
+        return sequence([Relation("=", sequence(list(key)), session.current(entry)) for key, entry in pairs])
     if isinstance(found, Array):
         (up, left), width = found.first, 1 if found.kind.lower() == "vector" else 2
         places = [(number(up + i), number(left + j)) for i in range(found.rows) for j in range(found.columns)]

@@ -73,18 +73,32 @@ def read_file(session: Session, name: Value) -> Value:
     return NULL
 
 
+_OF_MODES = {
+    *("ground", "master_frame", "moving_frame", "VM", "omegaMV", "small_vars"),
+    *("dependent_coordinates", "mframe_flag"),
+}
+"""Names that MBSymba and its modes set, which a file does not set again."""
+
+
 def save_file(session: Session, *arguments: Value) -> Value:
-    """Save a, b, "f": assignments that read takes back."""
-    *names, file = arguments
+    """Save a, b, "f": assignments that read takes back; of no names, those of all that have a value."""
+    *given, file = arguments
     path = output_path(session, file)
-    lines = []
-    for each in names:
-        name = each.name if isinstance(each, Expr | Reference) and hasattr(each, "name") else None
-        if name is None or name not in session.names:
+    known = dict.fromkeys((*session.names, *(name for name, held in session.remembered.items() if held)))
+    names = []
+    for each in given:
+        name = getattr(each, "name", None) if isinstance(each, Expr | Reference) else None
+        if name is None:
             raise WorksheetError(
-                f"save: {session.text(each)[:60]} has no value; expected names that have one"
+                f"save: {session.text(each)[:60]} is not a name; expected names, then a file"
             )
-        lines.append(saved_text(session, name))
+        if name in known:
+            names.append(name)
+        else:
+            session.notice(f"save: {name} has no value; the file is written without it")
+    if not given:
+        names = [name for name in known if name not in _OF_MODES]
+    lines = [saved_text(session, name) for name in names]
     path.write_text("".join(lines), encoding="utf-8")
     return NULL
 

@@ -24,8 +24,8 @@ __all__ = ["saved_text"]
 
 def saved_text(session: Session, name: str) -> str:
     """Return the assignment of a name, and of the entries of its remember table."""
-    value = session.names[name]
-    lines = [f"{name_text(name)} := {_text(session, session.current(value))};\n"]
+    value = session.names.get(name)
+    lines = [] if value is None else [f"{name_text(name)} := {_text(session, session.current(value))};\n"]
     for arguments, entry in session.remembered.get(name, {}).items():
         inner = ",".join(text_of(each, PLAIN) for each in arguments)
         lines.append(f"{name_text(name)}({inner}) := {_text(session, entry)};\n")
@@ -46,7 +46,7 @@ def _text(session: Session, value: Value) -> str:
     if isinstance(value, MapleSet):
         return f"{{{_joined(session, value.items)}}}"
     if isinstance(value, Sequence):
-        return _joined(session, value.items)
+        return _joined(session, value.items) or "NULL"
     if isinstance(value, Relation):
         return f"{_text(session, value.left)} {value.operator} {_text(session, value.right)}"
     return text_of(value, PLAIN)

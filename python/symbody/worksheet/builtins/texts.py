@@ -7,7 +7,7 @@ import re
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, number
 from symbody.worksheet.evaluation.arithmetic import scalar
-from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.evaluation.session import Command, Session, sequence
 from symbody.worksheet.printing.print import Style, text_of
 from symbody.worksheet.values.integers import MOST_BITS, number_text
 from symbody.worksheet.values.naming import symbol
@@ -125,11 +125,25 @@ def nprintf(session: Session, template: Value, *values: Value) -> Value:
 
 
 def cat(session: Session, *values: Value) -> Value:
-    """cat(a, b, ..): a name, or a string if the first argument is one."""
+    """cat(a, b, ..): a name, or a string if the first argument is one; of a range 1..n, as many."""
+    place = next((i for i, each in enumerate(values) if isinstance(each, Range)), None)
+    if place is not None and (numbers := _whole_numbers(session, values[place])):
+        return sequence([cat(session, *values[:place], each, *values[place + 1 :]) for each in numbers])
     parts = [unparsed(session, each) for each in values]
     session.limits.check_items(sum(map(len, parts)))
     text = "".join(parts)
     return String(text) if values and isinstance(values[0], String) else session.value(text)
+
+
+def _whole_numbers(session: Session, value: Value) -> list[Expr]:
+    """Return the numbers of a range of integers; none of another range."""
+    if not isinstance(value, Range):
+        return []
+    first, last = (as_integer(session.current(each)) for each in (value.start, value.stop))
+    if first is None or last is None:
+        return []
+    session.limits.check_items(last - first + 1)
+    return [number(i) for i in range(first, last + 1)]
 
 
 def length(session: Session, value: Value) -> Value:

@@ -59,7 +59,11 @@ def lines_of(statement: syntax.Statement, text: PythonText, *, keeps: bool = Tru
 def _saved(text: PythonText, arguments: tuple[syntax.Expression, ...]) -> str:
     """Return what ``save`` does: values by their names, in a file that ``pickle.loads`` reads."""
     *names, file = arguments
-    if not isinstance(file, syntax.Text) or not all(isinstance(each, syntax.Name) for each in names):
+    if (
+        not names
+        or not isinstance(file, syntax.Text)
+        or not all(isinstance(each, syntax.Name) for each in names)
+    ):
         raise NoText("save")
     written = {each.name: text.text(each) for each in names if isinstance(each, syntax.Name)}
     # Procedures are functions of this program: they can't be pickled.

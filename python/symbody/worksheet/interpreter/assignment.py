@@ -124,7 +124,9 @@ class Assignments:
         else:
             name, held = "", self.session.evaluate(target.whole)
         holder = session.resolve(held)
-        if isinstance(holder, Table | Array):
+        if isinstance(holder, Table) and _is_own_name(session, value, name, key_of(session, indices)):
+            holder.entries.pop(key_of(session, indices), None)
+        elif isinstance(holder, Table | Array):
             assigned_entry(session, holder, indices, value)
         elif isinstance(holder, Listed) and name:
             self.name(name, _with_item(session, holder, indices, value), target)
@@ -171,6 +173,13 @@ class Assignments:
             session.touch(name)
             return
         session.remember(name, arguments, value)
+
+
+def _is_own_name(session: Session, value: Value, name: str, key: tuple[Value, ...]) -> bool:
+    """Whether an entry is given its own name, ``T[a] := 'T[a]'``, by which it loses its value."""
+    return (
+        isinstance(value, Expr) and value.kind == "symbol" and session.indexed.get(value.name) == (name, key)
+    )
 
 
 def _given_name(value: Value) -> str | None:
