@@ -94,6 +94,10 @@ CASES = {
         "solve(abs(x)=2,x); solve(abs(x-1)=-2,x); solve(abs(x)=a,x); solve({abs(x)+y=3,y-x=1},{x,y});",
         ["2, -2", "a, -a", "{x = 1, y = 2}"],
     ),
+    "ranges for some of the unknowns": (
+        "fsolve({x*y=2,x+y=3},{x=0..1.5,y}); fsolve([x*y=2,x+y=3],[x,y],x=0..1.5); fsolve({x*y=2,x+y=3},{x=2.2,y});",
+        ["{x = 1., y = 2.}", "[x = 1., y = 2.]", "{x = 2., y = 1.}"],
+    ),
     "roots that are whole numbers are decimals": (
         "fsolve(x^2-4,x); fsolve(x^3-8,x);",
         ["-2., 2.", "2."],

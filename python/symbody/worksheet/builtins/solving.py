@@ -225,8 +225,10 @@ def fsolve(session: Session, equations: Value, unknowns: Value | None = None, *o
     residuals = residuals_of(session, equations)
     ranges = _ranges(session, unknowns, options)
     starts = _starts(session, unknowns, options)
-    wanted = [*starts, *(each for each in ranges if each not in starts)]
-    if not wanted:
+    wanted = list(dict.fromkeys((*starts, *ranges)))
+    if wanted:
+        wanted = list(dict.fromkeys((*wanted, *_bare_names(session, unknowns))))
+    else:
         wanted = (
             unknowns_of(session, unknowns, residuals)
             if unknowns is not None and not starts
@@ -260,6 +262,13 @@ def fsolve(session: Session, equations: Value, unknowns: Value | None = None, *o
         made = _equations(found, wanted)
         return Listed(made) if isinstance(given, Listed) else set_of(made)
     return found[wanted[0]]
+
+
+def _bare_names(session: Session, unknowns: Value | None) -> list[Expr]:
+    """Return the unknowns without a range or a start, such as y of ``{x = 0..1, y}``."""
+    given = session.resolve(unknowns) if unknowns is not None else None
+    items = given.items if isinstance(given, MapleSet | Listed) else (given,)
+    return [each for each in items if isinstance(each, Expr)]
 
 
 def _names_in(session: Session, residual: Expr) -> set[Expr]:
