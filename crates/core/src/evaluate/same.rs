@@ -61,33 +61,32 @@ impl Graph {
 
     /// The entry of a table that has the value of a node.
     pub(crate) fn find<'t, T>(&self, table: &'t ByValue<T>, id: Id) -> Option<&'t T> {
-        table.candidates(self.value(id)).find(|(known, _)| self.same(*known, id)).map(|(_, item)| item)
+        let mut candidates = table.candidates(self.value(id));
+        candidates.find(|(known, _)| self.is_found(*known, id, false)).map(|(_, item)| item)
     }
 
     /// The entry of a table that has the value of a node up to sign, and whether it has the opposite value.
     pub(crate) fn find_up_to_sign<'t, T>(&self, table: &'t ByValue<T>, id: Id) -> Option<(&'t T, bool)> {
         let mut candidates = table.candidates(self.value(id));
         candidates.find_map(|(known, item)| {
-            if self.same(*known, id) {
+            if self.is_found(*known, id, false) {
                 return Some((item, false));
             }
-            self.opposite_values(*known, id).then_some((item, true))
+            self.is_found(*known, id, true).then_some((item, true))
         })
     }
 
-    /// The same for a table with many entries of one fingerprint: what vanishes in the hash lanes is found among all that do,
-    /// such as all multiples of `Max(0, x)`. Entries are told apart in the lanes in which they have been evaluated, before it
-    /// is asked how many lanes a comparison needs.
-    pub(crate) fn find_among_many<'t, T>(&self, table: &'t ByValue<T>, id: Id) -> Option<(&'t T, bool)> {
-        let mut candidates = table.candidates(self.value(id));
-        candidates.find_map(|(known, item)| {
-            if !self.differ_in_known_lanes(*known, id, false) && self.same(*known, id) {
-                return Some((item, false));
-            }
-            let is_opposite =
-                !self.differ_in_known_lanes(*known, id, true) && self.opposite_values(*known, id);
-            is_opposite.then_some((item, true))
-        })
+    /// Whether an entry has the value of a node, or the opposite one.
+    ///
+    /// A table may have many entries of one fingerprint: all multiples of `Max(0, x)` vanish in the hash lanes if one does.
+    /// They are told apart in the lanes in which they have been evaluated, before it is asked how many lanes a comparison
+    /// needs.
+    #[inline]
+    fn is_found(&self, known: Id, id: Id, is_opposite: bool) -> bool {
+        if self.flags(id).has(Flags::BRANCH) && self.differ_in_known_lanes(known, id, is_opposite) {
+            return false;
+        }
+        if is_opposite { self.opposite_values(known, id) } else { self.same(known, id) }
     }
 
     /// Whether two nodes do not have equal, or opposite, values in lanes in which both have been evaluated.

@@ -151,7 +151,7 @@ impl<'a> Lowering<'a> {
         if let Some(&found) = self.found.get(&id) {
             return Some(found);
         }
-        let (value, is_opposite) = self.graph.find_among_many(&self.known, id)?;
+        let (value, is_opposite) = self.graph.find_up_to_sign(&self.known, id)?;
         let found = value.flipped_if(is_opposite);
         self.found.insert(id, found);
         Some(found)
