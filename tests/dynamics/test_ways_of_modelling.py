@@ -24,9 +24,16 @@ from symbody import (
     symbols,
     translate,
 )
-from symbody.dynamics.recursion.shortest_derivation import mass_matrix_and_bias, shortest_derivation
+from symbody.dynamics.recursion.shortest_derivation import (
+    mass_matrix_and_bias,
+    residuals,
+    shortest_derivation,
+)
 from symbody.dynamics.tree.compared_forms import compared_forms
-from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree
+from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree, targets, tree_of_forms
+from symbody.dynamics.tree.normal_frames import NormalFrames, by_base
+from symbody.dynamics.tree.orientation_path import placed
+from symbody.symbolic import derivation
 from tests.dynamics.ways_of_modelling import (
     DOWN_Y,
     MECHANISMS,
@@ -111,6 +118,19 @@ def test_each_form_is_derived_once_and_the_shortest_derivation_goes_on() -> None
     with shortest_derivation(system, derive) as known:  # the choice is kept
         assert ids(known) == ids(shortest)
     assert len(derived) == len(forms) + 1
+
+
+@pytest.mark.parametrize("n", [3, 5])
+def test_local_axes_are_not_tried_where_they_are_longer(n: int) -> None:
+    system = modelled(pendulum_on_a_cart(n), "chain")
+    (places,) = by_base(placed(targets(system)))
+    local = NormalFrames(places, frozenset(body.frame.key for body in system.bodies)).in_local_axes()
+    assert local not in compared_forms(system)
+    for derive in (residuals, mass_matrix_and_bias):
+        with shortest_derivation(system, derive) as shortest:
+            fewest = cost(shortest).total
+        with derivation(fresh=True):
+            assert cost(derive(system, tree_of_forms(system, local))).total > fewest
 
 
 def ids(values: Sequence[Expr]) -> list[int]:

@@ -20,7 +20,6 @@ from symbody.symbolic import (
     Matrix,
     Program,
     are_small,
-    cost,
     derivation,
     free_symbols,
     seemingly_idle_symbols,
@@ -28,6 +27,7 @@ from symbody.symbolic import (
     with_numbers_for_idle_symbols,
     without_idle_symbols,
 )
+from symbody.symbolic.calculus.cost import operations
 from symbody.symbolic.expression.container import Container, contains, substituted
 from symbody.symbolic.given.arguments import counted
 from symbody.symbolic.numeric.program import program_of
@@ -102,22 +102,23 @@ def _each_without_idle_symbols(entries: tuple[Expr, ...]) -> tuple[Expr, ...]:
         return numbers
     bare |= {entry: without_idle_symbols((entry,))[0] for entry in idle}
     rewritten = tuple(bare.get(entry, entry) for entry in entries)
-    return rewritten if cost(rewritten).total < cost(numbers).total else numbers
+    return rewritten if operations(rewritten) < operations(numbers) else numbers
 
 
 def _may_pay(entries: Sequence[Expr], idle: Sequence[Expr]) -> bool:
     """Return whether entries may take fewer operations if those with idle symbols are rewritten.
 
     Not so if the latter share nearly all of their operations with the others. Else numbers take the places of the
-    symbols in one entry after another, the longest one first, until all take no fewer operations even without the rest.
+    symbols in one entry after another until all take no fewer operations even without the rest. The last ones come
+    first: those of the bias are the longest as a rule.
     """
-    fewest = cost(entries).total
+    fewest = operations(entries)
     made = [entry for entry in entries if entry not in idle]
-    if fewest - cost(made).total < _LEAST_OWN * cost(idle).total:
+    if fewest - operations(made) < _LEAST_OWN * operations(idle):
         return False
-    for entry in sorted(idle, key=lambda entry: -cost(entry).total):
+    for entry in reversed(idle):
         made += with_numbers_for_idle_symbols((entry,))
-        if cost(made).total >= fewest:
+        if operations(made) >= fewest:
             return False
     return True
 

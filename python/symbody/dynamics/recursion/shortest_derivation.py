@@ -16,7 +16,8 @@ from symbody.dynamics.tree.anchored_action import components_at_anchor
 from symbody.dynamics.tree.compared_forms import Forms, compared_forms
 from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree, tree_of_forms
 from symbody.multibody import System
-from symbody.symbolic import ENERGY, Expr, are_small, cost, current_derivation, derivation
+from symbody.symbolic import ENERGY, Expr, are_small, current_derivation, derivation
+from symbody.symbolic.calculus.cost import operations
 
 from .mass_matrix import mass_matrix
 from .recursive_newton_euler import bias, recursive_newton_euler
@@ -65,9 +66,9 @@ def _shortest(
         with ExitStack() as trial:
             trial.enter_context(derivation(fresh=True, order=ENERGY))
             found = derive(system, tree_of_forms(system, forms))
-            operations = cost(found).total if len(compared) > 1 else 0
-            if not result or operations < fewest:
-                best, result, fewest = forms, found, operations
+            count = operations(found) if len(compared) > 1 else 0
+            if not result or count < fewest:
+                best, result, fewest = forms, found, count
                 opened.push(trial.pop_all())
     return best, result
 

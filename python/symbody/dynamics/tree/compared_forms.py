@@ -63,7 +63,8 @@ def _made(system: System) -> Iterator[Forms]:
 def _kinds(groups: Sequence[NormalFrames]) -> Iterator[Callable[[NormalFrames], Forms]]:
     """Return the kinds of normal forms of which one may be the shortest."""
     slide = any(frames.slide for frames in groups)
-    yield NormalFrames.in_local_axes
+    if not all(frames.share_legs for frames in groups):
+        yield NormalFrames.in_local_axes
     few = any(frames.hold_few_particles for frames in groups)
     if slide or few or any(frames.are_parallel for frames in groups):
         yield NormalFrames.in_axes_of_base

@@ -144,6 +144,20 @@ class NormalFrames:
         return len(ends) != 1 and not ends & inner
 
     @property
+    def share_legs(self) -> bool:
+        """Whether these are particles that hang on links of others, two each on average, which turn on the base alone.
+
+        In local axes, each leg of another link is turned to the axes of the last one; points of the base share it.
+        """
+        if not (self.are_free and self.are_parallel) or self.slide:
+            return False
+        turned = [[word for word in found if word] for found in self._legs.values()]
+        count = sum(map(bool, turned))
+        return (
+            all(len(word) == 1 for words in turned for word in words) and sum(map(len, turned)) >= 2 * count
+        )
+
+    @cached_property
     def slide(self) -> bool:
         """Whether a leg in turned axes changes, and the frames are not too many to try more forms for that."""
         return len(self._places) <= _SLIDING and any(

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from symbody.errors import ExpressionError
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
-from symbody.symbolic.calculus.cost import cost
+from symbody.symbolic.calculus.cost import operations
 from symbody.symbolic.calculus.derivative import substitute
 from symbody.symbolic.expression.derivation import derivation
 from symbody.symbolic.expression.leaves import ExprLike
@@ -80,7 +80,7 @@ def without_idle_symbols(expressions: Sequence[Expr]) -> tuple[Expr, ...]:
     with derivation(fresh=True):  # which makes one node of what has become equal, but keeps longer forms
         values = _core.without_idle_symbols(expressions, deriving=True)
     with derivation(fresh=True):  # so that no derivation in which the forms are first needed changes them
-        return _without_factors(values if cost(values).total < cost(forms).total else forms)
+        return _without_factors(values if operations(values) < operations(forms) else forms)
 
 
 def _without_factors(expressions: tuple[Expr, ...]) -> tuple[Expr, ...]:
@@ -100,7 +100,7 @@ def _at(symbol: Expr, place: int, expressions: tuple[Expr, ...]) -> tuple[Expr, 
     if not all(_is_as_regular(node, symbol, place) for node in _divisions(expressions, symbol)):
         return None
     found = tuple(substitute(expressions, {symbol: place}))
-    return found if found == expressions and cost(found).total <= cost(expressions).total else None
+    return found if found == expressions and operations(found) <= operations(expressions) else None
 
 
 def _divisions(expressions: tuple[Expr, ...], symbol: Expr) -> list[Expr]:
