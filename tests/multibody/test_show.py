@@ -23,6 +23,7 @@ from symbody import (
     rotate,
     show,
     sin,
+    spring,
     symbols,
     t,
     translate,
@@ -165,6 +166,17 @@ def test_components_keep_a_form_that_is_as_short() -> None:
     x, y = functions_of_time("x y")
     assert describe(Vector(ground, a * (x + y), a * x + a * y, 0)) == (
         "VECTOR(frame = ground, comps = [a*(x + y), a*x + a*y, 0])"
+    )
+
+
+def test_a_spring_has_the_ends_of_its_line() -> None:
+    """Not the components of its force, which are long."""
+    q, k, l0 = functions_of_time("q"), *symbols("k l0")
+    bob = Body(rotate("Z", q) * translate(a, 0, 0), m, name="bob")
+    band = spring(Point(rotate("Z", q), a, 0, 0), Point(ground, 0, a, 0), k, free_length=l0, on=bob)
+    assert describe(band) == (
+        'ELEMENT(kind = spring, stiffness = k, free_length = l0, ends = [POINT(frame = rotate("Z", q), '
+        "coords = [a, 0, 0]), POINT(frame = ground, coords = [0, a, 0])], bodies = [bob])"
     )
 
 

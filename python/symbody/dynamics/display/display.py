@@ -13,6 +13,7 @@ from symbody.deferred import cached_property
 from symbody.errors import ModelError
 from symbody.multibody import System, Variables
 from symbody.symbolic import Expr, Matrix, cost, readable
+from symbody.symbolic.expression.html_table import scrolled
 from symbody.symbolic.expression.latex_layout import displayed, in_pages, one_formula
 from symbody.symbolic.given.arguments import brief, counted
 
@@ -261,5 +262,10 @@ class Display:
         return displayed(one_formula(self.latex()))
 
     def notebook_html(self) -> str | None:
-        """Return the sizes of equations that are too long for a notebook."""
-        return None if self.notebook_latex else summary_table(self.system, self.shown.residuals)
+        """Return equations that are too long to stand below a cell as text that is scrolled, or their sizes."""
+        if self.notebook_latex:
+            return None
+        is_quick = self._is_wall or cost(self.shown.residuals).total <= _AT_ONCE
+        if is_quick and self.is_readable:
+            return scrolled(self.description())
+        return summary_table(self.system, self.shown.residuals)

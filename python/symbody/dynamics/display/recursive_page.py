@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import islice
+from textwrap import wrap
 from typing import NamedTuple
 
 from symbody.multibody import System
@@ -23,8 +24,8 @@ from .row import printed, written
 from .short_names import Definition, in_order_of_use
 from .source import sources
 
-LINES = 150
-"""The largest number of lines of a recursion: three pages of short lines."""
+LINES = 240
+"""The largest number of lines of a recursion: five pages of short lines."""
 
 
 class _Row(NamedTuple):
@@ -66,7 +67,11 @@ class RecursivePage:
         names = ", ".join(map(str, self.system.driving))
         return "\n".join(
             [
-                f"EQUATIONS OF MOTION of {names}, by quantities that they have in common",
+                *wrap(
+                    f"EQUATIONS OF MOTION of {names}, by quantities that they have in common",
+                    LINE,
+                    subsequent_indent="    ",
+                ),
                 *(f"    {'; '.join(map(': '.join, row))}" for row in self._legend(LINE - 4)),
                 *lines_of(texts),
                 *_ADVICE.format(first=self.system.driving[0]).splitlines(),

@@ -107,7 +107,10 @@ class Element(Load):
 
     @property
     def fields(self) -> Mapping[str, object]:
-        """What `show` prints of the element."""
+        """What `show` prints of the element: a force along a line by its law and the ends of the line."""
+        if is_along_line(self) and self.ends:
+            bodies = dict.fromkeys(action.body for action in self.actions)
+            return {"kind": self.kind, **self._given_law, "ends": self.ends, "bodies": tuple(bodies)}
         potential = {} if self.potential is None else {"potential": self.potential}
         return {"kind": self.kind, **self._given_law, "actions": self.actions, **potential}
 

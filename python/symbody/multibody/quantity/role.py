@@ -7,7 +7,7 @@ from itertools import combinations
 
 from symbody.multibody.element.element import Element
 from symbody.multibody.system import System
-from symbody.symbolic import Expr, substitute
+from symbody.symbolic import Expr, number, substitute, t
 
 from .coordinate_kind import AXES, kinds_of_coordinates, multiples
 
@@ -45,7 +45,7 @@ def _known(system: System) -> tuple[dict[Expr, Role], dict[Expr, str]]:
     for name, role in _of_system(system):
         if name.kind in {"symbol", "time_function"}:
             roles.setdefault(name, role)
-    units = {each: unit for each, (_, unit) in roles.items()} | units_of_coordinates(system)
+    units = {t: "s"} | {each: unit for each, (_, unit) in roles.items()} | units_of_coordinates(system)
     for expression, degrees in _geometry(system):
         for name, unit in _lengths_and_numbers(expression, degrees, units).items():
             units[name] = unit
@@ -75,12 +75,20 @@ def _of_system(system: System) -> Iterator[tuple[Expr, Role]]:
     yield from _of_laws(system)
     for motion in (motion for body in system.bodies for motion in body.frame.motions):
         yield from ((leaf, LENGTH) for leaf in multiples(motion.displacement))
+        yield from ((leaf, ("velocity", "m/s")) for leaf in multiples(map(_rate, motion.displacement)))
         if motion.turn_axis is not None:
             yield from ((leaf, ANGLE) for leaf in multiples(motion.variables))
+            rates = multiples(map(_rate, motion.variables))
+            yield from ((leaf, ("angular velocity", "rad/s")) for leaf in rates)
     yield from _of_loads(system)
     points = (action.point for load in system.loads for action in load.actions if action.point is not None)
     for point in (*(body.center_of_mass for body in system.bodies), *points):
         yield from ((leaf, LENGTH) for leaf in multiples(point.coordinates))
+
+
+def _rate(given: Expr) -> Expr:
+    """Return what is multiplied by time, as Omega in ``Omega*t + phi0``; zero if nothing is."""
+    return number(0) if t not in given.free_symbols else given.diff(t)
 
 
 def _of_bodies(system: System) -> Iterator[tuple[Expr, Role]]:

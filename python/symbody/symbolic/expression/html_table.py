@@ -1,4 +1,4 @@
-"""Tables that a notebook shows."""
+"""Tables and long texts that a notebook shows."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from html import escape
 
 from symbody.symbolic.given.arguments import brief
 
-__all__ = ["html_table"]
+__all__ = ["html_table", "scrolled"]
 
 _ROWS = 30
 """The most rows that are shown."""
@@ -35,6 +35,15 @@ def html_table(title: str, header: Sequence[str], rows: Iterable[Sequence[object
         shown.append(f'<tr><td colspan="{len(header)}">and {len(listed) - _ROWS} more</td></tr>')
     below = f"<p>{escape(note)}</p>" if note else ""
     return f"<table>{caption}{_row('th', header, sides)}{''.join(shown)}</table>{below}"
+
+
+def scrolled(text: str) -> str:
+    """Return a long text in HTML: some thirty lines are seen, and the others are scrolled to.
+
+    >>> scrolled("a < b")
+    '<pre style="max-height: 36em; overflow: auto; text-align: left">a &lt; b</pre>'
+    """
+    return f'<pre style="max-height: 36em; overflow: auto; text-align: left">{escape(text)}</pre>'
 
 
 def _row(cell: str, entries: Sequence[str], sides: Sequence[str]) -> str:
