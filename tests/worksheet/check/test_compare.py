@@ -42,6 +42,7 @@ EQUAL = [
     ("v := Vector(2, {(1) = 1, (2) = c})", "v := Vector[column]([[1], [c]])"),
     ("M := Matrix(2, 2, {(1, 1) = 1, (2, 2) = 1}, storage = diagonal)", "M := Matrix([[1, 0], [0, 1]])"),
     ("T := table([b = [1, 2], a = x(t)])", "T := table([a = x(t), b = [1,2]])"),
+    ("x := 2 L cos(beta) - m1 g theta", "x := 2*L*cos(beta)-m1*g*theta"),
     # Cut, but something is complete.
     ("TN := matrix([[ux, vx], [uy, vy*cos(...", "TN := matrix([[ux,vx],[uy,vy+1],[0,0]])"),
     (

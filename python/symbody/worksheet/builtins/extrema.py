@@ -203,17 +203,24 @@ def _exact(session: Session, problem: _Problem) -> list[tuple[float, Expr]]:
     """Return the ends and the zeros of the derivative in the range, with what the function is there."""
     objective = _objective(problem)
     places = [each for each in (problem.low, problem.high) if each is not None]
-    try:
-        zeros = session.call(symbol("solve"), (problem.value.diff(problem.variable), problem.variable))
-    except SymbodyError:
-        zeros = Sequence(())
-    found = zeros.items if isinstance(zeros, Sequence) else (zeros,)
+    found = _zeros(session, problem.value.diff(problem.variable), problem.variable)
     low, high = (None if each is None else as_float(each) for each in (problem.low, problem.high))
     for each in found:
         x = as_float(each) if isinstance(each, Expr) else None
         if x is not None and (low is None or low <= x) and (high is None or x <= high):
             places.append(each)  # type: ignore[arg-type]
     return [(objective(x), each) for each in places if (x := as_float(each)) is not None]
+
+
+def _zeros(session: Session, slope: Expr, variable: Expr) -> tuple[Value, ...]:
+    """Return where a derivative is zero, as far as ``solve`` finds it; a constant one is zero nowhere."""
+    if variable not in slope.free_symbols:
+        return ()
+    try:
+        zeros = session.call(symbol("solve"), (slope, variable))
+    except SymbodyError:
+        return ()
+    return zeros.items if isinstance(zeros, Sequence) else (zeros,)
 
 
 _SHRINK = (math.sqrt(5) - 1) / 2

@@ -27,8 +27,11 @@ def unparsed(session: Session, value: Value) -> str:
 
 
 _FORMAT = re.compile(
-    r"%(?P<flags>[-+ 0#{}]*)(?P<width>\d+|\*)?(?:\.(?P<precision>\d+|\*))?(?P<long>[lhZ]*)(?P<kind>[a-zA-Z%])"
+    r"%(?P<before>[-+ 0#]*)(?:\{(?P<table>[^}]*)\})?(?P<flags>[-+ 0#]*)"
+    r"(?P<width>\d+|\*)?(?:\.(?P<precision>\d+|\*))?(?P<long>[lhZ]*)(?P<kind>[a-zA-Z%])"
 )
+_SEPARATOR = re.compile(r"(?:c(?P<character>.))?", re.DOTALL)
+"""The options of a table that are known: ``c`` and the character between the entries of a row."""
 
 
 def formatted(session: Session, template: Value, values: tuple[Value, ...]) -> str:
@@ -45,9 +48,41 @@ def formatted(session: Session, template: Value, values: tuple[Value, ...]) -> s
             raise WorksheetError(f"printf: the format {found[0]} has no value")
         if int(width or 0) > 10_000 or int(precision or 0) > 1000:
             raise WorksheetError(f"printf: the format {found[0]} is too wide")
-        return _piece(session, found["flags"].strip("{}"), width or "", precision, kind, pending.pop(0))
+        flags = found["before"] + found["flags"]
+        value = pending.pop(0)
+        rows = _rows(session, value) if kind in "dfeg" else None
+        if rows is None:
+            return _piece(session, flags, width or "", precision, kind, value)
+        between = _separator(found["table"] or "", found[0])
+        return "\n".join(
+            between.join(_piece(session, flags, width or "", precision, kind, each) for each in row)
+            for row in rows
+        )
 
     return _FORMAT.sub(piece, text)
+
+
+def _rows(session: Session, value: Value) -> list[list[Value]] | None:
+    """Return the rows of a matrix, or the entries of a vector or a list as one row; None of other values."""
+    match session.resolve(value):
+        case Array(rows=rows, columns=columns, entries=entries):
+            wide = columns if rows > 1 and columns > 1 else max(len(entries), 1)
+            items = [session.current(each) for each in entries]
+            return [items[i : i + wide] for i in range(0, len(items), wide)]
+        case Listed(items=listed):
+            return [[session.current(each) for each in listed]]
+    return None
+
+
+def _separator(options: str, where: str) -> str:
+    """Return what stands between the entries of a row: a blank, or the character of ``%{c,}f``."""
+    found = _SEPARATOR.fullmatch(options)
+    if found is None:
+        raise WorksheetError(
+            f"printf: the option {{{options}}} of {where} is not known; expected {{c,}}, "
+            "where c is followed by the character between entries"
+        )
+    return found["character"] or " "
 
 
 def _size(text: str | None, pending: list[Value]) -> str | None:
@@ -66,12 +101,6 @@ def _piece(session: Session, flags: str, width: str, precision: str | None, kind
         kind: its letter.
         value: the value.
     """
-    found = session.resolve(value)
-    if isinstance(found, Array | Listed) and kind in "dfeg":
-        items = found.entries if isinstance(found, Array) else found.items
-        return " ".join(
-            _piece(session, flags, width, precision, kind, session.current(each)) for each in items
-        )
     point = f".{precision}" if precision is not None else ""
     if kind in "aAsc" or kind in "qQp":
         text = unparsed(session, value)

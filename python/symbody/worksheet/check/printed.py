@@ -52,6 +52,9 @@ class Printed:
     has_decimals: bool
 
 
+_LETTERS = """alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon phi
+chi psi omega"""
+_GREEK = frozenset(_LETTERS.split())
 _MOST_ENTRIES = 100_000
 _DOTS = re.compile(r"\s*(\.\.\.|…)\s*$")
 _MATRICES = frozenset({"matrix", "Matrix", "Vector", "vector", "array", "Array"})
@@ -90,14 +93,29 @@ def printed(text: str) -> Printed:
 
 
 def _with_products(tokens: list[Token]) -> list[Token]:
-    """Return tokens with a product between operands side by side: ``4 x(t)``, but not between words."""
+    """Return tokens with a product between operands side by side: ``4 L cos(beta)``, but not between words."""
     made = tokens[:1]
-    for one, two in pairwise(tokens):
-        is_factor = one.type in {"INTEGER", "DECIMAL", *_CLOSING} and two.type in {"NAME", "BACKQUOTED"}
+    is_formula = any(token.type != "NAME" for token in tokens)
+    symbols = [
+        is_formula and _is_symbol(one, two) for one, two in zip(tokens, [*tokens[1:], None], strict=True)
+    ]
+    for (one, two), (is_left, is_right) in zip(pairwise(tokens), pairwise(symbols), strict=True):
+        closes = one.type in {"INTEGER", "DECIMAL", *_CLOSING}
+        is_factor = two.type in {"NAME", "BACKQUOTED"} and (closes or (is_left and is_right))
         if is_factor and one.end_column != two.column:
             made.append(Token.new_borrow_pos("TIMES", "*", two))
         made.append(two)
     return made
+
+
+def _is_symbol(token: Token, after: Token | None) -> bool:
+    """Whether a token is a name of a formula, not a word: a letter, ``theta``, ``m1``, or before a bracket."""
+    if token.type == "BACKQUOTED":
+        return True
+    if token.type != "NAME":
+        return False
+    is_head = after is not None and after.type in {"LPAR", "LSQB"} and token.end_column == after.column
+    return is_head or len(token.rstrip("0123456789_'")) == 1 or token.lower() in _GREEK
 
 
 def place_of(index: int) -> Expr:
