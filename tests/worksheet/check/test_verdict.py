@@ -26,6 +26,13 @@ def test_each_statement_has_a_verdict() -> None:
     ]
 
 
+def test_a_statement_may_fail_in_the_file_too() -> None:
+    text = '> error "bad";\n\nError, bad\n\n> b := 2;\n\nb := 2\n'
+    assert check(text) == [Verdict(1, "equal", "it fails in the file too"), Verdict(5, "equal")]
+    assert check(text.replace('error "bad"', "a := 1")) == [Verdict(5, "equal")]
+    assert check(text.replace("Error, bad", "")) == [Verdict(5, "equal")]
+
+
 def test_outputs_can_stand_further_down() -> None:
     text = "> a := 1: b := 2;\n\n> c := 3;\n\nof it\n\n> d := 4:\n\nb := 2\n\nc := 3\n"
     assert [(one.line, one.kind) for one in check(text)] == [(1, "equal"), (3, "equal")]

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from symbody.worksheet.check.align import Block, Output, aligned
 from symbody.worksheet.check.code import code_difference
 from symbody.worksheet.check.compare import difference
+from symbody.worksheet.check.failures import expected_failures
 from symbody.worksheet.check.printed import NotComparable, is_cut
 from symbody.worksheet.check.texts import text_difference
 from symbody.worksheet.reading.prompts import is_declaration, is_picture
@@ -44,7 +45,7 @@ class Verdict:
 
 
 def verdicts(cells: Sequence[Cell], outcomes: Sequence[Outcome]) -> list[Verdict]:
-    """Return a verdict for each statement of which the file contains an output, in the file's order."""
+    """Return a verdict for each statement of which the file contains an output or an error, in the file's order."""
     outputs = list(_outputs(outcomes))
     blocks = list(_blocks(cells))
     programs = list(_programs(blocks, outputs))
@@ -66,7 +67,11 @@ def verdicts(cells: Sequence[Cell], outcomes: Sequence[Outcome]) -> list[Verdict
     found = [*(verdict for verdict, _, _ in programs), *(_together(group) for group in groups.values())]
     judged = {partner.number for partner in partners.values() if partner is not None}
     doubted = list(_doubted(cells, [output for output in outputs if output.number not in judged]))
-    return sorted([*found, *doubted], key=lambda verdict: verdict.line) if programs or doubted else found
+    failed = [
+        Verdict(each.line, "equal", "it fails in the file too") for each in expected_failures(cells, outcomes)
+    ]
+    more = [*doubted, *failed]
+    return sorted([*found, *more], key=lambda verdict: verdict.line) if programs or more else found
 
 
 def _doubted(cells: Sequence[Cell], outputs: Sequence[Output]) -> Iterator[Verdict]:
