@@ -94,6 +94,10 @@ CASES = {
         ),
         ["+1.500|3|x|a+b", "a", " 2.50%", "   2.5"],
     ),
+    "texts": (
+        'with(StringTools): Reverse("abc"), Explode("ab"), IsDigit("12"), IsDigit("1a");',
+        ['"cba", ["a", "b"], true, false'],
+    ),
     "printf of vectors and matrices": (
         'V := Vector([1.5,2,-3]): printf("[%{c,}.2f] %+.1f", V, V); printf("%{c;}d", Matrix([[1,2],[3,4]]));',
         ["[1.50,2.00,-3.00] +1.5 +2.0 -3.0", "1;2\n3;4"],

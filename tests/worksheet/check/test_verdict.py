@@ -29,6 +29,8 @@ def test_each_statement_has_a_verdict() -> None:
 def test_a_statement_may_fail_in_the_file_too() -> None:
     text = '> error "bad";\n\nError, bad\n\n> b := 2;\n\nb := 2\n'
     assert check(text) == [Verdict(1, "equal", "it fails in the file too"), Verdict(5, "equal")]
+    last = text + '\n> lastexception[2];\n\n"bad"\n'
+    assert check(last)[-1] == Verdict(9, "equal")
     assert check(text.replace('error "bad"', "a := 1")) == [Verdict(5, "equal")]
     assert check(text.replace("Error, bad", "")) == [Verdict(5, "equal")]
 

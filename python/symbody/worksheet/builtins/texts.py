@@ -247,6 +247,21 @@ def search(session: Session, pattern: Value, text: Value) -> Value:
     return number(unparsed(session, text).find(unparsed(session, pattern)) + 1)
 
 
+def reverse(session: Session, text: Value) -> Value:
+    """StringTools[Reverse](s)."""
+    return String(unparsed(session, text)[::-1])
+
+
+def explode(session: Session, text: Value) -> Value:
+    """StringTools[Explode](s): the list of its characters."""
+    return Listed(tuple(String(each) for each in unparsed(session, text)))
+
+
+def is_digit(session: Session, text: Value) -> Value:
+    """StringTools[IsDigit](s): whether all its characters are digits."""
+    return symbol("true" if set(unparsed(session, text)) <= set("0123456789") else "false")
+
+
 COMMANDS: dict[str, Command] = {
     "printf": printf,
     "sprintf": sprintf,
@@ -272,5 +287,8 @@ PACKAGES: dict[str, dict[str, Command]] = {
         "Trim": trimmed,
         "Search": search,
         "Length": length,
+        "Reverse": reverse,
+        "Explode": explode,
+        "IsDigit": is_digit,
     }
 }
