@@ -244,8 +244,9 @@ impl Graph {
         self.atan2_at(&sine, &cosine)
     }
 
-    /// The sign of a real node, if it is the same everywhere.
+    /// The sign of a real node, if it is the same everywhere. Complex symbols of its form may cancel.
     fn known_sign(&mut self, id: Id) -> Result<Option<Number>, Error> {
+        let id = if self.is_real(id) { id } else { self.representative(id) };
         if !self.is_real(id) {
             return Ok(None);
         }

@@ -13,7 +13,8 @@
 //! multiple of a function. Who calls whom:
 //!
 //! * [`sum`] takes common factors out ([`distribute`]), which makes products.
-//! * [`product`] sorts factors into a [`collector`], takes roots of numbers out ([`root`]), merges moduli by [`apply`],
+//! * [`product`] sorts factors into a [`collector`], takes roots of numbers out ([`root`]) and from roots
+//!   ([`nested_root`]), merges moduli by [`apply`],
 //!   groups factors ([`associate`]), and leaves numbers and signs to `scale` in [`sum`].
 //! * [`apply`] looks for a simpler form ([`exact`]), which may be a sum, a product or another function. Values come from
 //!   the chapter `evaluate`.
@@ -31,6 +32,7 @@ mod exact;
 mod hidden_number;
 mod linear_system;
 mod multiple_of_pi;
+mod nested_root;
 mod product;
 mod rebuild;
 mod root;

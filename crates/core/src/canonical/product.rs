@@ -1,5 +1,7 @@
 //! Products and powers: equal bases merge by value, and numbers and signs are taken out.
 
+use num_integer::Integer;
+
 use crate::error::Error;
 use crate::evaluate::{Pending, makes_units};
 use crate::graph::{Factors, Flags, Function, Graph, Id, Kind, LONGEST, NumberId, View};
@@ -306,6 +308,13 @@ impl Graph {
                 let inner: Vec<(Id, Number)> =
                     factors.iter().map(|(id, e)| (id, self.get_number(e).clone())).collect();
                 self.collect_product_power(out, base, &inner, exponent)
+            }
+            View::Sum(_) if exponent.denominator().is_even() => {
+                if let Some(root) = self.denested_root(base)? {
+                    return self.collect_power(out, root, &exponent.add(exponent));
+                }
+                out.push(self, base, exponent);
+                Ok(())
             }
             View::Function(Function::Exp, args)
                 if !exponent.is_integer() && self.is_real(base) && !self.may_be_negative(args.get(0)) =>
