@@ -143,21 +143,27 @@ def test_a_nut_turns_its_thread():
 
 
 def test_the_force_of_gears():
-    """A torque on a pinion, and a wheel that it accelerates: the force at the pitch point is J q''/b."""
+    """A torque on a pinion, and a wheel that it accelerates: the force at the pitch point is J q''/b.
+
+    The place of the wheel is h above that of the pinion, in whose plane the teeth touch.
+    """
     A = revolute("A", ground, Link("pinion", Iz=I), coordinate=phi)
-    B = revolute("B", ground, Link("wheel", Iz=J), at=(a + b, 0, 0), coordinate=q)
+    B = revolute("B", ground, Link("wheel", Iz=J), at=(a + b, 0, h), coordinate=q)
     G = gear("G", A, B, a, b)
     mechanism = assemble([A, B, G])
     drive = Torque(ground, 0, 0, T, on=mechanism.body("pinion"))
     equations = newton_euler(mechanism.system([drive]))
-    numbers = {I: 0.2, J: 0.5, a: 0.1, b: 0.3, T: 4.0}
+    numbers = {I: 0.2, J: 0.5, a: 0.1, b: 0.3, h: 0.2, T: 4.0}
     motion = simulate(equations, numbers, {}, t=(0, 1))
     alpha = 4.0 / (0.2 + 0.5 / 9)  # of the pinion: I + J (a/b)^2
     tooth = motion.evaluate(reaction(equations, G, frame=ground).force.components)[:, 0]
     np.testing.assert_allclose(tooth, [0, 0.5 * alpha / 3 / 0.3, 0], rtol=1e-9)
     bearing = motion.evaluate(reaction(equations, B).force.components)[:, 0]
     np.testing.assert_allclose(bearing, -tooth, rtol=1e-9)
-    assert reaction(equations, B).moment.components[2].is_zero
+    moment = motion.evaluate(reaction(equations, B).moment.components)[:, 0]
+    euler = moment + np.cross([-0.3, 0, -0.2], tooth)
+    np.testing.assert_allclose(euler, [0, 0, -0.5 * alpha / 3], rtol=1e-9, atol=1e-12)
+    assert reaction(equations, A).moment.components == (0, 0, 0)
 
 
 def test_a_disc_needs_grip():

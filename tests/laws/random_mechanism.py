@@ -151,7 +151,7 @@ def _meshing(draw: Random, kind: str, carrier: Link) -> list[Joint]:
         at = place * rotate("X", number("2/3") * pi) * translate(0, 0, 2)
         second = revolute("B", carrier, _link(draw, "bevel"), at=at, to=_place(draw))
         return [first, second, gear("G", first, second, 2, 1)]
-    at = place * translate(0, -1, 0)
+    at = place * translate(0, -1, number("0.4"))
     second = revolute("B", carrier, _link(draw, "ring"), at=at, to=_place(draw))
     return [first, second, gear("G", first, second, 2, 1, internal=True)]
 

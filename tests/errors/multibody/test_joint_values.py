@@ -405,6 +405,14 @@ MISTAKES: list[Mistake] = [
     ),
     (
         errors.JointError,
+        lambda: meshed(translate(0.18, 0, 0.24)),  # 0.3 is the distance of the places
+        (
+            "gear G: the square of the distance of the axes is 0.0324, and the radii give 0.09; expected the same: the "
+            "pitch circles touch"
+        ),
+    ),
+    (
+        errors.JointError,
         lambda: gears(0.31),
         (
             "gear G: the square of the distance of the axes is 0.0961, and the radii give 0.09; expected the same: the "

@@ -21,11 +21,11 @@ def gear(
     """Return a pair of gears: the children of two revolute joints roll on each other, ``r1 q1 + r2 q2 = 0``.
 
     Both wheels turn against one parent, the carrier or the gearbox, about parallel axes whose distance is r1 + r2, or,
-    as bevel gears, about axes that meet in one point: each points from there to its wheel, and the pitch circles are
-    where r1 and r2 fit the angle of the axes. The
-    reaction is the force of the first wheel on the second one along the pitch circles. The teeth of both wheels fit
-    where both angles are zero. A joint that closes a loop may be one of both if its angle counts all turns, as in the
-    plane.
+    as bevel gears, about axes that meet in one point: each points from there to its wheel, and the pitch circles
+    are where r1 and r2 fit the angle of the axes. The reaction is the force of the first wheel on the second one
+    along the pitch circles. It acts in the plane of the first place, if the places are apart along parallel axes:
+    give both in the middle of the teeth. The teeth of both wheels fit where both angles are zero. A joint that
+    closes a loop may be one of both if its angle counts all turns, as in the plane.
 
     Args:
         name: the name of the gear.

@@ -75,7 +75,7 @@ class Mesh(Pair):
     def _wheels(
         self, where: str, first: Sides, second: Sides, q: tuple[Expr, Expr]
     ) -> tuple[Expr, Point, Vector]:
-        """Return ``r1 q1 + r2 q2``, with -r2 for an internal gear."""
+        """Return ``r1 q1 + r2 q2``, with -r2 for an internal gear; the pitch point is in the plane of the first."""
         (r1, r2), z = self.radii, _axis(self.first, first)
         cosine = dot(z, _axis(self.second, second))
         if _is_same(cosine, number(-1)):
@@ -86,17 +86,18 @@ class Mesh(Pair):
         if not _is_same(cosine, number(1)):
             return self._bevels(where, first, second, q)
         centres = (origin(second.parent) - origin(first.parent)).projected(first.parent)
+        across = centres - dot(centres, z) * z
         distance = r1 + r2
         if distance.is_zero:
             raise JointError(
                 f"{where}: both radii are {_shown(r1)}; expected an internal gear that is larger than the wheel in it"
             )
-        if not _is_same(dot(centres, centres), distance**2):
+        if not _is_same(dot(across, across), distance**2):
             raise JointError(
-                f"{where}: the square of the distance of the axes is {_shown(dot(centres, centres))}, and the radii "
+                f"{where}: the square of the distance of the axes is {_shown(dot(across, across))}, and the radii "
                 f"give {_shown(distance**2)}; expected the same: the pitch circles touch"
             )
-        n = centres / distance
+        n = across / distance
         condition = r1 * q[0] + r2 * q[1]
         return condition, origin(first.parent) + r1 * n, -cross(z, n)
 
