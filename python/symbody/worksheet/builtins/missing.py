@@ -10,12 +10,14 @@ _BY_PURPOSE = {
         "laurent asympt singular residue numapprox chebyshev pade minimax implicitdiff plotcompare"
     ),
     "forms": (
+        "verify "
         "coeftayl gcdex "
         "frontend powsubs trigsubs radnormal compoly sqrfree resultant discrim sturm realroot content "
         "primpart prem divide roots irreduc completesquare asubs fnormal shake evalr"
     ),
     "assumptions": "about coulditbe property",
     "numbers": (
+        "isqrt iroot "
         "ifactors divisors primes rand randpoly randmatrix GAMMA Beta Zeta erf "
         "erfc BesselJ BesselY EllipticF EllipticK EllipticE LambertW Dirac Si Ci Ei arcsec arccsc arcsinh "
         "arccosh arctanh sech csch coth"
