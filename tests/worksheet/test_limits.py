@@ -32,8 +32,10 @@ ROOT = Path(__file__).parents[2]
         ('printf("%99999d",1);', "printf: the format %99999d is too wide"),
         (
             'printf("%{m}d",Vector([1]));',
-            "printf: the option {m} of %{m}d is not known; expected {c,}, where c is followed by the character between"
-            " entries",
+            (
+                "printf: the option {m} of %{m}d is not known; expected {c,}, where c is followed by the character"
+                " between entries"
+            ),
         ),
         ("[1,2][3];", "the index 3 is out of range; expected one from 1 to 2"),
         ("op(5,[1]);", "op: improper op or subscript selector: 5 of 1 operands"),
