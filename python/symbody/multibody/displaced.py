@@ -96,6 +96,7 @@ def _element(element: Element, actions: Sequence[Action]) -> Element:
         "jumping": element.jumping,
         "sizes": element.sizes,
         "positive": element.positive,
+        "expected": element.expected,
     }
     moved = Element(element.kind, actions, **more)
     keeps_power = power(moved) == power(element)

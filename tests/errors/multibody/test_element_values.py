@@ -14,6 +14,7 @@ import pytest
 import symbody as sb
 from symbody import Body, Element, Expr, SymbodyError, TireForce, errors, functions_of_time, ground, symbols
 from symbody.multibody import Load
+from symbody.multibody.element.stribeck import reached
 
 x, y, psi, theta = functions_of_time("x y psi theta")
 m, k, c, R, N, C = symbols("m k c R N C")
@@ -303,8 +304,44 @@ def test_values_of_resistances_are_checked_when_a_simulation_begins() -> None:
     ]
     friction = sb.friction(x, on=block, coulomb=k, creep_speed=c, name="rail")
     assert notices_of(friction, {k: 1.0, c: -1.0}) == [f"simulate: rail: creep_speed = -1; {NOT_NEGATIVE}"]
+    friction = sb.friction(x, on=block, coulomb=m, static=k, stribeck_speed=1, creep_speed=0.1, name="rail")
+    assert notices_of(friction, {m: 2.0, k: 2.0}) == []
+    assert notices_of(friction, {m: 2.0, k: [3.0, 1.0]}, many=True) == [
+        (
+            "simulate_many: in 1 of 2 cases, first case 1: rail: static = 1 is less than coulomb = 2; expected at least "
+            "as much: a joint at rest resists more than one that slides"
+        )
+    ]
+    pad = sb.contact(center, 0.1, 1, on=block, exponent=c, name="pad")
+    assert notices_of(pad, {c: 1.0}) == []
+    assert notices_of(pad, {c: 0.0}) == [
+        "simulate: pad: exponent = 0; expected 1 or more, such as 1.5 for Hertz's contact"
+    ]
     stage = sb.bushing(block.frame, ground, [k] * 6, damping=[c] * 6, on=block, name="mount")
     assert notices_of(stage, {k: 1.0, c: -1.0}) == [f"simulate: mount: damping of x = -1; {NOT_NEGATIVE}"]
+
+
+def test_static_friction_that_is_not_reached_is_told() -> None:
+    """The largest friction of the law, by numbers, is that of the notice."""
+
+    def rail(vs: sb.ExprLike, static: sb.ExprLike = 2) -> Element:
+        return sb.friction(
+            x, on=block, coulomb=1, static=static, stribeck_speed=vs, creep_speed=0.1, name="rail"
+        )
+
+    told = (
+        "stribeck_speed = 0.2 is near creep_speed = 0.1, so that the friction falls before it has risen: it reaches "
+        "coulomb + 0.59 (static - coulomb) at most; expected a stribeck_speed of 10 times creep_speed or more"
+    )
+    assert notices_of(rail(c), {c: 0.2}) == [f"simulate: rail: {told}"]
+    assert notices_of(rail(c), {c: 1.0}) == notices_of(rail(c, static=m), {c: 0.2, m: 1.0}) == []
+    assert notices_of_call(lambda: rail(0.2)) == [f"friction: {told}"]
+    assert notices_of_call(lambda: rail(1)) == notices_of_call(lambda: rail(0.2, static=1)) == []
+    v = np.linspace(0, 1, 100001)
+    for ratio in (0.5, 2.0, 9.0):
+        assert reached(ratio) == pytest.approx(
+            np.max(np.exp(-((v / 0.1 / ratio) ** 2)) * np.tanh(v / 0.1)), rel=1e-6
+        )
 
 
 @pytest.mark.parametrize(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from symbody.errors import LoadError
 from symbody.geometry import Frame, Point, Scalar, Vector, frozen_velocity, ground
 from symbody.geometry.component.triple import expression
@@ -12,6 +14,7 @@ from symbody.symbolic.given.arguments import brief
 
 from .attachment import check_bodies, check_fixed, forces, is_fixed, not_negative
 from .element import Element
+from .expectation import Expectation
 from .stored_energy import stored_energy
 
 _WHERE = "contact"
@@ -102,6 +105,7 @@ def contact(
             name=name,
             sizes=sizes,
             positive=("stiffness", "creep_speed"),
+            expected=[_expected_exponent(n)],
         )
 
 
@@ -121,11 +125,22 @@ def _check_plane(plane: Frame, on: Body) -> None:
 
 def _exponent(given: Scalar | None) -> Expr:
     n = number("3/2") if given is None else expression(given)
-    if n.is_constant and float(n) < 1:
-        raise LoadError(
-            f"{_WHERE}: exponent = {brief(n)}; expected 1 or more, such as 1.5 for Hertz's contact"
-        )
+    fault = _expected_exponent(n).known_fault
+    if fault:
+        raise LoadError(f"{_WHERE}: {fault}")
     return n
+
+
+def _expected_exponent(n: Expr) -> Expectation:
+    return Expectation((n,), _is_below_one, _exponent_fault)
+
+
+def _is_below_one(n: Any) -> Any:
+    return n < 1
+
+
+def _exponent_fault(n: float) -> str:
+    return f"exponent = {n:.6g}; expected 1 or more, such as 1.5 for Hertz's contact"
 
 
 def _check_friction(mu: Expr, creep_speed: Scalar | None) -> None:

@@ -14,6 +14,8 @@ from symbody.symbolic import Expr, number, time_derivative, time_function
 from symbody.symbolic.expression.container import Container, contains
 from symbody.symbolic.given.arguments import brief
 
+from .expectation import Expectation
+
 
 class Undefined(NamedTuple):
     """Where a law has no value, such as a force along a line of length zero.
@@ -45,6 +47,7 @@ class Element(Load):
         jumping: an angle in its law that is known from -pi to pi alone, and jumps there.
         sizes: sizes and resistances of its law, by the names of the arguments, which make no sense below zero.
         positive: the names of those among them that make no sense if they are zero, either: the law divides by them.
+        expected: what makes sense of its law beside the signs of the sizes.
         law: of a force along a line, the terms of ``F = k (l - l0) + c l'`` by the names of the arguments "stiffness",
             "free_length" and "damping", or "force", F itself; of an effort along a coordinate of a joint, likewise.
         ends: of a force along a line, the points between which it acts.
@@ -70,6 +73,7 @@ class Element(Load):
         jumping: Expr | None = None,
         sizes: Mapping[str, Expr] | None = None,
         positive: Iterable[str] = (),
+        expected: Iterable[Expectation] = (),
         law: Mapping[str, Expr] | None = None,
         ends: Sequence[Point] = (),
     ) -> None:
@@ -79,6 +83,7 @@ class Element(Load):
         self.quantities = dict(quantities or {})
         self.sizes = dict(sizes or {})
         self.positive = frozenset(positive)
+        self.expected = tuple(expected)
         self.law = dict(law or {})
         self.ends = tuple(ends)
         self._actions = tuple(actions)
@@ -180,7 +185,9 @@ def _parts(element: Element) -> tuple[Any, ...]:
     if element.undefined is not None:
         given.append(element.undefined.where_zero)
     named = (element.states, element.quantities, element.sizes, element.law)
-    return *element.actions, *(value for each in named for value in each.values()), *given, *element.ends
+    expected = (value for each in element.expected for value in each.values)
+    values = (value for each in named for value in each.values())
+    return *element.actions, *values, *expected, *given, *element.ends
 
 
 def _rebuilt(element: Element, parts: Sequence[Any]) -> Element:
@@ -190,11 +197,14 @@ def _rebuilt(element: Element, parts: Sequence[Any]) -> Element:
     quantities = {name: next(remaining) for name in element.quantities}
     sizes = {name: next(remaining) for name in element.sizes}
     law = {name: next(remaining) for name in element.law}
+    expected = [
+        each._replace(values=tuple(next(remaining) for _ in each.values)) for each in element.expected
+    ]
     given = {name: next(remaining) for name in _OPTIONAL if getattr(element, name) is not None}
     undefined = None if element.undefined is None else element.undefined._replace(where_zero=next(remaining))
     named: dict[str, Any] = {"states": states, "quantities": quantities, "sizes": sizes, "law": law}
     ends = [next(remaining) for _ in element.ends]
-    named |= {"positive": element.positive, "ends": ends}
+    named |= {"positive": element.positive, "expected": expected, "ends": ends}
     return Element(element.kind, actions, name=element.name, undefined=undefined, **named, **given)
 
 

@@ -12,6 +12,7 @@ from symbody.codegen import CompiledFunction, lambdify
 from symbody.errors import notify
 from symbody.multibody import Element, System, Variables
 from symbody.multibody.element.attachment import negative_fault, zero_fault
+from symbody.multibody.element.expectation import Expectation
 from symbody.symbolic import Expr, free_symbols
 from symbody.symbolic.given.arguments import brief
 
@@ -23,7 +24,7 @@ __all__ = ["size_in_cases", "warn_of_negative_sizes"]
 def warn_of_negative_sizes(system: Variables, given: Mapping[Expr, ArrayLike], where: str) -> None:
     """Give a notice of each size or resistance of an element that is negative, such as damping that gives energy.
 
-    And of those that are zero, where a law divides by them.
+    And of those that are zero, where a law divides by them, and of those that make no sense together.
 
     Those that are numbers were checked when the element was made.
 
@@ -42,6 +43,11 @@ def warn_of_negative_sizes(system: Variables, given: Mapping[Expr, ArrayLike], w
             if fault:
                 which, what = fault
                 notify(f"{where}: {which}{brief(element)}: {what}")
+        for expected in element.expected:
+            fault = _unexpected(expected, given)
+            if fault:
+                which, what = fault
+                notify(f"{where}: {which}{brief(element)}: {what}")
 
 
 def _fault(
@@ -54,6 +60,19 @@ def _fault(
         return None
     first = float(values[places[0]])
     return counted_cases(places, len(values)), negative_fault(name, first) if first else zero_fault(name)
+
+
+def _unexpected(expected: Expectation, given: Mapping[Expr, ArrayLike]) -> tuple[str, str] | None:
+    """Return the cases in which values make no sense together, and what is wrong; None as `_fault` does."""
+    columns = [size_in_cases(value, given) for value in expected.values]
+    if not all(column.size for column in columns):
+        return None
+    columns = [*np.broadcast_arrays(*columns)]
+    places = np.flatnonzero(expected.fails(*columns))
+    if not len(places):
+        return None
+    first = [float(column[places[0]]) for column in columns]
+    return counted_cases(places, len(columns[0])), expected.fault(*first)
 
 
 def size_in_cases(size: Expr, given: Mapping[Expr, ArrayLike]) -> NDArray[np.float64]:
