@@ -24,10 +24,11 @@ from symbody import (
     time_derivative,
     translate,
 )
+from symbody.dynamics.display.known_terms import KnownTerms
 from symbody.dynamics.display.recursion import Recursion
 from symbody.dynamics.display.recursive_page import LINES
 from symbody.models import bicycle, bricard_mechanism
-from symbody.symbolic import Expr, substitute
+from symbody.symbolic import Expr, free_symbols, substitute
 
 g = symbols("g")
 
@@ -124,6 +125,19 @@ def test_the_acceleration_of_a_row_has_a_positive_coefficient() -> None:
     rows = [row for text in texts for row in rows_of(text) if " := " not in row]
     assert any("q1''" in row for row in rows)
     assert not [row for row in rows for k in range(7) if re.search(rf"- ([\w*]+|\([^()]*\))\*q{k}''", row)]
+
+
+@pytest.mark.parametrize("axes", ["ZYZYZYZ", "ZYYZYX"])
+def test_each_name_is_used(axes: str) -> None:
+    """Each is defined once and occurs elsewhere; terms that are a quantity are its name."""
+    equations = arm(axes, driven=True)
+    found = Recursion(equations.system, equations.residuals)
+    leaves = free_symbols([*found.values, *found.terms])
+    assert {*found.names} <= leaves
+    known = KnownTerms()
+    for name, value in zip(found.names, found.values, strict=True):
+        assert known.rewritten(value) == value
+        known.add(name, value)
 
 
 def test_one_equation_has_the_quantities_that_it_needs() -> None:

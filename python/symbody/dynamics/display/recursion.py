@@ -14,10 +14,11 @@ from typing import NamedTuple
 
 from symbody.multibody import System
 from symbody.multibody.quantity.dimension import dimensions
-from symbody.symbolic import Expr, free_symbols, time_function
+from symbody.symbolic import Expr, free_symbols, substitute, time_function
 from symbody.symbolic.calculus.rewrite import short_form
 from symbody.symbolic.expression.traverse import post_order
 
+from .known_terms import KnownTerms
 from .quantity_names import Kind, kind_of, legend, names_of, stage_of
 from .shared import merged, shared, with_names
 
@@ -58,7 +59,10 @@ class Recursion:
     @cached_property
     def names(self) -> tuple[Expr, ...]:
         """The names of the quantities, in the order in which these are derived."""
-        names = names_of([each.kind for each in self._quantities], self._taken)
+        return self._names_of(self._quantities)
+
+    def _names_of(self, quantities: Sequence[_Quantity]) -> tuple[Expr, ...]:
+        names = names_of([each.kind for each in quantities], self._taken)
         return tuple(map(time_function, names))  # without the notice of names that the user has
 
     @property
@@ -89,8 +93,13 @@ class Recursion:
     def _merged(self) -> list[Expr]:
         return merged(self.given)
 
-    @cached_property
+    @property
     def _quantities(self) -> list[_Quantity]:
+        """The quantities whose names are used."""
+        return [each for each, is_used in zip(self._found, self._used, strict=True) if is_used]
+
+    @cached_property
+    def _found(self) -> list[_Quantity]:
         values = shared(self._merged)
         found = dimensions(values, self.system)
         stages = _stages(values, [stage_of(each) for each in found])
@@ -107,9 +116,33 @@ class Recursion:
         )
 
     @cached_property
+    def _by_all_names(self) -> tuple[list[Expr], list[Expr]]:
+        """The quantities and the terms, written with names for all quantities."""
+        names = self._names_of(self._found)
+        values, terms = with_names(self._merged, [each.value for each in self._found], names)
+        known, made = KnownTerms(), list[Expr]()
+        for name, value in zip(names, values, strict=True):
+            made.append(_short_with_names(value, known))
+            known.add(name, made[-1])
+        return made, [_short_with_names(term, known) for term in terms]
+
+    @cached_property
+    def _used(self) -> list[bool]:
+        """Whether each quantity occurs in a term, or in another one that does."""
+        values, terms = self._by_all_names
+        leaves, used = free_symbols(terms), list[bool]()
+        for name, value in reversed([*zip(self._names_of(self._found), values, strict=True)]):
+            used.append(name in leaves)
+            leaves |= value.free_symbols if used[-1] else set()
+        return used[::-1]
+
+    @cached_property
     def _by_names(self) -> tuple[list[Expr], list[Expr]]:
-        values, terms = with_names(self._merged, [each.value for each in self._quantities], self.names)
-        return [*map(_shorter, values)], [*map(_shorter, terms)]
+        values, terms = self._by_all_names
+        old = [name for name, is_used in zip(self._names_of(self._found), self._used, strict=True) if is_used]
+        kept = [value for value, is_used in zip(values, self._used, strict=True) if is_used]
+        mapping = dict(zip(old, self.names, strict=True))
+        return [*substitute(kept, mapping)], [*substitute(terms, mapping)]
 
     @property
     def _taken(self) -> set[str]:
@@ -122,6 +155,13 @@ class Recursion:
 def _shorter(expression: Expr) -> Expr:
     """Return an expression in a form with sums of angles and squares, if it is shorter."""
     return min(expression, short_form(expression), key=lambda each: len(str(each)))
+
+
+def _short_with_names(expression: Expr, known: KnownTerms) -> Expr:
+    """Return the short form of an expression in which terms that have names are these."""
+    short = _shorter(expression)
+    named = known.rewritten(short)
+    return short if named is short else _shorter(named)
 
 
 def _stages(quantities: Sequence[Expr], own: Sequence[int]) -> list[int]:
