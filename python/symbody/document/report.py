@@ -24,6 +24,7 @@ from symbody.document.sections.size import size
 from symbody.document.start import Start, start_of
 from symbody.document.subject import Subject
 from symbody.dynamics import Equations
+from symbody.dynamics.display.names_of_formulas import names_told_apart
 from symbody.errors import ReportError
 from symbody.models import ClassicSystem
 from symbody.multibody import System, Variables
@@ -108,7 +109,8 @@ def report(
         units_of(equations, units),
         start.guess,
     )
-    blocks = tuple(block for section in SECTIONS for block in section(subject))
+    with names_told_apart(subject.system):
+        blocks = tuple(block for section in SECTIONS for block in section(subject))
     text = write(Document(heading or subject.system.name or "Multibody system", blocks))
     return write_whole(
         file, lambda temporary: temporary.write_text(text, encoding="utf-8", newline="\n"), where="report"

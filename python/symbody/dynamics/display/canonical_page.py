@@ -15,6 +15,7 @@ from symbody.symbolic.expression.text_layout import ends
 from symbody.symbolic.given.arguments import counted
 
 from .determinant import over_determinant, printed_rows
+from .names_of_formulas import with_one_naming
 from .page import indented, shorter
 from .reader_of import reader_of
 from .short_names import Definition, shortened
@@ -58,6 +59,7 @@ class CanonicalPage:
             [f"CANONICAL EQUATIONS of {self._title}", *(line for text in texts for line in indented(text))]
         )
 
+    @with_one_naming
     def latex(self) -> str:
         """Return the equations in LaTeX, after the quantities that have names; long ones are broken at terms."""
         definitions, sides = self._named_rows("latex")
@@ -112,6 +114,7 @@ class CanonicalPage:
         ]
         return "\n    ".join([f"CANONICAL EQUATIONS of {self._total}", *sizes, _ADVICE])
 
+    @with_one_naming
     def summary_in_latex(self) -> str:
         """Return the number and the sizes of equations in LaTeX."""
         names = map(latex, (symbol(self._name_of_h), *self.rates))

@@ -23,6 +23,7 @@ from .equation_page import EquationPage
 from .line_page import row_with_lines_if_shorter, with_lines_if_shorter
 from .long_entries import are_long
 from .matrix_form import MatrixForm, matrix_form, with_names
+from .names_of_formulas import with_one_naming
 from .page import Page
 from .ratio_page import better_page, page_of_ratios
 from .recursive_page import LINES, RecursivePage, recursive_page, row_by_quantities
@@ -184,6 +185,7 @@ class Display:
             return self._printed_page.description()
         return abridged(self._printed_page, self.shown.residuals)
 
+    @with_one_naming
     def latex(self, *, whole: bool = False) -> str:
         """Return the same in LaTeX."""
         if not whole and self._recursive_page is not None:

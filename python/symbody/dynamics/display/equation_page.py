@@ -17,6 +17,7 @@ from symbody.symbolic.expression.latex_layout import (
 )
 
 from .balance import Balance
+from .names_of_formulas import with_one_naming
 from .page import lines_of, shorter
 from .reader_of import names_of_masses, reader_of
 from .row import printed, written
@@ -61,6 +62,7 @@ class EquationPage:
             *(f"{name}: {text} = 0" for name, text in zip(names, kept, strict=True)),
         ]
 
+    @with_one_naming
     def latex(self) -> str:
         """Return the equation in LaTeX, after the quantities that have names; it is broken at terms."""
         definitions, (left, right, *kept) = self._row("latex")

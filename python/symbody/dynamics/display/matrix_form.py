@@ -22,6 +22,7 @@ from .abridged import PAGES
 from .balance import Balance
 from .causes import generalized_forces
 from .like_terms import joined
+from .names_of_formulas import with_one_naming
 from .page import Page
 from .reader_of import reader_of
 from .row import printed
@@ -135,6 +136,7 @@ class MatrixForm:
         pairs = zip(named[::2], named[1::2], strict=True)
         return in_order_of_use([*definitions, *pairs]), texts[: len(values)]
 
+    @with_one_naming
     def latex(self) -> str:
         """Return the equation and the matrices in LaTeX, one below the other, with the short names of the text.
 

@@ -13,6 +13,7 @@ from symbody.symbolic.expression.text_layout import ends
 from symbody.symbolic.given.arguments import counted
 
 from .determinant import over_determinant, printed_rows
+from .names_of_formulas import with_one_naming
 from .page import indented
 from .reader_of import reader_of
 from .short_names import Definition, shortened
@@ -56,6 +57,7 @@ class SolutionPage:
         title = f"ACCELERATIONS of {', '.join(names if len(self.values) > _MOST else map(str, self.system.driving))}"
         return "\n".join([title, *(line for text in texts for line in indented(text))])
 
+    @with_one_naming
     def latex(self) -> str:
         """Return a row for each value in LaTeX, after the quantities that have names; of long values, their sizes."""
         if not self.is_readable:

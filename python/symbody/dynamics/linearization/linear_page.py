@@ -8,6 +8,7 @@ from typing import NamedTuple
 from symbody.symbolic import Expr, Matrix, cost, latex, readable, time_derivative
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.expression.latex_layout import aligned, bmatrix
+from symbody.symbolic.expression.naming import one_naming
 from symbody.symbolic.expression.text_layout import LINE, names_text, row_lines
 from symbody.symbolic.given.arguments import counted
 
@@ -64,6 +65,10 @@ class LinearPage(NamedTuple):
 
         Of many states, the sizes of the matrices are returned.
         """
+        with one_naming((*self.states, *self.inputs)):
+            return self._formula()
+
+    def _formula(self) -> str:
         if self._is_wide:
             return aligned([rf"&\text{{{line.strip()}}}" for line in self.description().splitlines()])
         if isinstance(self.second, SecondOrder):

@@ -16,6 +16,7 @@ from symbody.symbolic._core import Expr
 from symbody.symbolic.expression.array import array_like, is_array
 from symbody.symbolic.expression.latex_layout import aligned, bmatrix, one_formula, upright, with_definitions
 from symbody.symbolic.expression.matrix import Matrix
+from symbody.symbolic.expression.naming import latex_listing
 from symbody.symbolic.expression.text_layout import listed, matrix_text, named
 from symbody.symbolic.given.arguments import described, expression
 
@@ -153,7 +154,7 @@ def in_latex(value: Any, place: str, form: Callable[[Expr], Expr]) -> str:
     if _has_formula(value):
         return str(value.latex())
     collect(value, "")
-    definitions, texts = _core.listing(leaves, "latex")
+    definitions, texts = latex_listing(leaves)
     remaining = iter(texts)
 
     def laid_out(part: Any) -> str:

@@ -15,6 +15,7 @@ from symbody.symbolic.expression.array import is_array
 from symbody.symbolic.expression.encoding import Encoded, decode, encode
 from symbody.symbolic.expression.latex_layout import bmatrix, displayed, with_definitions
 from symbody.symbolic.expression.leaves import ExprLike
+from symbody.symbolic.expression.naming import latex_listing
 from symbody.symbolic.expression.to_sympy import ToSympy, import_sympy
 from symbody.symbolic.given.arguments import counted, described, size
 from symbody.symbolic.given.hint import no_attribute
@@ -236,7 +237,7 @@ class Matrix:
 
     def latex(self) -> str:
         """Return the matrix in LaTeX."""
-        definitions, texts = _core.listing(self.entries, "latex")
+        definitions, texts = latex_listing(self.entries)
         return with_definitions(definitions, bmatrix(texts, self.columns))
 
     def _repr_latex_(self) -> str:

@@ -10,6 +10,7 @@ from symbody.symbolic._core import Expr
 from symbody.symbolic.calculus.shown_form import shown_form
 from symbody.symbolic.expression.container import Typeset, in_latex, is_container
 from symbody.symbolic.expression.leaves import ExprLike
+from symbody.symbolic.expression.naming import latex_listing, latex_of
 from symbody.symbolic.given.arguments import expression_or_container
 
 __all__ = ["latex", "listing", "listing_of_equations", "maple"]
@@ -34,7 +35,7 @@ def latex(expression: Any) -> str:
         return in_latex(expression, "latex", shown_form)
     if isinstance(expression, Typeset) and not isinstance(expression, type | Expr):
         return expression.latex()
-    return shown_form(expression_or_container(expression, "latex")).latex()
+    return latex_of(shown_form(expression_or_container(expression, "latex")))
 
 
 def maple(expression: ExprLike) -> str:
@@ -69,6 +70,8 @@ def listing(
     >>> [name for name, _ in definitions], results[:2]
     (['z1', 'z2'], ['v1*z2', 'v2*z2'])
     """
+    if notation == "latex" and not isinstance(expressions, Expr):
+        return latex_listing(expressions)
     definitions, results = _core.listing(expressions, notation)
     return definitions, results
 
@@ -103,5 +106,7 @@ def listing_of_equations(
         [each.name for each in names] for names in (functions, speeds, subtracted)
     )
     names = ordered, speed_names, subtracted_names
+    if notation == "latex":
+        return latex_listing(expressions, names)
     definitions, results = _core.listing(expressions, notation, names)
     return definitions, results
