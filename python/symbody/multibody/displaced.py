@@ -96,6 +96,7 @@ def _element(element: Element, actions: Sequence[Action]) -> Element:
         "jumping": element.jumping,
         "sizes": element.sizes,
         "positive": element.positive,
+        "is_along_freedom": element.is_along_freedom,
         "expected": element.expected,
     }
     moved = Element(element.kind, actions, **more)

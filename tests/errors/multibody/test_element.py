@@ -23,7 +23,9 @@ from symbody import (
     origin,
     rotate,
     saturated,
+    sin,
     spring,
+    t,
     time_derivative,
     torsion_spring,
     translate,
@@ -102,6 +104,14 @@ MISTAKES: list[Mistake] = [
     ),
     (
         errors.LoadError,
+        lambda: motor(sin(3 * t), F, on=Body(rotate("Z", sin(3 * t)), m, name="arm")),
+        (
+            "motor: the coordinate sin(3*t) is known as a function of time; expected the freedom of the joint that it "
+            "drives: mechanism.joint(...).freedom()"
+        ),
+    ),
+    (
+        errors.LoadError,
         lambda: motor(2 * time_derivative(x), F, on=body),
         "motor: the coordinate 2*x' holds the rate x'; expected the coordinate itself, such as x",
     ),
@@ -138,7 +148,7 @@ MISTAKES: list[Mistake] = [
         errors.LoadError,
         lambda: motor(x, F, on=other, limit=float("nan")),
         (
-            "motor: limit = nan is a float; expected a positive number or an expression, the largest effort, (low, "
+            "motor: limit = nan is not finite; expected a positive number or an expression, the largest effort, (low, "
             "high), or None for no limit"
         ),
     ),

@@ -308,8 +308,8 @@ def test_values_of_resistances_are_checked_when_a_simulation_begins() -> None:
     assert notices_of(friction, {m: 2.0, k: 2.0}) == []
     assert notices_of(friction, {m: 2.0, k: [3.0, 1.0]}, many=True) == [
         (
-            "simulate_many: in 1 of 2 cases, first case 1: rail: static = 1 is less than coulomb = 2; expected at least "
-            "as much: a joint at rest resists more than one that slides"
+            "simulate_many: in 1 of 2 cases, first case 1: rail: static = 1 is less than coulomb = 2; expected at "
+            "least as much: a joint at rest resists more than one that slides"
         )
     ]
     pad = sb.contact(center, 0.1, 1, on=block, exponent=c, name="pad")
@@ -361,6 +361,16 @@ def test_an_element_whose_other_end_moves_without_a_body_is_told(make: Callable[
             "reaction=body, the body at its other end, which may be massless: Body(frame, 0)"
         )
     ]
+
+
+def test_no_reaction_is_lost_along_a_curve_that_closes_a_loop() -> None:
+    crank, yoke = sb.Link("crank", 1, Iz=1), sb.Link("yoke", 1)
+    slot = sb.point_on_curve("W", yoke, crank, curve=lambda s: (0, s, 0), to=(0.2, 0, 0), axes="Z", loop=True)
+    scotch = sb.assemble([sb.revolute("A", ground, crank), sb.prismatic("S", ground, yoke), slot])
+    along, ends = scotch.joint(slot).freedom("s"), {"on": scotch.body(crank), "reaction": scotch.body(yoke)}
+    held = sb.torsion_spring(along, k, name="ts", **ends)
+    assert notices_of_call(lambda: scotch.system([held])) == []
+    assert notices_of_call(lambda: sb.subs(scotch.system([held]), {k: 2})) == []
 
 
 def test_sizes_of_displaced_and_substituted_elements_are_checked() -> None:

@@ -345,6 +345,14 @@ MISTAKES: list[Mistake] = [
     ),
     (
         errors.JointError,
+        lambda: revolute("P", ground, a, at=(math.nan, 0, 0)),
+        (
+            "revolute P: in at, nan is not finite; expected three coordinates, such as (a, 0, 0), or a frame, such as "
+            "translate(a, 0, 0) * rotate('X', alpha)"
+        ),
+    ),
+    (
+        errors.JointError,
         lambda: Link("rod", math.nan),
         "Link rod: mass = nan is a float; expected an expression, such as symbols('a'), or a finite number",
     ),

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from functools import cache, wraps
 from inspect import Parameter, signature
+from math import isfinite
 from types import NoneType, UnionType
 from typing import Annotated, Any, NamedTuple, ParamSpec, TypeVar, Union, get_args, get_origin
 
@@ -160,15 +161,20 @@ class _Door(NamedTuple):
         """Return the error of an argument that doesn't fit its annotation."""
         name, hint, _ = argument
         found = _stranger(hint, value)
-        found_text = (
-            f"{name} = {described(value)}" if found is None else f"in {name}, {described(found.value)}"
-        )
         stranger = value if found is None else found.value
+        text = f"{stranger} is not finite" if _is_only_not_finite(stranger, hint) else described(stranger)
+        found_text = f"{name} = {text}" if found is None else f"in {name}, {text}"
         of_sympy = type(stranger).__module__.startswith("sympy.")
         way_out = "; from_sympy converts it" if of_sympy else _way(type(stranger).__name__, hint)
         if "expression" in _wanted(hint):
             way_out += comparison_note(stranger)
         return self.error(f"{where}: {found_text}; expected {_wanted(hint)}{way_out}")
+
+
+def _is_only_not_finite(value: object, hint: Any) -> bool:
+    """Whether a value is nan or infinite where numbers are expected, and the words on what is expected don't say so."""
+    expects_numbers = float in _entries(hint) and "finite" not in _wanted(hint)
+    return expects_numbers and isinstance(value, float) and not isfinite(value)
 
 
 def _way(found: str, hint: Any) -> str:

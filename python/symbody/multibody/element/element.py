@@ -47,6 +47,7 @@ class Element(Load):
         jumping: an angle in its law that is known from -pi to pi alone, and jumps there.
         sizes: sizes and resistances of its law, by the names of the arguments, which make no sense below zero.
         positive: the names of those among them that make no sense if they are zero, either: the law divides by them.
+        is_along_freedom: whether it is along the freedom of a joint, whose ends its bodies are known to be.
         expected: what makes sense of its law beside the signs of the sizes.
         law: of a force along a line, the terms of ``F = k (l - l0) + c l'`` by the names of the arguments "stiffness",
             "free_length" and "damping", or "force", F itself; of an effort along a coordinate of a joint, likewise.
@@ -73,6 +74,7 @@ class Element(Load):
         jumping: Expr | None = None,
         sizes: Mapping[str, Expr] | None = None,
         positive: Iterable[str] = (),
+        is_along_freedom: bool = False,
         expected: Iterable[Expectation] = (),
         law: Mapping[str, Expr] | None = None,
         ends: Sequence[Point] = (),
@@ -83,6 +85,7 @@ class Element(Load):
         self.quantities = dict(quantities or {})
         self.sizes = dict(sizes or {})
         self.positive = frozenset(positive)
+        self.is_along_freedom = is_along_freedom
         self.expected = tuple(expected)
         self.law = dict(law or {})
         self.ends = tuple(ends)
@@ -101,7 +104,9 @@ class Element(Load):
 
     @property
     def between_ends(self) -> tuple[Expr, ...]:
-        """The potential energy, and how the ends lie."""
+        """The potential energy, and how the ends lie; none along a freedom, as a parameter of a curve moves no body."""
+        if self.is_along_freedom:
+            return ()
         lying = (self.quantities[name] for name in _BETWEEN_ENDS if name in self.quantities)
         return (*super().between_ends, *lying)
 
@@ -204,7 +209,8 @@ def _rebuilt(element: Element, parts: Sequence[Any]) -> Element:
     undefined = None if element.undefined is None else element.undefined._replace(where_zero=next(remaining))
     named: dict[str, Any] = {"states": states, "quantities": quantities, "sizes": sizes, "law": law}
     ends = [next(remaining) for _ in element.ends]
-    named |= {"positive": element.positive, "expected": expected, "ends": ends}
+    named |= {"positive": element.positive, "is_along_freedom": element.is_along_freedom}
+    named |= {"expected": expected, "ends": ends}
     return Element(element.kind, actions, name=element.name, undefined=undefined, **named, **given)
 
 

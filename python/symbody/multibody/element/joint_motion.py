@@ -80,6 +80,11 @@ def joint_motion(coordinate: Along, on: Body, reaction: Body | None, where: str)
         _check_coordinate(coordinate, where)
     with derivation(order=ENERGY):
         found = _by_coordinate(coordinate, (on, reaction), base, of_one_joint=of_one_joint)
+    if found is None and not any(leaf.kind == "time_function" for leaf in coordinate.free_symbols):
+        raise LoadError(
+            f"{where}: the coordinate {brief(coordinate)} is known as a function of time; expected the freedom of the "
+            "joint that it drives: mechanism.joint(...).freedom()"
+        )
     if found is None:
         raise LoadError(
             f"{where}: {brief(on)} doesn't move against {brief(base)} about or along one axis at the rate of "

@@ -74,6 +74,7 @@ def torsion_spring(
             quantities={"angle": twist, "rate": joint.rate, "torque": torque},
             name=name,
             sizes=sizes,
+            is_along_freedom=isinstance(angle, Freedom),
             law={"stiffness": k, "free_angle": expression(free_angle), "damping": c},
             jumping=twist if turned.jumps else None,
         )
