@@ -140,6 +140,15 @@ def test_each_name_is_used(axes: str) -> None:
         known.add(name, value)
 
 
+@pytest.mark.parametrize("driven", [False, True])
+def test_the_rows_have_the_sign_of_their_inertia(driven: bool) -> None:
+    """Also those that are one moment, ``n1 = tau6``."""
+    equations = arm("ZYZYZYZ", driven=driven)
+    found = values_of(equations.description(), equations)
+    assert [*found.values()] == [[each] for each in equations.residuals]
+    assert not [row for row in rows_of(equations.description()) if ": -" in row]
+
+
 def test_one_equation_has_the_quantities_that_it_needs() -> None:
     equations = arm("ZYZYZYZ")
     for k in (3, 6):

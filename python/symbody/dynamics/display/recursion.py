@@ -152,16 +152,16 @@ class Recursion:
         return {name.rstrip("0123456789").partition("_")[0] for name in names}
 
 
-def _shorter(expression: Expr) -> Expr:
+def short(expression: Expr) -> Expr:
     """Return an expression in a form with sums of angles and squares, if it is shorter."""
     return min(expression, short_form(expression), key=lambda each: len(str(each)))
 
 
 def _short_with_names(expression: Expr, known: KnownTerms) -> Expr:
     """Return the short form of an expression in which terms that have names are these."""
-    short = _shorter(expression)
-    named = known.rewritten(short)
-    return short if named is short else _shorter(named)
+    flat = short(expression)
+    named = known.rewritten(flat)
+    return flat if named is flat else short(named)
 
 
 def _stages(quantities: Sequence[Expr], own: Sequence[int]) -> list[int]:

@@ -10,7 +10,7 @@ from textwrap import wrap
 from typing import NamedTuple
 
 from symbody.multibody import System
-from symbody.symbolic import Expr, Matrix, latex, number, time_function
+from symbody.symbolic import Expr, Matrix, latex, number, substitute, time_derivative, time_function
 from symbody.symbolic.calculus.summands import summands
 from symbody.symbolic.expression.latex_layout import ARTICLE, aligned, broken
 from symbody.symbolic.expression.text_layout import LINE
@@ -19,7 +19,7 @@ from .balance import Balance
 from .degree import without
 from .equation_page import EquationPage
 from .page import lines_of
-from .recursion import Recursion
+from .recursion import Recursion, short
 from .row import printed, written
 from .short_names import Definition, in_order_of_use
 from .source import sources
@@ -106,9 +106,9 @@ class RecursivePage:
     def _printed(self, notation: str) -> tuple[list[Definition], list[tuple[str, str, str]]]:
         """Return the names with their definitions, and the labels and sides of the rows."""
         found = self._recursion
-        named = self._rows_by_names()
+        values, named = self._by_names
         terms = [term for row in named for term in (*row.left, *row.right)]
-        further, texts = printed([*found.names, *found.values, *terms], notation, self.system, found.moving)
+        further, texts = printed([*found.names, *values, *terms], notation, self.system, found.moving)
         count = len(found.names)
         pairs = zip(texts[:count], texts[count : 2 * count], strict=True)
         definitions = in_order_of_use([*further, *pairs]) if further else [*pairs]
@@ -118,12 +118,26 @@ class RecursivePage:
             rows.append((row.label, left, right))
         return definitions, rows
 
+    @cached_property
+    def _by_names(self) -> tuple[list[Expr], list[_Row]]:
+        """The quantities and the rows by the names of quantities; those that a row subtracts have the other sign."""
+        found, rows = self._recursion, self._rows_by_names()
+        opposite = {name: -name for row in rows for name in _subtracted(row.left, found.names)}
+        values = [*substitute(found.values, opposite)] if opposite else found.values
+        pairs = zip(found.names, values, strict=True)
+        values = [short(_opposite(value)) if name in opposite else value for name, value in pairs]
+        return values, [
+            row._replace(left=[*substitute(row.left, opposite)], right=[*substitute(row.right, opposite)])
+            for row in rows
+        ]
+
     def _rows_by_names(self) -> list[_Row]:
-        """Return the rows by the names of quantities; the sign of a sum is that of the equation."""
         remaining, made = iter(self._recursion.terms), list[_Row]()
         for row in self.rows:
             left, right = ([*islice(remaining, len(side))] for side in (row.left, row.right))
-            made.append(row._replace(left=[_negative(*left)] if row.is_reversed else left, right=right))
+            if row.is_reversed:
+                left = [_opposite(*left)]
+            made.append(row._replace(left=[_collected(each, self.system) for each in left], right=right))
         return made
 
 
@@ -181,6 +195,36 @@ def _positive(residual: Expr) -> Expr:
     """Return a residual without a leading minus sign: f1 for ``-f1``."""
     factors = residual.args if residual.kind == "product" else ()
     return -residual if any(each.is_number and str(each).startswith("-") for each in factors) else residual
+
+
+def _opposite(term: Expr) -> Expr:
+    return sum((-each for each in summands(term)), start=number(0))
+
+
+def _subtracted(side: Sequence[Expr], names: Sequence[Expr]) -> list[Expr]:
+    """Return the names of the quantities that a side consists of if it subtracts all of them: n1 for ``-n1``."""
+    terms = [term for each in side for term in summands(each)]
+    if not all(str(term).startswith("-") for term in terms):
+        return []
+    factors = (factor for term in terms for factor in (-term, *_factors(term)))
+    return [*dict.fromkeys(factor for factor in factors if factor in names)]
+
+
+def _collected(total: Expr, system: System) -> Expr:
+    """Return a sum in which each acceleration that terms have as a factor is written once."""
+    for speed in system.speeds:
+        rate = time_derivative(speed)
+        terms = summands(total)
+        linear = [term for term in terms if term.kind == "product" and rate in _factors(term)]
+        if len(linear) > 1:
+            rest = [term for term in terms if term not in linear]
+            coefficient = sum((term / rate for term in linear), start=number(0))
+            total = sum(rest, start=coefficient * rate)
+    return total
+
+
+def _factors(term: Expr) -> list[Expr]:
+    return [leaf for each in term.args for leaf in (_factors(each) if each.kind == "product" else [each])]
 
 
 def _negative(term: Expr) -> Expr:
