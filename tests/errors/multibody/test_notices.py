@@ -17,6 +17,13 @@ a, b, c = (Link(name, 1, 1, 1, 1) for name in "abc")
 phi = sb.functions_of_time("phi")
 
 
+def early() -> object:
+    """Dry friction that falls with speed before it has risen."""
+    x = sb.functions_of_time("x")
+    block = sb.Body(sb.translate(x, 0, 0), 1)
+    return sb.friction(x, on=block, coulomb=1, static=2, stribeck_speed=0.2, creep_speed=0.1)
+
+
 def idle() -> object:
     """Give a coordinate to the joint that closes a loop."""
     return sb.assemble([sb.revolute("P", ground, a), sb.revolute("Q", ground, a, coordinate=phi, loop=True)])
@@ -71,6 +78,16 @@ def displaced_spring() -> object:
 
 
 NOTICES: list[tuple[Callable[[], object], list[str]]] = [
+    (
+        early,
+        [
+            (
+                "friction: stribeck_speed = 0.2 is near creep_speed = 0.1, so that the friction falls before it has "
+                "risen: it reaches coulomb + 0.59 (static - coulomb) at most; expected a stribeck_speed of 10 times "
+                "creep_speed or more"
+            )
+        ],
+    ),
     (
         idle,
         [
