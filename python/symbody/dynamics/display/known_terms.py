@@ -38,15 +38,7 @@ class _Monomial(NamedTuple):
 
 
 class KnownTerms:
-    """Quantities with names, by the terms of which they are the sum.
-
-    >>> from symbody import symbols
-    >>> a, b, c, d, w = symbols("a b c d w")
-    >>> known = KnownTerms()
-    >>> known.add(w, a * b - d)
-    >>> known.rewritten(c - 2 * a**2 * b + 2 * a * d)
-    c - 2*a*w
-    """
+    """Quantities with names, by the terms of which they are the sum."""
 
     def __init__(self) -> None:
         self._quantities = list[tuple[Expr, list[_Monomial], set[Expr]]]()
