@@ -24,7 +24,7 @@ Version = tuple[int, int]
 LAST_LINES = 10
 """What is shown of a command that fails."""
 
-RUST = (1, 85)  # as `rust-version` in Cargo.toml
+RUST = (1, 89)  # as `rust-version` in Cargo.toml
 
 
 @dataclass(frozen=True, eq=False)

@@ -23,18 +23,18 @@ ROOT = Path(__file__).parent.parent
 PACKAGES = {
     "gcc": ("12.2.0-3", "cc"),
     "cargo": ("0.66.0+ds1-1", "cargo"),
-    "cargo-web": ("1.85.0+dfsg3-1~deb12u3", "cargo"),
+    "cargo-web": ("1.90.0+dfsg3-1~deb12u3", "cargo"),
     "rustfmt": ("1.63.0+dfsg1-2", "cargo-fmt"),
-    "rustfmt-web": ("1.85.0+dfsg3-1~deb12u3", "cargo-fmt"),
+    "rustfmt-web": ("1.90.0+dfsg3-1~deb12u3", "cargo-fmt"),
     "rust-clippy": ("1.63.0+dfsg1-2", "cargo-clippy"),
-    "rust-web-clippy": ("1.85.0+dfsg3-1~deb12u3", "cargo-clippy"),
+    "rust-web-clippy": ("1.90.0+dfsg3-1~deb12u3", "cargo-clippy"),
     "g++": ("4:12.2.0-3", "g++"),
     "gfortran": ("4:12.2.0-3", "gfortran"),
     "octave": ("7.3.0-2", "octave-cli"),
     "chromium": ("156.0.8078.79-1~deb12u1", "chromium"),
     **dict.fromkeys(("libc6-dev", "ca-certificates", "python3-venv", "fonts-dejavu-core"), ("1.0", "")),
 }
-"""Debian 12: the version of each package, and the program that it holds."""
+"""The version of each package, and the program that it holds: of two packages with Rust, the first one is too old."""
 
 CARGO = 'case "$*" in --version) echo "cargo %s (f2d3ce0bd 2026-03-21)";; *) "cargo-$1";; esac'
 
@@ -121,7 +121,7 @@ def test_root_gets_what_is_missing_and_one_line_about_it(
 def test_what_is_there_is_not_asked_for(machine: Machine, capfd: pytest.CaptureFixture[str]) -> None:
     machine.add_apt()
     machine.add("cc")
-    machine.add("cargo", CARGO % "1.85.0")
+    machine.add("cargo", CARGO % "1.90.0")
     tools.set_up("build")
     assert not machine.log.exists()
     assert capfd.readouterr().out == ""
@@ -194,19 +194,19 @@ def test_a_machine_without_rust_is_told_how_to_get_it(user: Machine) -> None:
         "rustup update stable && rustup default stable"
     )
     assert message_for("build") == (
-        f"cargo, which builds the Rust extension, is missing; 1.85 or newer is needed.\n{way_out}"
+        f"cargo, which builds the Rust extension, is missing; 1.89 or newer is needed.\n{way_out}"
     )
     user.add("cargo", CARGO % "1.63.0")
     assert message_for("build") == (
         "cargo, which builds the Rust extension, is too old (cargo 1.63.0 (f2d3ce0bd 2026-03-21)); "
-        f"1.85 or newer is needed.\n{way_out}"
+        f"1.89 or newer is needed.\n{way_out}"
     )
 
 
 def test_a_machine_without_network_has_no_packages(machine: Machine) -> None:
     machine.add("apt-get", "exit 100")
     machine.add("apt-cache", 'echo "  Candidate: (none)"')
-    machine.add("cargo", CARGO % "1.85.0")
+    machine.add("cargo", CARGO % "1.90.0")
     assert message_for("build").startswith(
         "cc, which links the Rust extension, is missing.\nInstall a C compiler"
     )

@@ -12,6 +12,7 @@ from symbody import (
     functions_of_time,
     ground,
     latex,
+    linearize,
     newton_euler,
     origin,
     report,
@@ -30,6 +31,14 @@ def test_a_parameter_does_not_look_like_a_rate_that_is_not_in_the_formula() -> N
     for each in shown:
         assert r"x - \mathtt{x\_dot}" in latex(each)
         assert r"x - \dot{x}" not in latex(each)
+
+
+def test_a_linear_model_tells_its_parameters_apart() -> None:
+    x, (m, k, name) = functions_of_time("x"), symbols("m k x_dot")
+    body = Body(translate(x, 0, 0), m)
+    spring = Force(ground, -k * name * x, 0, 0, at=origin(body.frame), on=body)
+    shown = linearize(newton_euler(System([body], [spring], [x])), {x: 0}).latex()
+    assert r"\begin{bmatrix} k \, \mathtt{x\_dot} \end{bmatrix}" in shown
 
 
 def test_names_of_a_report_are_told_apart_in_all_of_it(tmp_path: Path) -> None:

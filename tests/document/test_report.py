@@ -18,6 +18,7 @@ import pytest
 from symbody import (
     Body,
     Equations,
+    Force,
     Motion,
     Point,
     System,
@@ -40,6 +41,7 @@ from symbody import (
     simulate,
     spring,
     symbols,
+    t,
     time_derivative,
     time_derivatives,
     torsion_spring,
@@ -52,8 +54,9 @@ from symbody.document.formats.tex_letter import in_text
 from symbody.document.report import FORMATS, SECTIONS
 from symbody.document.sections.checks import HOLDS, LAWS
 from symbody.document.sections.equations import ROWS
-from symbody.document.sections.nomenclature import Entry, row_meaning
+from symbody.document.sections.nomenclature import Entry, nomenclature, row_meaning
 from symbody.document.subject import Subject
+from symbody.dynamics.display import display
 from symbody.dynamics.display.summary import READABLE
 from symbody.dynamics.equations.equations import Derived
 from symbody.errors import ModelNotice, PictureError, ReportError, SymbodyError
@@ -230,6 +233,21 @@ def test_each_name_of_the_kinematics_stands_above_its_use(tmp_path: Path) -> Non
 def test_units_are_added(equations: Equations, tmp_path: Path) -> None:
     assert "| $\\tau$ | torque | N m |" in written(tmp_path, equations, ".md")
     assert "| $\\tau$ | torque | kN m |" in written(tmp_path, equations, ".md", units={tau: "kN m"})
+
+
+def test_time_and_moments_about_several_axes_are_named() -> None:
+    x, (J, I1, m, w) = functions_of_time("x"), symbols("J I1 m w")
+    ball = Body(translate(x, 0, 0), m, J, J, J, name="ball")
+    disc = Body(translate(x, 0, 0), m, I1, I1, J, name="disc")
+    push = Force(ground, cos(w * t), 0, 0, at=ball.center_of_mass, on=ball)
+    equations = newton_euler(System([ball, disc], [push], [x]))
+    (table,) = (
+        block for block in nomenclature(Subject(equations, None, {}, {}, {})) if isinstance(block, Table)
+    )
+    meanings = [row[1:] for row in table.rows]
+    assert (("moment of inertia of ball about x, y and z and of disc about z",), ("kg m²",)) in meanings
+    assert (("moment of inertia of disc about x and y",), ("kg m²",)) in meanings
+    assert (("time",), ("s",)) in meanings
 
 
 def test_multipliers_have_the_unit_that_makes_work() -> None:
@@ -500,7 +518,7 @@ def test_equations_of_many_rows_are_described_by_sizes_and_short_entries(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Seven joints on short pages: what can be read is printed, with the values of the mass matrix."""
-    monkeypatch.setattr("symbody.dynamics.display.display.LINES", 10)
+    monkeypatch.setattr(display, "LINES", 10)
     arm = newton_euler(numbered_arm(7))
     assert cost(arm.residuals).total < READABLE
     document = blocks(arm)

@@ -77,7 +77,7 @@ impl<'a> Balance<'a> {
 
     /// Check the balance after a step, at every few steps.
     pub fn watch(&mut self, step: usize, t: f64, state: &[f64]) {
-        if step % LOOK.0 == 0 {
+        if step.is_multiple_of(LOOK.0) {
             self.look(t, state);
         }
     }
@@ -105,7 +105,7 @@ impl<'a> Balance<'a> {
                 self.moving = self.moving.max(energy.abs());
             }
             self.largest = self.largest.max(kinetic.abs() + potential.abs());
-            if self.checked % LOOK.1 == 0 {
+            if self.checked.is_multiple_of(LOOK.1) {
                 self.widen(t, state, kinetic + potential);
             }
             self.checked += 1;

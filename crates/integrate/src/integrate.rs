@@ -308,7 +308,7 @@ impl Patience {
         } else if step - self.farthest.1 > BACK {
             return Err(Failure::Stalled { t, step: 0.0 });
         }
-        if step % STALLED.0 as usize == 0 {
+        if step.is_multiple_of(STALLED.0 as usize) {
             let advance = t - self.seen;
             if advance < self.least {
                 return Err(Failure::Stalled { t, step: advance / f64::from(STALLED.0) });

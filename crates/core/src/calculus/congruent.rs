@@ -110,7 +110,7 @@ impl Graph {
         let drawn = Key::new("real number").word(first).word(second).draw_word(point);
         let size = f64::from(1 + drawn % 1999) / 1000.0;
         let is_positive = matches!(self.view(leaf), View::Symbol(_, Assumption::Positive));
-        if is_positive || (drawn / 1999) % 2 == 0 { size } else { -size }
+        if is_positive || (drawn / 1999).is_multiple_of(2) { size } else { -size }
     }
 }
 

@@ -22,10 +22,10 @@ impl Graph {
     /// Rules that replace the function by something simpler.
     pub(super) fn exact_value(&mut self, function: Function, args: &[Id]) -> Result<Option<Id>, Error> {
         let first = args[0];
-        if let Some(number) = self.as_number(first).cloned() {
-            if let Some(result) = self.at_number(function, &number, args)? {
-                return Ok(Some(result));
-            }
+        if let Some(number) = self.as_number(first).cloned()
+            && let Some(result) = self.at_number(function, &number, args)?
+        {
+            return Ok(Some(result));
         }
         let inner = match self.view(first) {
             View::Function(inner, inner_args) => Some((inner, inner_args.get(0))),

@@ -3,13 +3,33 @@
 //! If p^2 - q^2 n is the square of a rational number d, then sqrt(p + q sqrt(n)) = sqrt((p + d)/2) +- sqrt((p - d)/2),
 //! with the sign of q [Borodin et al. 1985]. Nothing sees the rational part 1 in the root of a root.
 
+use num_integer::Integer;
+
 use crate::error::Error;
 use crate::graph::{Graph, Id, View};
 use crate::value::Number;
 
+use super::collector::Collector;
+
 impl Graph {
+    /// Add a power of a sum with a broken exponent to the collector.
+    pub(super) fn collect_root_of_sum(
+        &mut self,
+        out: &mut Collector,
+        sum: Id,
+        exponent: &Number,
+    ) -> Result<(), Error> {
+        if exponent.denominator().is_even()
+            && let Some(root) = self.denested_root(sum)?
+        {
+            return self.collect_power(out, root, &exponent.add(exponent));
+        }
+        out.push(self, sum, exponent);
+        Ok(())
+    }
+
     /// The square root of a node, if it is one of p + q sqrt(n) and a sum of roots of numbers that has its value.
-    pub(super) fn denested_root(&mut self, base: Id) -> Result<Option<Id>, Error> {
+    fn denested_root(&mut self, base: Id) -> Result<Option<Id>, Error> {
         let Some((p, q, n)) = self.parts_with_root(base) else { return Ok(None) };
         let norm = p.mul(&p).sub(&q.mul(&q).mul(&n));
         if p.is_negative() || norm.is_negative() {

@@ -1,7 +1,5 @@
 //! Products and powers: equal bases merge by value, and numbers and signs are taken out.
 
-use num_integer::Integer;
-
 use crate::error::Error;
 use crate::evaluate::{Pending, makes_units};
 use crate::graph::{Factors, Flags, Function, Graph, Id, Kind, LONGEST, NumberId, View};
@@ -269,7 +267,12 @@ impl Graph {
     }
 
     /// Add base ** exponent to the collector, with numbers taken out and inner powers and multiples resolved.
-    fn collect_power(&mut self, out: &mut Collector, base: Id, exponent: &Number) -> Result<(), Error> {
+    pub(super) fn collect_power(
+        &mut self,
+        out: &mut Collector,
+        base: Id,
+        exponent: &Number,
+    ) -> Result<(), Error> {
         if exponent.is_zero() {
             return Ok(());
         }
@@ -309,13 +312,7 @@ impl Graph {
                     factors.iter().map(|(id, e)| (id, self.get_number(e).clone())).collect();
                 self.collect_product_power(out, base, &inner, exponent)
             }
-            View::Sum(_) if exponent.denominator().is_even() => {
-                if let Some(root) = self.denested_root(base)? {
-                    return self.collect_power(out, root, &exponent.add(exponent));
-                }
-                out.push(self, base, exponent);
-                Ok(())
-            }
+            View::Sum(_) if !exponent.is_integer() => self.collect_root_of_sum(out, base, exponent),
             View::Function(Function::Exp, args)
                 if !exponent.is_integer() && self.is_real(base) && !self.may_be_negative(args.get(0)) =>
             {

@@ -41,7 +41,7 @@ impl Matrix {
     /// The identity.
     #[must_use]
     pub fn identity(size: usize) -> Self {
-        let entry = |i: usize| if i % (size + 1) == 0 { Id::ONE } else { Id::ZERO };
+        let entry = |i: usize| if i.is_multiple_of(size + 1) { Id::ONE } else { Id::ZERO };
         Self { rows: size, columns: size, entries: (0..size * size).map(entry).collect() }
     }
 

@@ -47,7 +47,7 @@ pub(super) fn turn_over(prime: &Prime, order: u64) -> Point {
         let candidate = times(prime, point(prime, t), cofactor);
         let is_full = [2, 3, 5, 7, 11]
             .iter()
-            .all(|q| order % q != 0 || times(prime, candidate, order / q) != identity(prime));
+            .all(|q| !order.is_multiple_of(*q) || times(prime, candidate, order / q) != identity(prime));
         if is_full {
             return oriented(prime, candidate, order);
         }
@@ -57,7 +57,8 @@ pub(super) fn turn_over(prime: &Prime, order: u64) -> Point {
 
 /// The first multiple of an angle that has full order and agrees with the positive roots.
 fn oriented(prime: &Prime, angle: Point, order: u64) -> Point {
-    let is_unit = |k: u64| [2, 3, 5, 7, 11].iter().all(|q| order % q != 0 || k % q != 0);
+    let is_unit =
+        |k: u64| [2, 3, 5, 7, 11].iter().all(|q| !order.is_multiple_of(*q) || !k.is_multiple_of(*q));
     (1..order)
         .filter(|&k| is_unit(k))
         .map(|k| times(prime, angle, k))
@@ -74,7 +75,7 @@ fn agrees_with_roots(prime: &Prime, angle: Point, order: u64) -> bool {
             if squares.contains(&k) { prime.add(sum, sine) } else { prime.sub(sum, sine) }
         })
     };
-    let has = |parts: u64| order % parts == 0;
+    let has = |parts: u64| order.is_multiple_of(parts);
     (!has(4) || at(4, 1).1 == prime.one)
         && (!has(8) || prime.is_square(double(at(8, 1).0)))
         && (!has(12) || prime.is_square(double(at(12, 1).0)))

@@ -22,7 +22,7 @@ pub(super) fn units_on_circle(prime: &Prime, (order, step): (u64, Point)) -> Vec
     let unit = |q: u64| {
         let power_in = |mut number: u64| {
             let mut count = 0;
-            while number % q == 0 {
+            while number.is_multiple_of(q) {
                 (number, count) = (number / q, count + 1);
             }
             count

@@ -81,13 +81,13 @@ impl FieldId {
     /// Which of the other lanes this field begins, if it begins one, and the point.
     pub(crate) fn other_lane(self) -> Option<(usize, u16)> {
         let lane = self.index as usize / FIELDS_OF_A_LANE;
-        let is_other = self.index as usize % FIELDS_OF_A_LANE == 0 && lane >= Self::HASH.len();
+        let is_other = (self.index as usize).is_multiple_of(FIELDS_OF_A_LANE) && lane >= Self::HASH.len();
         is_other.then(|| (lane - Self::HASH.len(), self.point))
     }
 
     /// Whether this field begins a lane, at any of its points.
     pub(crate) fn is_first(self) -> bool {
-        self.index % FIELDS_OF_A_LANE_WORD == 0
+        self.index.is_multiple_of(FIELDS_OF_A_LANE_WORD)
     }
 
     /// Which of the hash lanes this field begins, if it begins one.

@@ -110,7 +110,7 @@ fn without_powers(mut rest: BigInt, q: u64) -> (BigInt, i64) {
 fn split_word(mut rest: u64, sign: i64, factors: &mut BTreeMap<BigInt, i64>) {
     let mut q = 2;
     while q < TRIALS && q * q <= rest {
-        while rest % q == 0 {
+        while rest.is_multiple_of(q) {
             *factors.entry(q.into()).or_default() += sign;
             rest /= q;
         }

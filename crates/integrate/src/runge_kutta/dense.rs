@@ -32,14 +32,14 @@ pub(crate) fn hermite_terms(
 #[allow(clippy::inline_always, reason = "loops over lanes are compiled for the vectors of their caller")]
 #[inline(always)]
 pub(crate) fn between(sum: f64, term: f64, k: usize, x: f64) -> f64 {
-    (sum + term) * if k % 2 == 0 { x } else { 1.0 - x }
+    (sum + term) * if k.is_multiple_of(2) { x } else { 1.0 - x }
 }
 
 /// The same for the sum of the later terms and its slope.
 #[allow(clippy::inline_always, reason = "loops over lanes are compiled for the vectors of their caller")]
 #[inline(always)]
 pub(crate) fn slope_between((sum, slope): (f64, f64), term: f64, k: usize, x: f64) -> (f64, f64) {
-    let (factor, sign) = if k % 2 == 0 { (x, 1.0) } else { (1.0 - x, -1.0) };
+    let (factor, sign) = if k.is_multiple_of(2) { (x, 1.0) } else { (1.0 - x, -1.0) };
     ((sum + term) * factor, slope * factor + sign * (sum + term))
 }
 

@@ -13,7 +13,7 @@ from symbody.document.subject import Subject
 from symbody.multibody.quantity.dimension import units_of_multipliers
 from symbody.multibody.quantity.role import in_order, roles_of
 from symbody.simulation.given.wording import joined_by_and
-from symbody.symbolic import Expr
+from symbody.symbolic import Expr, t
 from symbody.view.overview import overview
 
 
@@ -93,4 +93,4 @@ def _entries(subject: Subject) -> Iterator[tuple[Expr, str, str]]:
         yield multiplier, f"multiplier of {name or f'constraint {number}'}", units.get(multiplier, "")
     symbols = {leaf for leaf in system.leaves if leaf.kind == "symbol"} | {*equations.parameters}
     for each in sorted(symbols, key=in_order):
-        yield each, *roles.get(each, ("parameter", ""))
+        yield each, *roles.get(each, ("time", "s") if each == t else ("parameter", ""))

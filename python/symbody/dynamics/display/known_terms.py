@@ -38,7 +38,15 @@ class _Monomial(NamedTuple):
 
 
 class KnownTerms:
-    """Quantities with names, by the terms of which they are the sum."""
+    """Quantities with names, by the terms of which they are the sum.
+
+    >>> from symbody import symbols
+    >>> a, b, c, d, w = symbols("a b c d w")
+    >>> known = KnownTerms()
+    >>> known.add(w, a * b - d)
+    >>> known.rewritten(a * b + c - d), known.rewritten(c - 2 * a**2 * b + 2 * a * d)
+    (c + w, c - 2*a*w)
+    """
 
     def __init__(self) -> None:
         self._quantities = list[tuple[Expr, list[_Monomial], set[Expr]]]()
@@ -111,7 +119,14 @@ class KnownTerms:
 
 
 def _terms(expression: Expr) -> list[Expr]:
-    return [*expression.args] if expression.kind == "sum" else [expression]
+    """Return the terms of a sum, also of sums and multiples of sums among its terms."""
+    if expression.kind == "sum":
+        return [term for each in expression.args for term in _terms(each)]
+    if expression.kind == "product" and len(expression.args) == 2:
+        factor, total = expression.args
+        if factor.kind == "number" and total.kind == "sum":
+            return [factor * term for term in _terms(total)]
+    return [expression]
 
 
 def _sums_in(term: Expr) -> Iterator[Expr]:

@@ -44,10 +44,13 @@ class LinearPage(NamedTuple):
     @property
     def operations(self) -> int:
         """The operations of all that is shown."""
-        if isinstance(self.second, SecondOrder):
-            form = self.second
-            return cost([*form.M, *form.C, *form.K, *form.F]).total
-        return cost([entry for matrix in self.first for entry in matrix]).total
+        return cost([entry for matrix in self._matrices for entry in matrix]).total
+
+    @property
+    def _matrices(self) -> tuple[Matrix, ...]:
+        """The matrices that are shown."""
+        form = self.second
+        return (form.M, form.C, form.K, form.F) if isinstance(form, SecondOrder) else self.first
 
     @property
     def _is_wide(self) -> bool:
@@ -65,7 +68,8 @@ class LinearPage(NamedTuple):
 
         Of many states, the sizes of the matrices are returned.
         """
-        with one_naming((*self.states, *self.inputs)):
+        parameters = {name for matrix in self._matrices for entry in matrix for name in entry.free_symbols}
+        with one_naming((*self.states, *self.inputs, *sorted(parameters, key=str))):
             return self._formula()
 
     def _formula(self) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations
 
+from symbody.multibody.body import Body
 from symbody.multibody.element.element import Element
 from symbody.multibody.system import System
 from symbody.symbolic import Expr, number, substitute, t
@@ -97,9 +98,10 @@ def _of_bodies(system: System) -> Iterator[tuple[Expr, Role]]:
     for mass in dict.fromkeys(body.mass for body in system.bodies):
         owners = [name for body, name in names.items() if body.mass == mass]
         yield mass, (f"mass of {_in_words(owners)}", "kg")
+    for moment, owners_about in _moments(names).items():
+        which = (f"{_in_words(owners)} about {axes}" for axes, owners in owners_about.items())
+        yield moment, (f"moment of inertia of {' and of '.join(which)}", "kg m²")
     for body, name in names.items():
-        for axis, moment in zip("xyz", body.moments, strict=True):
-            yield moment, (f"moment of inertia of {name} about {axis}", "kg m²")
         for axes, product in zip(("yz", "xz", "xy"), body.products, strict=True):
             for each in (product, -product):
                 yield each, (f"product of inertia of {name}, {axes}", "kg m²")
@@ -107,6 +109,16 @@ def _of_bodies(system: System) -> Iterator[tuple[Expr, Role]]:
         yield from ((leaf, ("mass", "kg")) for leaf in multiples([body.mass]))
         inertia = multiples((*body.moments, *body.products))
         yield from ((leaf, ("moment of inertia", "kg m²")) for leaf in inertia)
+
+
+def _moments(names: Mapping[Body, str]) -> dict[Expr, dict[str, list[str]]]:
+    """Return the bodies that have each moment of inertia, by the axes about which they have it."""
+    found: dict[Expr, dict[str, list[str]]] = {}
+    for body, name in names.items():
+        for moment in dict.fromkeys(body.moments):
+            axes = _in_words([axis for axis, each in zip("xyz", body.moments, strict=True) if each == moment])
+            found.setdefault(moment, {}).setdefault(axes, []).append(name)
+    return found
 
 
 _EFFORT, _SPEED, _DAMPING = ("N", "N m"), ("m/s", "rad/s"), ("N s/m", "N m s/rad")
