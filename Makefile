@@ -24,7 +24,7 @@ OPTIONS := $(if $(filter no,$(INSTALL)),--no-install)
 TOOLS   := $(BIN)/python scripts/tools.py $(OPTIONS)
 SYSTEM_PYTHON := PYTHON='$(PYTHON)' INSTALL=$(INSTALL) sh scripts/python.sh
 
-# What maturin tells PyO3 of Python: told otherwise, PyO3 is compiled once more.
+# The description of Python that maturin gives PyO3: with another one, PyO3 would be compiled again.
 AS_MATURIN = PYO3_BUILD_EXTENSION_MODULE=1 PYO3_CONFIG_FILE="$$(ls $(CURDIR)/target/maturin/pyo3-config-*.txt)"
 
 # A lint whose tool could not be installed is left out; in CI, $(STAMPS)/tools-lint has failed before.

@@ -1,4 +1,4 @@
-"""Terms of a sum that are a quantity with a name: `n2 := c + n1` for `c + a*b - d` where `n1 := a*b - d`."""
+"""Replace terms of a sum by the name of an equal quantity: `c + a*b - d` is `c + n1` where `n1 := a*b - d`."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class _Monomial(NamedTuple):
 
 
 class KnownTerms:
-    """Quantities with names, by the terms of which they are the sum.
+    """Named quantities, and the terms of which each is the sum.
 
     >>> from symbody import symbols
     >>> a, b, c, d, w = symbols("a b c d w")
@@ -60,7 +60,7 @@ class KnownTerms:
             self._quantities.append((name, parts, factors))
 
     def rewritten(self, expression: Expr) -> Expr:
-        """Return an expression in which terms that are a quantity are its name; itself if there are none."""
+        """Return the expression with names for the terms that add up to a quantity; itself if there are none."""
         given = terms = _terms(expression)
         factors = self._factors(map(self._monomial, terms))
         for name, parts, needed in reversed(self._quantities):
@@ -119,7 +119,7 @@ class KnownTerms:
 
 
 def _terms(expression: Expr) -> list[Expr]:
-    """Return the terms of a sum, also of sums and multiples of sums among its terms."""
+    """Return the terms of a sum; sums, and multiples of sums, among them are opened."""
     if expression.kind == "sum":
         return [term for each in expression.args for term in _terms(each)]
     if expression.kind == "product" and len(expression.args) == 2:
@@ -130,7 +130,7 @@ def _terms(expression: Expr) -> list[Expr]:
 
 
 def _sums_in(term: Expr) -> Iterator[Expr]:
-    """Return the sums that are factors of a term, or of which these are powers."""
+    """Return the sums that are factors of a term, or bases of its factors."""
     for each in term.args if term.kind in {"product", "power"} else ():
         if each.kind == "sum":
             yield each

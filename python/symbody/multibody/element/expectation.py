@@ -1,4 +1,4 @@
-"""Expectations: what several sizes of a law fulfil together, or one size beyond its sign."""
+"""Conditions on the parameters of a law, beyond their signs: `static` is at least `coulomb`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Stribeck's friction: what its forces and speeds must fulfil, so that the friction at rest is what is given."""
+"""Conditions on the forces and speeds of Stribeck's friction, so that the given static friction is reached."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ _ROUNDING = 1e-12
 
 
 def expected_of_dry_friction(static: Expr, coulomb: Expr) -> Expectation:
-    """Return that ``Fs >= Fc``."""
+    """Return the condition ``Fs >= Fc``."""
     return Expectation((static, coulomb), _is_less, _static_fault)
 
 
 def expected_of_speeds(stribeck: Expr, creep: Expr, excess: Expr) -> Expectation:
-    """Return that vs is well above v0, unless ``Fs - Fc`` is known to be zero; it may depend on the motion."""
+    """Return the condition that vs is well above v0, which doesn't matter where ``Fs - Fc`` is zero."""
     known = () if excess.depends_on_time else (excess,)
     return Expectation((stribeck, creep, *known), _is_too_near, _speed_fault)
 
