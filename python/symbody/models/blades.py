@@ -64,9 +64,12 @@ def snakeboard() -> ClassicSystem:
     The axles are at the distance l from the middle. The rotor turns by psi; the inputs Mr and Ms are the torques on the
     rotor and on each axle. The number of J makes J + Jr + 2 Jw = m l^2, which the source assumes. The others are quoted
     from the source. It prints no numbers of motions, but the equation of the momentum p about the centre of the turn:
-    ``p' = 2 Jr cos(phi)^2 phi' psi' - tan(phi) phi' p``. With fixed axles it goes along a circle of the radius
-    l/tan(phi), and turns from rest by -Jr sin(phi)^2 psi/(m l^2). Tests integrate the published equation with these
-    numbers along a drive gait, ``psi = 0.7 sin t, phi = 0.3 sin t``, and compare where the board arrives.
+    ``p' = 2 Jr cos(phi)^2 phi' psi' - tan(phi) phi' p``. Tests evaluate it along a motion with torques, together with
+    the other reduced equations in the form of Bloch, Krishnaprasad, Marsden & Murray (1996), whose coefficients were
+    worked out for this model: the velocity of the board by p and psi', and psi'' and phi'' by the torques. They also
+    integrate the equation of p with these numbers along a drive gait, ``psi = 0.7 sin t, phi = 0.3 sin t``, and compare
+    where the board arrives. With fixed axles it goes along a circle of the radius l/tan(phi), and turns from rest by
+    -Jr sin(phi)^2 psi/(m l^2).
 
     >>> from symbody import newton_euler
     >>> newton_euler(snakeboard().system)
