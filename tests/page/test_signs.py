@@ -18,7 +18,9 @@ from symbody import (
     describe,
     functions_of_time,
     ground,
+    latex,
     newton_euler,
+    parse,
     readable,
     rotate,
     sin,
@@ -98,3 +100,30 @@ def test_positive_factors_stand_outside_of_absolute_values() -> None:
     drag = Force(ground, -abs(c * a / b * x), 0, 0, at=slider.center_of_mass, on=slider)
     shown = describe(newton_euler(System([slider], [drag], [x])))
     assert shown.splitlines()[1].strip() == "x'' + a*Abs(c*x)/b = 0"
+
+
+def with_holes(axes: str) -> System:
+    """An arm whose links have holes: bodies of negative mass."""
+    q, (M, J, e) = functions_of_time(f"q1:{len(axes) + 1}"), symbols("M J e")
+    frame, bodies = ground, []
+    for axis, angle in zip(axes, q, strict=True):
+        frame = frame * rotate(axis, angle)
+        hole = Body(frame * translate(e, 0, 0), -m, *(3 * [-m * a**2 / 2]))
+        bodies += [Body(frame, M, J, J, J), hole]
+        frame = frame * translate(b, 0, 0)
+    return System(bodies, coordinates=q, gravity=GRAVITY)
+
+
+@pytest.mark.parametrize("axes", ["Z", "ZZ", "ZYYX"])
+def test_a_hole_leaves_the_coefficient_of_an_acceleration_positive(axes: str) -> None:
+    equations = newton_euler(with_holes(axes))
+    pages = (equations, *map(equations.equation_of, equations.system.coordinates))
+    for text in map(describe, pages):
+        assert not re.search(r"(^|\n) +(equation of q\d: )?-\(.*(\n.*)?- J", text)
+    if axes == "Z":
+        assert describe(equations).splitlines()[1].strip().startswith("(J - 1/2*m*a**2 - m*e**2)*q1''")
+        inertia = r"J - \frac{1}{2} m a^{2} - m e^{2}"
+        assert rf"\left({inertia}\right) \ddot{{q}}_{{1}}" in latex(equations)
+        assert inertia in latex(equations.matrix_form())
+        left, _, right = describe(equations).splitlines()[1].partition(" = ")
+        assert parse(left) - parse(right) == equations.residuals[0]

@@ -20,7 +20,7 @@ from .balance import Balance
 from .names_of_formulas import with_one_naming
 from .page import lines_of, shorter
 from .reader_of import names_of_masses, reader_of
-from .row import printed, written
+from .row import left_side, printed, written
 from .short_names import Definition, in_order_of_use, occurs, shortened
 
 
@@ -83,7 +83,11 @@ class EquationPage:
         )
         remaining = iter(texts)
         left, right = ([next(remaining) for _ in side] for side in (balance.left, balance.right))
-        sides = [written(left), written(right, is_ordered=len(balance.constraints) > 1)]
+        acceleration = self.system.accelerations[self.system.driving.index(self.speed)]
+        sides = [
+            left_side(left, acceleration, self.system, notation),
+            written(right, is_ordered=len(balance.constraints) > 1),
+        ]
         sides += [next(remaining) for _ in kept]
         names = [*remaining]
         given = in_order_of_use([*shared, *zip(names[::2], names[1::2], strict=True)])

@@ -21,6 +21,7 @@ from symbody.symbolic.given.arguments import brief
 from .abridged import PAGES
 from .balance import Balance
 from .causes import generalized_forces
+from .inertia_sign import with_positive_inertia
 from .like_terms import joined
 from .names_of_formulas import with_one_naming
 from .page import Page
@@ -134,7 +135,15 @@ class MatrixForm:
         definitions, texts = printed([*values, *sides], notation, self.system)
         named = texts[len(values) :]
         pairs = zip(named[::2], named[1::2], strict=True)
-        return in_order_of_use([*definitions, *pairs]), texts[: len(values)]
+        made = [self._positive(value, text) for value, text in zip(values, texts, strict=False)]
+        return in_order_of_use([*definitions, *pairs]), made
+
+    def _positive(self, value: Expr, text: str) -> str:
+        """Return the text of an entry of M with the sign of inertia; that of any other as it is."""
+        size = self.mass_matrix.rows
+        if any(value == self.mass_matrix[k, k] for k in range(size)):
+            return with_positive_inertia(text)
+        return with_positive_inertia(text, least=3) if value in self.mass_matrix.entries else text
 
     @with_one_naming
     def latex(self) -> str:

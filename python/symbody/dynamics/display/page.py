@@ -14,7 +14,7 @@ from symbody.symbolic.expression.text_layout import LINE, lines
 
 from .balance import Balance
 from .reader_of import names_of_masses, reader_of
-from .row import printed, written
+from .row import left_side, printed, written
 from .short_names import Definition, in_order_of_use, shortened
 
 _INDENT = "    "
@@ -152,10 +152,10 @@ class Page:
 
         rows = [
             (
-                written(taken(len(balance.left))),
+                left_side(taken(len(balance.left)), acceleration, self.system, notation),
                 written(taken(len(balance.right)), is_ordered=len(balance.constraints) > 1),
             )
-            for balance in self.balances
+            for balance, acceleration in zip(self.balances, self.system.accelerations, strict=True)
         ]
         rows += [(next(remaining), "0") for _ in self.conditions]
         rates = [(next(remaining), next(remaining)) for _ in self.rates]

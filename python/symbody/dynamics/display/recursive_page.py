@@ -20,7 +20,7 @@ from .degree import without
 from .equation_page import EquationPage
 from .page import lines_of
 from .recursion import Recursion, short
-from .row import printed, written
+from .row import left_side, printed, written
 from .short_names import Definition, in_order_of_use
 from .source import sources
 
@@ -35,12 +35,14 @@ class _Row(NamedTuple):
         label: what it is called.
         left, right: the terms of its sides.
         is_reversed: whether the left side is one term without the minus sign that the equation has in front of it.
+        acceleration: that of an equation of motion, whose coefficient is positive there.
     """
 
     label: str
     left: list[Expr]
     right: list[Expr]
     is_reversed: bool = False
+    acceleration: Expr | None = None
 
 
 @dataclass(frozen=True)
@@ -115,6 +117,8 @@ class RecursivePage:
         remaining, rows = iter(texts[2 * count :]), list[tuple[str, str, str]]()
         for row in named:
             left, right = (written(islice(remaining, len(side))) for side in (row.left, row.right))
+            if row.acceleration is not None:
+                left = left_side([left], row.acceleration, self.system, notation)
             rows.append((row.label, left, right))
         return definitions, rows
 
@@ -161,8 +165,11 @@ def recursive_page(
         state_rates: the rates of the states beside the mechanics.
     """
     given = sources(system, mass_matrix, system.actions).given
-    pairs = zip(system.driving, residuals, strict=True)
-    rows = [_row(f"equation of {speed}", each, given) for speed, each in pairs]
+    equations = zip(system.driving, residuals, system.accelerations, strict=True)
+    rows = [
+        _row(f"equation of {speed}", each, given)._replace(acceleration=acceleration)
+        for speed, each, acceleration in equations
+    ]
     rows += [_Row(each.label, [each.condition], []) for each in system.conditions]
     kinematics = {rate: value for rate, value in system.known_rates.items() if rate not in state_rates}
     for label, rates in (("kinematics", kinematics), ("state", state_rates)):

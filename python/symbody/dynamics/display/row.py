@@ -6,9 +6,10 @@ import re
 from collections.abc import Iterable, Sequence
 
 from symbody.multibody import System, Variables
-from symbody.symbolic import Expr, listing_of_equations, time_derivative
+from symbody.symbolic import Expr, latex, listing_of_equations, time_derivative
 
 from .difference import are_lengths, signs
+from .inertia_sign import with_positive_inertia
 
 Listing = tuple[list[tuple[str, str]], list[str]]
 """Named quantities and printed terms."""
@@ -107,6 +108,18 @@ def in_order(system: Variables) -> tuple[Expr, ...]:
 
 def _minuses(listing: Listing) -> int:
     return sum(text.count("-") for text in listing[1])
+
+
+def left_side(terms: Iterable[str], own: Expr, system: Variables, notation: str) -> str:
+    """Return the left side of the equation of an acceleration, in which coefficients of accelerations are positive.
+
+    Differences of two parameters keep their direction, but those that are inertia of their own.
+    """
+    text = written(terms)
+    for acceleration in system.accelerations:
+        name = str(acceleration) if notation == "text" else latex(acceleration)
+        text = with_positive_inertia(text, name, least=2 if acceleration == own else 3)
+    return text
 
 
 def written(terms: Iterable[str], *, is_ordered: bool = False) -> str:
