@@ -29,6 +29,7 @@ from symbody import (
     project,
     rotate,
     simulate,
+    simulate_many,
     sin,
     symbols,
     time_derivative,
@@ -232,6 +233,14 @@ def test_a_contact_that_no_step_felt_is_reported() -> None:
         "ends within a step; give max_step, a fraction of the duration of the contact"
     )
     assert passed[a1][-1] == pytest.approx(31, abs=1e-9)
+    start[time_derivative(a1)] = [0.0, 10.0, 10.0]
+    with pytest.warns(ModelNotice) as caught:
+        simulate_many(equations, numbers, start, t=instants, inputs={z: 0.9999})
+    (of_all,) = caught
+    assert str(of_all.message) == str(notice.message).replace(
+        "simulate: ", "simulate_many: in 2 of 3 cases, first case 1: "
+    )
+    start[time_derivative(a1)] = 10.0
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         felt = simulate(equations, numbers, start, t=instants, inputs={z: 0.9999}, max_step=1e-3)

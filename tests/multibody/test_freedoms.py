@@ -24,6 +24,7 @@ from symbody import (
     functions_of_time,
     generalized_force,
     ground,
+    inverse_dynamics,
     lagrange_equations,
     motor,
     newton_euler,
@@ -38,6 +39,7 @@ from symbody import (
     rolling,
     rotate,
     simulate,
+    simulate_many,
     sin,
     spherical,
     sqrt,
@@ -48,7 +50,7 @@ from symbody import (
     translate,
     universal,
 )
-from symbody.errors import JointError, LoadError, SimulationError
+from symbody.errors import ArgumentError, JointError, LoadError, SimulationError
 
 m, I, k, c, M, a = symbols("m I k c M a")
 
@@ -187,13 +189,35 @@ def test_a_spatial_pin_that_closes_a_loop_is_a_rotor() -> None:
     fast = simulate(driven, {}, {}, t=np.linspace(0, 40, 101), rtol=1e-9, atol=1e-11)
     np.testing.assert_allclose(fast[J], 2 * fast.t**2, rtol=1e-5)  # many turns between two instants
     braked = newton_euler(made.system([motor(J, 20 * cos(4 * t), on=on)]))
-    with pytest.raises(SimulationError) as caught:
-        simulate(braked, {}, {}, t=np.linspace(0, 20, 11))[J]
-    assert str(caught.value) == (
-        "motion[...]: phi of revolute J can't be followed from t = 0 s to 2 s, between which it may make a turn more "
-        "or less; expected instants that are closer together, t=np.linspace(...), or freedom.value, which is known "
-        "from -pi to pi"
+    start = {time_derivative(base.coordinates[3]): [0.0, -3.0]}
+    many = simulate_many(driven, {}, start, t=motion.t, rtol=1e-9, atol=1e-11)
+    np.testing.assert_allclose(
+        many[J][:, 1:-1:7], (2 * motion.t**2 - [[0], [3]] * motion.t)[:, 1:-1:7], atol=1e-6
     )
+    far = np.linspace(0, 20, 11)
+    for found, place in (
+        (simulate(braked, {}, {}, t=far), "motion[...]: phi of revolute J can't be followed "),
+        (
+            simulate_many(braked, {}, start, t=far),
+            "runs[...]: phi of revolute J can't be followed in case 0 ",
+        ),
+    ):
+        with pytest.raises(SimulationError) as caught:
+            found[J]
+        assert str(caught.value) == place + (
+            "from t = 0 s to 2 s, between which it may make a turn more or less; expected instants that are closer "
+            "together, t=np.linspace(...), or freedom.value, which is known from -pi to pi"
+        )
+    with pytest.raises(ArgumentError) as refused:
+        motion.evaluate([J])
+    assert str(refused.value) == (
+        "motion.evaluate: phi of revolute J is a freedom; expected expressions in the list; motion[freedom] has its "
+        "values, and freedom.value is an expression"
+    )
+    assert equilibrium(held, {}, guess={base.coordinates[3]: 2.5})[J] == pytest.approx(3.0)
+    steady_turn = {base.coordinates[3]: 5 * t - 9}
+    turned = inverse_dynamics(driven, steady_turn, {}, t=motion.t)
+    np.testing.assert_allclose(turned[J] - turned[J][0], 5 * motion.t, atol=1e-9)
     dragged = newton_euler(made.system([friction(J, viscous=1.5, on=on)]))
     start = {time_derivative(base.coordinates[3]): 5.0}
     motion = simulate(dragged, {}, start, t=(0, 2), rtol=1e-9, atol=1e-11)

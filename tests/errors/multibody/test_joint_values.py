@@ -433,7 +433,7 @@ MISTAKES: list[Mistake] = [
         (
             "motion[...]: revolute A is a Joint; expected an expression, such as motion[phi_A]; "
             "motion[joint.coordinate] is that of a joint of the tree, and "
-            "motion[mechanism.joint('A').freedom().value] that of any joint with one"
+            "motion[mechanism.joint('A').freedom()] that of any joint with one"
         ),
     ),
     (

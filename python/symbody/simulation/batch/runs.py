@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from symbody.errors import ArgumentError, ParameterError, notify
 from symbody.multibody import Variables
+from symbody.multibody.joint.freedom import Freedom
 from symbody.simulation.batch.case_arrays import Results, Status
 from symbody.simulation.integrate.integrated import Integrated
 from symbody.simulation.integrate.notices import Finding, deficiency_findings, notices_of_batch
@@ -19,6 +20,7 @@ from symbody.simulation.integrate.outcome import Failure, FailureKind, Outcome, 
 from symbody.simulation.integrate.task import Task
 from symbody.simulation.model.named_constraint import shortened
 from symbody.simulation.model.unknown import explain_unknown
+from symbody.simulation.motion.continuous_angle import values_along
 from symbody.simulation.motion.differentiated_motion import DifferentiatedMotion
 from symbody.simulation.motion.motion import Motion
 from symbody.simulation.motion.motion_of import motion_of
@@ -110,14 +112,16 @@ class Runs:
         """Refuse to iterate: Python would ask for ``runs[0]``, ``runs[1]`` and so on."""
         _READING.refuse_iteration()
 
-    def __getitem__(self, expression: Expr) -> Array:
-        """Return the values of an expression, shape (k, N).
+    def __getitem__(self, expression: Expr | Freedom) -> Array:
+        """Return the values of an expression, shape (k, N), or of a freedom of a joint, as `Motion` does.
 
         Raises:
             ArgumentError: the argument is not an expression, or it needs states that were not kept.
             SimulationError: the expression contains a variable that the model does not know.
             ParameterError: a parameter that is not in the equations has no value.
         """
+        if isinstance(expression, Freedom):
+            return values_along(expression, self.t, self.evaluate, "runs")
         asked = _READING.one_expression(expression, self.task.model.state)
         values: Array = self._values([asked], f"runs[{shortened(asked)}]")[0]
         return values

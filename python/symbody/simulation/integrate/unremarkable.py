@@ -17,6 +17,7 @@ from symbody.simulation.constraint.singular_position import may_be_singular_of_m
 from symbody.symbolic import Expr
 
 from .integrated import Motions
+from .missed_contact import miss_contacts
 from .opened_constraint import LEFT
 from .pole_at_start import may_have_pole
 
@@ -126,7 +127,7 @@ MAY_HAVE: dict[str, Callable[[Motions], Flags]] = {
     "unlimited": _limits,
     "limits": _limits,
     "half turn": _half_turns,
-    "missed": _never,  # not looked for in batches: it would take as long as short motions
+    "missed": miss_contacts,
     "jump": _never,
     "left": _never,
     "stiff": _stiffness,

@@ -14,6 +14,7 @@ from symbody.codegen import lambdify
 from symbody.dynamics import Equations
 from symbody.errors import ArgumentError, ModelError, SimulationError
 from symbody.multibody import Variables
+from symbody.multibody.joint.freedom import Freedom
 from symbody.simulation.constraint.kinematics import Kinematics, kinematics_of
 from symbody.simulation.given.given_input import substitute_inputs
 from symbody.simulation.given.odd_values import warn_of_odd_values
@@ -21,6 +22,7 @@ from symbody.simulation.given.parameter import parameters_among
 from symbody.simulation.given.values import given_inputs, state_values
 from symbody.simulation.given.watched_limit import tell_passed_limits
 from symbody.simulation.model.unknown import unknown_variables
+from symbody.simulation.motion.continuous_angle import values_along
 from symbody.simulation.motion.motion import Motion
 from symbody.simulation.motion.range_table import range_table
 from symbody.simulation.motion.reading import Reading
@@ -107,13 +109,15 @@ class InverseDynamics:
         """Refuse to iterate: Python would ask for ``result[0]``, ``result[1]`` and so on."""
         _READING.refuse_iteration()
 
-    def __getitem__(self, expression: Expr) -> Array:
-        """Return the values of an expression, shape (N,).
+    def __getitem__(self, expression: Expr | Freedom) -> Array:
+        """Return the values of an expression, shape (N,), or of a freedom of a joint, as `Motion` does.
 
         Raises:
             ArgumentError: the argument is not an expression, or is a number.
             SimulationError: the expression contains a variable without values.
         """
+        if isinstance(expression, Freedom):
+            return values_along(expression, self.t, self.evaluate, "result")
         values: Array = self.evaluate([_READING.one_expression(expression, self.system.coordinates)])[0]
         return values
 

@@ -23,7 +23,7 @@ from symbody.simulation.model.unknown import explain_unknown
 from symbody.symbolic import Expr, ExprLike
 from symbody.symbolic.given.arguments import counted, described, with_known_names
 
-from .continuous_angle import continuous
+from .continuous_angle import values_along
 from .differentiated_motion import DifferentiatedMotion
 from .drawing import NotebookPage, drawing_function
 from .occurrence import Occurrence
@@ -127,7 +127,7 @@ class Motion:
             ParameterError: a parameter that is not in the equations has no value.
         """
         if isinstance(expression, Freedom):
-            return self._along(expression)
+            return values_along(expression, self.t, self.evaluate)
         if isinstance(expression, str) and expression in self.output_expressions:
             raise ArgumentError(
                 f"motion[...]: {expression!r} is the name of an output; expected motion.outputs[{expression!r}]"
@@ -137,12 +137,6 @@ class Motion:
             return self.states[:, self.model.state.index(expression)]
         values: Array = self.evaluate([expression])[0]
         return values
-
-    def _along(self, freedom: Freedom) -> Array:
-        """Return the values of a freedom, in which angles are continuous."""
-        if not freedom.jumps:
-            return self[freedom.value]
-        return continuous(freedom, self.t, *self.evaluate([freedom.value, freedom.rate]))
 
     @cached_property
     def at_events(self) -> Motion:

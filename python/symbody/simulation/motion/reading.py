@@ -32,7 +32,7 @@ class Reading:
     rows: str
 
     def one_expression(self, wanted: object, known: Sequence[Expr]) -> Expr:
-        """Return the expression in the brackets.
+        """Return the expression in the brackets; of a freedom of a joint, its value.
 
         Args:
             wanted: the argument in the brackets.
@@ -45,6 +45,8 @@ class Reading:
         Traceback (most recent call last):
         symbody.errors.ArgumentError: motion[...]: 0 is an int; expected an expression; motion.t has the instants
         """
+        if isinstance(wanted, Freedom):
+            return wanted.value
         if isinstance(wanted, Expr):
             return wanted
         example = f", such as {self.name}[{known[0]}]" if known else ""
@@ -65,6 +67,11 @@ class Reading:
             )
         listed = list(wanted)
         for item in listed:
+            if isinstance(item, Freedom):
+                raise ArgumentError(
+                    f"{place}: {item} is a freedom; expected expressions in the list; {self.name}[freedom] has its "
+                    "values, and freedom.value is an expression"
+                )
             if isinstance(item, Point | Vector | Matrix):
                 raise ArgumentError(
                     f"{place}: {_found(item)}; expected expressions in the list{self._instead_of_one(item)}"
@@ -87,12 +94,10 @@ class Reading:
             return f"; {self._components(wanted)}"
         if isinstance(wanted, Reaction):
             return f"; its force and its moment are vectors: {self.name}.evaluate(reaction.force.components)"
-        if isinstance(wanted, Freedom):
-            return f"; its value is an expression: {self.name}[freedom.value]"
         if isinstance(wanted, Joint | PlacedJoint):
             return (
                 f"; {self.name}[joint.coordinate] is that of a joint of the tree, and "
-                f"{self.name}[mechanism.joint({wanted.name!r}).freedom().value] that of any joint with one"
+                f"{self.name}[mechanism.joint({wanted.name!r}).freedom()] that of any joint with one"
             )
         if isinstance(wanted, Matrix):
             return f"; its entries are expressions: {self.name}.evaluate([*matrix])"

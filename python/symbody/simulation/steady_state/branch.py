@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from symbody.codegen import lambdify
 from symbody.errors import ArgumentError, SimulationError
 from symbody.multibody import Variables
+from symbody.multibody.joint.freedom import Freedom
 from symbody.simulation.given.wording import joined_by_and
 from symbody.simulation.motion.drawing import drawing_function
 from symbody.symbolic import Expr
@@ -87,9 +88,10 @@ class Branch:
     def __len__(self) -> int:
         return len(self.motions)
 
-    def __getitem__(self, expression: Expr) -> Array:
-        """Return the values of an expression, shape (number of motions,)."""
-        return np.asarray(self.evaluate([expression])[0])
+    def __getitem__(self, expression: Expr | Freedom) -> Array:
+        """Return the values of an expression, or of a freedom of a joint, shape (number of motions,)."""
+        wanted = expression.value if isinstance(expression, Freedom) else expression
+        return np.asarray(self.evaluate([wanted])[0])
 
     @with_known_names
     def evaluate(self, expressions: Sequence[Expr]) -> Array:

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from symbody.dynamics import Equations
 from symbody.errors import ModelError, SimulationError, notify
 from symbody.multibody import System, Variables
+from symbody.multibody.joint.freedom import Freedom
 from symbody.simulation.constraint.consistent_position import listed_values, positions
 from symbody.simulation.constraint.kinematics import kinematics_of
 from symbody.simulation.constraint.opposite_axes import check_senses
@@ -159,16 +160,16 @@ class Equilibrium(Mapping[Expr, float]):
             )
         return found
 
-    def __getitem__(self, expression: Expr) -> float:
-        """Return the value of a coordinate or a state, or of an expression of the model, such as a reaction.
+    def __getitem__(self, expression: Expr | Freedom) -> float:
+        """Return the value of a coordinate, a state or a freedom of a joint, or of an expression, as of a reaction.
 
         Raises:
             ArgumentError: the argument is not an expression, or is a number.
             SimulationError: a variable in it has no value.
         """
-        if expression in self:
-            return {**self.coordinates, **self.states}[expression]
         asked = _READING.one_expression(expression, [*self.coordinates])
+        if asked in self:
+            return {**self.coordinates, **self.states}[asked]
         return float(self._values([asked], f"{_WHERE}[...]")[0])
 
     @with_known_names

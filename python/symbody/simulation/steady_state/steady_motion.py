@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from symbody.errors import SimulationError
 from symbody.multibody import Variables
+from symbody.multibody.joint.freedom import Freedom
 from symbody.simulation.given.wording import joined_by_and
 from symbody.simulation.motion.reading import Reading
 from symbody.symbolic import Expr, ExprLike, free_symbols
@@ -161,12 +162,14 @@ class SteadyMotion(Mapping[Expr, float]):
             )
         return found
 
-    def __getitem__(self, expression: Expr) -> float:
-        """Return the value of a variable, or of an expression of the model.
+    def __getitem__(self, expression: Expr | Freedom) -> float:
+        """Return the value of a variable, of a freedom of a joint, or of an expression of the model.
 
         Raises:
             SimulationError: a variable in it has no value in this motion.
         """
+        if isinstance(expression, Freedom):
+            expression = expression.value
         if expression in self.state:
             return self.state[expression]
         (found,) = self.written([expression])
