@@ -61,6 +61,7 @@ from symbody.dynamics.display.summary import READABLE
 from symbody.dynamics.equations.equations import Derived
 from symbody.errors import ModelNotice, PictureError, ReportError, SymbodyError
 from symbody.models import ClassicSystem, four_bar, full_car, motorcycle, n_pendulum, single_track_car
+from tests.repeated import repeated
 from tests.view.browser import browser
 
 r, l, m1, m2, m3, I1, I2, g, tau = PARAMETERS = symbols("r l m1 m2 m3 I1 I2 g tau")
@@ -284,7 +285,7 @@ def test_a_wrong_equation_is_found(equations: Equations, law: str) -> None:
 # --- formats ---
 
 
-@pytest.mark.parametrize("suffix", SUFFIXES)
+@pytest.mark.parametrize("suffix", [".html", *repeated(suffix for suffix in SUFFIXES if suffix != ".html")])
 def test_the_same_bytes_twice(equations: Equations, motion: Motion, tmp_path: Path, suffix: str) -> None:
     texts = [written(tmp_path, equations, suffix, motion=motion) for _ in range(2)]
     assert texts[0] == texts[1]

@@ -96,8 +96,8 @@ def test_expected_equalities_stay_equal(row: Equality) -> None:
 @pytest.mark.parametrize("in_derivation", [False, True])
 @pytest.mark.parametrize("seed", [1, *repeated([2])])
 def test_no_equality_is_false(seed: int, in_derivation: bool) -> None:
-    found = false_equalities.hunt_in_a_process(4_000, seed, in_derivation=in_derivation)
-    assert found.expressions > 3_500
+    found = false_equalities.hunt_in_a_process(2_500, seed, in_derivation=in_derivation)
+    assert found.expressions > 2_200
     assert found.false == 0, found.report
 
 

@@ -67,8 +67,9 @@ def regular(method: str, rtol: float, name: str) -> float:
     return float(scanned("bar", mechanism(name)[1], method=method, rtol=rtol).drift.max())
 
 
-@pytest.mark.parametrize("rtol", [1e-4, 1e-8])
-@pytest.mark.parametrize("method", ["dop853", "tsit5"])
+@pytest.mark.parametrize(
+    ("method", "rtol"), [("dop853", 1e-8), ("tsit5", 1e-4), *repeated([("dop853", 1e-4), ("tsit5", 1e-8)])]
+)
 @pytest.mark.parametrize("name", ["two_absolute", "parallelogram", "kite", "slider_crank"])
 def test_motions_pass_singular_positions(name: str, method: str, rtol: float) -> None:
     _, speeds = mechanism(name)
@@ -78,7 +79,9 @@ def test_motions_pass_singular_positions(name: str, method: str, rtol: float) ->
 @pytest.mark.slow
 @pytest.mark.parametrize("rtol", [1e-5, *repeated([1e-4, 1e-6, 1e-8, 1e-10, 1e-11])])
 @pytest.mark.parametrize("method", ["dop853", *repeated(["tsit5"])])
-@pytest.mark.parametrize("name", ["one", "two", "ten", "forty", "parallelogram", "kite", "slider_crank"])
+@pytest.mark.parametrize(
+    "name", ["one", *repeated(["two", "ten"]), "forty", "parallelogram", "kite", "slider_crank"]
+)
 def test_scan_of_singular_positions(
     name: str, method: str, rtol: float, request: pytest.FixtureRequest
 ) -> None:
@@ -115,7 +118,7 @@ def test_motions_that_turn_in_a_singular_position_say_so_or_stay(method: str, rt
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("max_step", [1e-2, LANDING, 3e-4, *repeated([3e-3, 1e-3])])
+@pytest.mark.parametrize("max_step", [LANDING, 3e-4, *repeated([1e-2, 3e-3, 1e-3])])
 @pytest.mark.parametrize("method", ["dop853", *repeated(["tsit5"])])
 @pytest.mark.parametrize("name", ["one", "two_absolute", "kite"])
 def test_scan_of_short_steps(name: str, method: str, max_step: float) -> None:
