@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 import pytest
@@ -47,6 +48,22 @@ def test_sizes_by_which_laws_divide_are_told_where_they_vanish() -> None:
         sb.ModelNotice, match="creep_speed = 0; expected a positive number, by which the law divides"
     ):
         sb.simulate(equations, values, {sb.time_derivative(x): 1.0}, (0, 0.1))
+
+
+def test_limits_in_degrees_are_told() -> None:
+    """Multiples of pi are limits of joints that turn often, and screws count all turns."""
+    most = sb.symbols("most")
+    link = sb.Link("link", 1.0, Iz=1.0)
+    sb.revolute("A", sb.ground, link, limits={"phi": (-20 * math.pi, 12)})
+    sb.screw("S", sb.ground, link, pitch=0.01, limits=(0, 200))
+    door = sb.newton_euler(sb.assemble([sb.revolute("A", sb.ground, link, limits=(0, most))]).system())
+    with pytest.warns(sb.ModelNotice) as caught:
+        sb.simulate_many(door, {most: [1.5, 90.0, 20 * math.pi]}, {}, t=(0, 0.1))
+    (notice,) = caught
+    assert str(notice.message) == (
+        "simulate_many: in 1 of 3 cases, first case 1: revolute A: limits: most = 90 rad is more than two turns; write "
+        "math.radians(90) if degrees are meant, and a multiple of pi otherwise"
+    )
 
 
 TYRE = {

@@ -108,6 +108,15 @@ NOTICES: list[tuple[Callable[[], object], list[str]]] = [
         ],
     ),
     (
+        lambda: sb.revolute("A", ground, a, limits=(-180, 180)),
+        [
+            (
+                "revolute A: limits: -180 rad is more than two turns; write math.radians(-180) if degrees are meant, "
+                "and a multiple of pi otherwise"
+            )
+        ],
+    ),
+    (
         nut_in_space,
         [
             (

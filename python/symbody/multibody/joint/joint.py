@@ -230,7 +230,7 @@ def joined(
         several = isinstance(coordinates, Sequence) and not isinstance(coordinates, str)
         found = tuple(map(expression, coordinates if several else [coordinates]))  # type: ignore[arg-type]
         _check_coordinates(where, found, pair.names)
-    bounds = given_limits(where, limits, pair.names if limited is None else limited)
+    bounds = given_limits(where, limits, pair.names if limited is None else limited, pair.turning)
     return Joint(kind, mounting, pair, found, coordinates is not None, bounds)
 
 

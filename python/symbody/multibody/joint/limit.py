@@ -7,16 +7,19 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Annotated, Any, TypeAlias, final
 
-from symbody.errors import JointError
+from symbody.errors import JointError, notify
 from symbody.geometry import Scalar
 from symbody.geometry.component.triple import expression
 from symbody.geometry.given.annotation import accepts
 from symbody.multibody.data_sheet import DataSheet, Row, WithSheet
-from symbody.symbolic import Expr, atan2, cos, pi, sin
+from symbody.symbolic import Expr, atan2, cos, exact_angle, pi, radians, sin
 from symbody.symbolic.expression.container import Container, contains
 from symbody.symbolic.given.arguments import brief, counted, described
 
-__all__ = ["CONE", "Limit", "Limits", "LimitsByName", "given_limits"]
+__all__ = ["ANGLES", "CONE", "Limit", "Limits", "LimitsByName", "given_limits"]
+
+ANGLES = ("psi", "theta", "phi")
+"""The names of coordinates that are angles."""
 
 CONE = "cone"
 """The name of the limit of a ball in a socket: the angle between the z axes of both sides."""
@@ -44,6 +47,7 @@ class Limit(WithSheet):
         value: what is limited, where the joint is placed.
         is_within_a_turn: whether the value is an angle that is known up to whole turns, and counts from half a turn
             below the middle of the limits to half a turn above it.
+        turns_freely: whether it may count any number of turns, as the angle of a screw does.
     """
 
     name: str
@@ -51,6 +55,7 @@ class Limit(WithSheet):
     high: Expr | None
     value: Expr | None = None
     is_within_a_turn: bool = False
+    turns_freely: bool = False
 
     def within_a_turn(self, where: str) -> Limit:
         """Return the same for an angle that is known up to whole turns: it counts from the middle of the limits.
@@ -75,6 +80,23 @@ class Limit(WithSheet):
         beyond = self.value - middle
         value = self.value if middle.is_zero else middle + atan2(sin(beyond), cos(beyond))
         return replace(self, value=value, is_within_a_turn=True)
+
+    def in_degrees(self, bound: Expr) -> str:
+        """Return what is wrong with a value of a limit that looks like degrees; the empty text if nothing.
+
+        A joint that turns further than two turns has multiples of pi for limits.
+        """
+        if (
+            self.name not in ANGLES
+            or self.turns_freely
+            or abs(float(radians(exact_angle(bound)))) <= 4 * math.pi
+        ):
+            return ""
+        shown = f"{float(bound):.6g}"
+        return (
+            f"{shown} rad is more than two turns; write math.radians({shown}) if degrees are meant, and a multiple of "
+            "pi otherwise"
+        )
 
     @property
     def excesses(self) -> dict[str, Expr]:
@@ -124,6 +146,7 @@ def given_limits(
     where: str,
     given: Bounds | Mapping[str, Bounds],
     names: Sequence[str],
+    turning: Sequence[str] = (),
 ) -> tuple[Limit, ...]:
     """Return the limits that a user gave: a pair for a joint of one coordinate, otherwise pairs by names.
 
@@ -131,6 +154,7 @@ def given_limits(
         where: the joint, for messages.
         given: the limits.
         names: what may have limits.
+        turning: the angles among them that may count any number of turns.
 
     Raises:
         JointError: a name is unknown, or limits are no pair with the least value first.
@@ -138,7 +162,7 @@ def given_limits(
     if given is None:
         return ()
     if not isinstance(given, Mapping):
-        return (_limit(where, names[0], given, of=""),)
+        return (_limit(where, Limit(names[0], None, None, turns_freely=names[0] in turning), given),)
     unknown = next((name for name in given if name not in names), None)
     if unknown is not None:
         raise JointError(
@@ -146,15 +170,17 @@ def given_limits(
         )
     several = len(names) > 1
     return tuple(
-        _limit(where, name, given[name], of=f" of {name}" if several else "")
+        _limit(where, Limit(name, None, None, turns_freely=name in turning), given[name], several=several)
         for name in names
         if name in given
     )
 
 
-def _limit(where: str, name: str, given: Bounds, of: str) -> Limit:
+def _limit(where: str, without: Limit, given: Bounds, *, several: bool = False) -> Limit:
+    """Return a limit, checked, from one without bounds and the bounds that were given."""
+    name, of = without.name, f" of {without.name}" if several else ""
     if given is None:
-        return Limit(name, None, None)
+        return without
     if not accepts(Bounds, given):
         example = "(None, 0.5)" if name == CONE else "(-1, 1)"
         raise JointError(
@@ -169,7 +195,12 @@ def _limit(where: str, name: str, given: Bounds, of: str) -> Limit:
         _check_order(f"{where}: limits{of}", low, high)
     if name == CONE:
         _check_cone(f"{where}: limits{of}", (low, high))
-    return Limit(name, low, high)
+    limit = replace(without, low=low, high=high)
+    known = [bound for bound in (low, high) if bound is not None and bound.is_constant]
+    fault = next(filter(None, map(limit.in_degrees, known)), "")
+    if fault:
+        notify(f"{where}: limits{of}: {fault}")
+    return limit
 
 
 def _check_cone(where: str, bounds: Sequence[Expr | None]) -> None:

@@ -57,6 +57,8 @@ class Pair(ABC):
     """The names of the coordinates, to which that of the joint is added."""
     rolls: ClassVar[bool] = False
     """Whether conditions on velocities remain where the joint opens a tree."""
+    turning: ClassVar[tuple[str, ...]] = ()
+    """The angles that may count any number of turns, as that of a nut does."""
     keeps: tuple[Expr, ...] = ()
     """The coordinates that conditions hold also where the joint closes a loop."""
 

@@ -96,6 +96,7 @@ class Contact(Pair):
     """A torus that rolls on a plane: a circle of centres of cross-sections, and their radius."""
 
     names = ("x", "y", "psi", "theta", "phi")
+    turning = ("phi",)
     rolls = True
 
     def __init__(self, circle: Expr, crown: Expr) -> None:

@@ -72,6 +72,7 @@ class Thread(Pair):
     """A rotation, and a displacement along its axis in proportion to the angle."""
 
     names = ("phi",)
+    turning = ("phi",)
 
     def __init__(self, axis: str, pitch: Expr) -> None:
         self.axis, self.pitch = axis, pitch

@@ -10,7 +10,8 @@ from numpy.typing import ArrayLike, NDArray
 from symbody.errors import notify
 from symbody.multibody import System, Variables
 from symbody.multibody.joint.pair import Size
-from symbody.symbolic import Expr
+from symbody.multibody.joint.placed_joint import PlacedJoint
+from symbody.symbolic import Expr, number
 
 from .given_bodies import counted_cases
 from .given_elements import size_in_cases
@@ -21,6 +22,7 @@ __all__ = ["warn_of_senseless_dimensions"]
 def warn_of_senseless_dimensions(system: Variables, given: Mapping[Expr, ArrayLike], where: str) -> None:
     """Give a notice of each dimension of a joint that is out of bounds, such as a radius that is not positive.
 
+    There is one also for limits of angles that look like degrees.
     Those that are numbers were checked when the joint was made.
 
     Args:
@@ -37,6 +39,23 @@ def warn_of_senseless_dimensions(system: Variables, given: Mapping[Expr, ArrayLi
             if len(places):
                 which, found = counted_cases(places, len(values)), values[places[0]]
                 notify(f"{where}: {which}{placed}: {size.name} = {found:.6g}; expected {_bounds(size)}")
+        _warn_of_degrees(placed, given, where)
+
+
+def _warn_of_degrees(placed: PlacedJoint, given: Mapping[Expr, ArrayLike], where: str) -> None:
+    """Give a notice of limits of a joint whose values look like degrees."""
+    for limit in placed.limits:
+        for bound in (limit.low, limit.high):
+            if bound is None or bound.is_constant or not bound.free_symbols <= given.keys():
+                continue
+            values = size_in_cases(bound, given)
+            large = np.flatnonzero(np.abs(values) > 4 * np.pi)
+            faults = {int(case): limit.in_degrees(number(float(values[case]))) for case in large}
+            places = [case for case, fault in faults.items() if fault]
+            if places:
+                which = counted_cases(np.array(places), len(values))
+                notify(f"{where}: {which}{placed}: limits: {bound} = {faults[places[0]]}")
+                break
 
 
 def _out_of_bounds(size: Size, values: NDArray[np.float64]) -> NDArray[np.bool_]:
