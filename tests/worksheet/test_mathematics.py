@@ -13,7 +13,7 @@ from symbody.symbolic import Expr, pi, symbol, t
 from symbody.symbolic.calculus.reading import nodes_of
 from symbody.worksheet.interpreter.interpret import Interpreter
 from symbody.worksheet.values.value import Array
-from tests.worksheet.printed_by import printed
+from tests.worksheet.printed_by import failures, printed
 
 
 def scalar_of(text: str) -> Expr:
@@ -146,3 +146,59 @@ def test_functions_of_inverse_functions_are_algebraic(function: str, inverse: st
     }
     value = getattr(math, function)(getattr(math, inverse.replace("arc", "a"))(0.7 / 3))
     assert put_in.evaluate({symbol("u"): 0.7}) == pytest.approx(value, rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("matrix", "second"),
+    [
+        ("[[2, 1], [1, 2]]", "[[1, 0], [0, 1]]"),
+        ("[[0, 1], [-6, -5]]", "[[1, 0], [0, 1]]"),
+        ("[[5, -2, 0], [-2, 3, -1], [0, -1, 1]]", "[[2, 0, 0], [0, 1, 0], [0, 0, 3]]"),
+        ("[[1, 1], [0, 1]]", "[[1, 0], [0, 1]]"),
+        ("[[0, 1], [-k, -c]]", "[[1, 0], [0, 1]]"),
+    ],
+)
+def test_eigenvectors_in_closed_form_are_eigenvectors(matrix: str, second: str) -> None:
+    text = (
+        f"A := Matrix({matrix}): C := Matrix({second}): s, V := LinearAlgebra[Eigenvectors](A, C): "
+        "simplify(evalf(A . V - C . V . LinearAlgebra[DiagonalMatrix](convert(s, list)), 12)): "
+        "convert(map(e -> signum(round(abs(subs(k = 3., c = 9., e))*10^8)), %), set); nops({seq(s[i], i=1..2)});"
+    )
+    lines = printed(text)
+    assert lines[0] == "{0}"
+    assert lines[1] == ("1" if matrix == "[[1, 1], [0, 1]]" else "2")
+
+
+def test_eigenvectors_of_the_old_kind_come_with_their_multiplicity() -> None:
+    assert printed(
+        "linalg[eigenvects](matrix(2,2,[2,1,1,2])); linalg[eigenvects](matrix(2,2,[1,1,0,1]));"
+    ) == [
+        "[1, 1, {vector([-1, 1])}], [3, 1, {vector([1, 1])}]",
+        "[1, 2, {vector([1, 0])}]",
+    ]
+
+
+def test_complex_eigenvectors_need_numbers() -> None:
+    (found,) = failures("LinearAlgebra[Eigenvectors](Matrix([[0, 1], [-1, 0]]));")
+    assert (
+        "Eigenvectors: eigenvalues that are complex or have no closed form, of a matrix without decimals; "
+        "expected numbers, such as evalf(A)"
+    ) in found
+
+
+def test_integrals_of_functions_and_over_areas() -> None:
+    text = (
+        "p := proc(x) if x < 0.5 then x else 1-x end if end: evalf(Int(p, 0..1)); int(x -> x^2, 0..2); int(p, 0..1); "
+        "evalf(Int(cos, 0..1)); evalf(Int(x*y, [x=0..y, y=0..1])); evalf(Int(Int(x*y, x=0..y), y=0..1)); "
+        "evalf(Int(exp(-x^2), x=-infinity..infinity)); evalf(Int(f, 0..1));"
+    )
+    assert printed(text) == [
+        ".25",
+        "8/3",
+        "int(p,0 .. 1)",
+        f"{math.sin(1):.10f}".lstrip("0").rstrip("0"),
+        ".125",
+        ".125",
+        f"{math.sqrt(math.pi):.9f}",
+        "Int(f,0 .. 1)",
+    ]

@@ -5,6 +5,14 @@ import pytest
 from tests.worksheet.printed_by import failures, printed
 
 CASES = {
+    "a quotient by a matrix is a product by its inverse": (
+        "A := Matrix([[1,2],[3,4]]): 2/A - 2*A^(-1); (1/A) . A; evalm(1/matrix([[2,0],[0,4]]));",
+        ["Matrix([[0, 0], [0, 0]])", "Matrix([[1, 0], [0, 1]])", "matrix([[1/2, 0], [0, 1/4]])"],
+    ),
+    "one augmented matrix of equations": (
+        "LinearAlgebra[GenerateMatrix]([u+2*v-3, u=v], [u,v], augmented=true);",
+        ["Matrix([[1, 2, 3], [1, -1, 0]])"],
+    ),
     "displays": (
         "<1,2>; <1|2>; <<1|2>,<3|4>>; <<a,b>|<c,d>>;",
         [
@@ -163,3 +171,8 @@ def test_parts_that_do_not_fit_are_reported() -> None:
         "Vector: the index is 3; expected 1 .. 2",
         "Vector: the entry is a; expected an equation such as (1) = a",
     ]
+
+
+def test_vectors_of_different_sizes_have_no_product() -> None:
+    (found,) = failures("LinearAlgebra[DotProduct](<1,2>, <1,2,3>);")
+    assert "DotProduct: vectors of 2 and 3 components; expected as many" in found

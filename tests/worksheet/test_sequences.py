@@ -5,6 +5,22 @@ import pytest
 from tests.worksheet.printed_by import printed
 
 CASES = {
+    "of letters and names": (
+        'seq("a".."c"); seq(p..r); [seq(k^2, k=u..w)];',
+        ['"a", "b", "c"', "p, q, r", "[u^2, v^2, w^2]"],
+    ),
+    "conditions of all operands, or of one": (
+        "andmap(type, [a,2], integer); ormap(type, {a,2}, integer); andmap(x -> x > 1, [2,3]);",
+        ["false", "true", "true"],
+    ),
+    "read from a text, and printed as one": (
+        'sscanf("3 4.5, ab", "%d %f, %s"); sscanf("12x", "%1d%dx%d"); sscanf("a", "%d"); sprintf("%q|", 1, a, "b");',
+        ['[3, 4.5, "ab"]', "[1, 2]", "[]", '"1, a, b|"'],
+    ),
+    "the names that have values": (
+        "a := 1: b := [2]: f(t) := 3: anames();",
+        ["a, b"],
+    ),
     "in a list": (
         "s := a,b: [s,c,NULL];",
         ["[a, b, c]"],

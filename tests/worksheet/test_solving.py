@@ -26,6 +26,14 @@ CASES = {
         "solve({diff(x(t),t)-3*k},{diff(x(t),t)}); solve(x(t)-2,x(t));",
         ["{diff(x(t),t) = 3*k}", "2"],
     ),
+    "any name of one equation": (
+        "solve(a*x=b); solve(2*u+v^2=1); solve([u+v=3]);",
+        ["{a = a, b = a*x, x = x}", "{u = 1/2-1/2*v^2, v = v}", "{u = 3-v, v = v}"],
+    ),
+    "branches in lists and expressions": (
+        "allvalues([[x=RootOf(_Z^2-3), y=1]]); allvalues(RootOf(_Z^2-2)+1); allvalues({u=2});",
+        ["[[x = 3^(1/2), y = 1]], [[x = -3^(1/2), y = 1]]", "2^(1/2)+1, 1-2^(1/2)", "{u = 2}"],
+    ),
     "a list under one derivative": (
         "solve({diff(x(t),t)-3*k, diff(y(t),t)+diff(x(t),t)}, diff([x(t),y(t)],t));",
         ["[[diff(x(t),t) = 3*k, diff(y(t),t) = -3*k]]"],

@@ -29,7 +29,9 @@ from symbody.worksheet.builtins import (
     plots,
     plots_of_functions,
     primes,
+    quantifiers,
     row_echelon,
+    scanned,
     sets,
     solving,
     structural,
@@ -82,6 +84,7 @@ _FAMILIES = (
         solving,
         parts_of_a_type,
         structural,
+        quantifiers,
         containers,
         sets,
         arrays,
@@ -92,7 +95,7 @@ _FAMILIES = (
         minors,
         eigenvalues,
     ),
-    *(texts, files, display_family, code, motions, plots, plots_of_functions),
+    *(texts, scanned, files, display_family, code, motions, plots, plots_of_functions),
 )
 
 KERNEL: dict[str, Command] = {

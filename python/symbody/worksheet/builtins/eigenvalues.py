@@ -2,21 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from symbody.deferred import Deferred
 from symbody.errors import WorksheetError
-from symbody.symbolic import Expr, Matrix, expand
+from symbody.symbolic import Expr, Matrix, expand, number
 from symbody.worksheet.builtins.arrays import array_of
+from symbody.worksheet.builtins.row_echelon import null_vectors
 from symbody.worksheet.builtins.solving import solve
 from symbody.worksheet.evaluation.arithmetic import identity, scalar
 from symbody.worksheet.evaluation.session import Command, Session, sequence
 from symbody.worksheet.mathematics.closed_roots import is_complex, polynomial_in, roots_of
-from symbody.worksheet.values.complex_number import of_number
+from symbody.worksheet.values.complex_number import has_i, of_number
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.numeric import as_float
-from symbody.worksheet.values.value import Array, Relation, Sequence, Value
+from symbody.worksheet.values.value import Array, Listed, MapleSet, Relation, Value
+from symbody.worksheet.values.value import Sequence as Several
 
 if TYPE_CHECKING:
     import numpy as np
@@ -59,7 +62,7 @@ def eigenvalues(session: Session, value: Value, other: Value | None = None) -> l
         session.options.imaginary |= is_complex(found)
         return found
     made = solve(session, polynomial, symbol("_s"))
-    roots: list[Value] = list(made.items) if isinstance(made, Sequence) else [made]
+    roots: list[Value] = list(made.items) if isinstance(made, Several) else [made]
     return roots
 
 
@@ -108,24 +111,86 @@ def old_eigenvalues(session: Session, value: Value, *others: Value) -> Value:
 
 
 def eigenvectors(session: Session, value: Value, *others: Value) -> Value:
-    """Eigenvectors(A [, C]): the eigenvalues, and a matrix with the eigenvectors as columns; in numbers."""
+    """Eigenvectors(A [, C]): the eigenvalues, and a matrix with the eigenvectors as columns."""
     array = array_of(session, value, "Eigenvectors")
     other = _second(session, "Eigenvectors", others)
     second = identity(array.rows) if other is None else array_of(session, other, "Eigenvectors")
-    known = _numbers(session, array, second)
-    if known is None:
-        raise WorksheetError("Eigenvectors: of a matrix without decimals; expected numbers, such as evalf(A)")
-    values, vectors = linalg.eig(*known)
+    if _numbers(session, array, second) is None:
+        return _exact_eigenvectors(session, array, second)
+    return sequence([*_numeric_eigenvectors(session, array, second)])
+
+
+def _numeric_eigenvectors(session: Session, array: Array, second: Array) -> tuple[Array, Array]:
+    """Return the vector of eigenvalues, and the matrix of eigenvectors of length 1."""
+    values, vectors = linalg.eig(*(_numbers(session, array, second) or ()))
     order = _ascending(values)
-    columns = vectors[:, order]
+    entries = _scalars(session, [complex(each) for each in vectors[:, order].ravel()])
+    return (
+        Array(len(order), 1, _scalars(session, [complex(values[k]) for k in order]), "Vector"),
+        replace(array, entries=entries, kind="Matrix"),
+    )
+
+
+def _exact_eigenvectors(session: Session, array: Array, second: Array) -> Value:
+    """Return eigenvalues and eigenvectors in closed form; a column of zeros for each vector that is missing."""
+    values, columns = list[Value](), list[list[Expr]]()
+    for value, times, vectors in _eigenspaces(session, array, second):
+        values += [value] * times
+        columns += vectors + [[number(0)] * array.rows] * (times - len(vectors))
+    entries: list[Value] = [each for row in zip(*columns, strict=True) for each in row]
     return sequence(
         [
-            Array(len(order), 1, _scalars(session, [complex(values[k]) for k in order]), "Vector"),
-            replace(
-                array, entries=_scalars(session, [complex(each) for each in columns.ravel()]), kind="Matrix"
-            ),
+            Array(len(values), 1, values, "Vector"),
+            Array(array.rows, len(columns), entries, "Matrix"),
         ]
     )
+
+
+def _eigenspaces(session: Session, array: Array, second: Array) -> list[tuple[Expr, int, list[list[Expr]]]]:
+    """Return each eigenvalue, how often it occurs, and a basis of its eigenvectors.
+
+    Raises:
+        WorksheetError: eigenvalues are complex, or have no closed form.
+    """
+    found = eigenvalues(session, array, second)
+    known = [each for each in found if isinstance(each, Expr) and not has_i(each)]
+    if len(known) < len(found):
+        raise WorksheetError(
+            "Eigenvectors: eigenvalues that are complex or have no closed form, of a matrix without decimals; "
+            "expected numbers, such as evalf(A)"
+        )
+    spaces = []
+    for value in dict.fromkeys(known):
+        shifted = replace(
+            array, entries=list(_shifted(session, array, second, value)), attributes=(), frame=None
+        )
+        spaces.append((value, known.count(value), null_vectors(session, shifted)))
+    return spaces
+
+
+def _shifted(session: Session, array: Array, second: Array, value: Expr) -> Iterator[Value]:
+    """Return the entries of A - s*C."""
+    for a, c in zip(array.entries, second.entries, strict=True):
+        yield scalar(session, session.current(a)) - value * scalar(session, session.current(c))
+
+
+def old_eigenvectors(session: Session, value: Value, *others: Value) -> Value:
+    """eigenvects(A): a list ``[s, n, {v, ..}]`` for each eigenvalue s, which occurs n times."""
+    array = array_of(session, value, "eigenvects")
+    other = _second(session, "eigenvects", others)
+    second = identity(array.rows) if other is None else array_of(session, other, "eigenvects")
+    if _numbers(session, array, second) is not None:
+        values, vectors = _numeric_eigenvectors(session, array, second)
+        spaces: list[tuple[Value, int, list[list[Value]]]] = [
+            (s, 1, [vectors.entries[k :: len(values.entries)]]) for k, s in enumerate(values.entries)
+        ]
+    else:
+        spaces = [(s, n, [[*v] for v in basis]) for s, n, basis in _eigenspaces(session, array, second)]
+    return sequence([Listed((s, number(n), MapleSet(tuple(map(_vector, basis))))) for s, n, basis in spaces])
+
+
+def _vector(entries: Sequence[Value]) -> Value:
+    return Array(len(entries), 1, list(entries), "vector")
 
 
 PACKAGES: dict[str, dict[str, Command]] = {
@@ -136,6 +201,8 @@ PACKAGES: dict[str, dict[str, Command]] = {
     },
     "linalg": {
         "charpoly": characteristic_polynomial,
+        "eigenvects": old_eigenvectors,
+        "eigenvectors": old_eigenvectors,
         "eigenvals": old_eigenvalues,
         "eigenvalues": old_eigenvalues,
     },

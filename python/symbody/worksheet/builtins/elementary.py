@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from fractions import Fraction
 
@@ -298,7 +298,26 @@ def _integral(session: Session, value: Unevaluated, digits: int) -> Value:
     """Return an integral as a number, also one of functions that the sheet has defined."""
     integrand = value.arguments[0] if value.arguments else None
     called = isinstance(integrand, Expr) and calls_functions(session, integrand)
+    if len(value.arguments) == 2 and isinstance(value.arguments[1], Range):
+        try:
+            return integral_number(value, digits, functools.partial(_function_at, session))
+        except _NoNumberError:
+            return value
     return integral_number(value, digits, functools.partial(value_at, session) if called else None)
+
+
+def _function_at(session: Session, function: Value, values: Mapping[Expr, float]) -> float:
+    """Return the value of a function at a number."""
+    (x,) = values.values()
+    found = session.call(function, (decimal(x, _DOUBLE),))
+    result = as_float(found) if isinstance(found, Expr) else None
+    if result is None:
+        raise _NoNumberError("no number")
+    return result
+
+
+class _NoNumberError(WorksheetError):
+    """A function that nobody knows has no value at a number."""
 
 
 def _held_in_decimals(session: Session, value: Expr, digits: int) -> Value:

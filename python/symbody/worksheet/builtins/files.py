@@ -10,7 +10,8 @@ from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, number
 from symbody.worksheet.builtins.saved_text import saved_text
 from symbody.worksheet.builtins.texts import formatted, unparsed
-from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.evaluation.session import Command, Session, sequence
+from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.numeric import as_integer
 from symbody.worksheet.values.value import NULL, Boolean, Reference, String, Value
 
@@ -106,6 +107,12 @@ def save_file(session: Session, *arguments: Value) -> Value:
 def save_names(session: Session, *arguments: Value) -> Value:
     """save(a, b, "f"): the same as a command."""
     return save_file(session, *arguments)
+
+
+def assigned_names(session: Session, *kinds: Value) -> Value:
+    """anames('user'): the names that have values, in the order in which they were assigned; none that begin with _."""
+    names = (each for each in session.names if each not in _OF_MODES and not each.startswith("_"))
+    return sequence([symbol(each) for each in names])
 
 
 # --- files that the sheet writes itself -------------------------------------------------------------------------------
@@ -242,6 +249,7 @@ def current_folder(session: Session, *names: Value) -> Value:
 
 
 COMMANDS: dict[str, Command] = {
+    "anames": assigned_names,
     "read": read_file,
     "save": save_names,
     "fopen": fopen,

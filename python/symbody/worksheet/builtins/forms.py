@@ -29,6 +29,7 @@ from symbody.worksheet.values.value import (
     Reference,
     Relation,
     Sequence,
+    String,
     Unevaluated,
     Value,
 )
@@ -46,6 +47,9 @@ def _range_values(session: Session, value: Value, step: Value | None = None) -> 
     if not isinstance(value, Range):
         yield from items_of(session, value)
         return
+    if step is None and (letters := _letters(session, value)) is not None:
+        yield from letters
+        return
     start, stop = scalar(session, value.start), scalar(session, value.stop)
     by = number(1) if step is None else scalar(session, step)
     bounds = as_float(start), as_float(stop), as_float(by)
@@ -56,6 +60,22 @@ def _range_values(session: Session, value: Value, step: Value | None = None) -> 
     session.limits.check_items(count)
     for i in range(max(count, 0)):
         yield start + by * i
+
+
+def _letters(session: Session, value: Range) -> list[Value] | None:
+    """Return the characters of ``"a".."e"``, or the names of ``a..e``; None for another range."""
+    ends = [
+        each.text
+        if isinstance(each, String)
+        else each.name
+        if isinstance(each, Expr) and each.kind == "symbol"
+        else ""
+        for each in (value.start, value.stop)
+    ]
+    if any(len(each) != 1 for each in ends):
+        return None
+    kind = String if isinstance(value.start, String) else symbol
+    return [kind(chr(code)) for code in range(ord(ends[0]), ord(ends[1]) + 1)]
 
 
 def _bound(session: Session, body: syntax.Expression, name: str, values: Iterator[Value]) -> list[Value]:

@@ -6,11 +6,12 @@ import re
 from collections.abc import Callable
 from typing import Any
 
-from symbody.errors import WorksheetError
+from symbody.errors import SymbodyError, WorksheetError
 from symbody.symbolic import Expr, from_sympy, number, t, to_sympy
 from symbody.worksheet.evaluation.arithmetic import scalar
 from symbody.worksheet.evaluation.entrywise import entrywise
 from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.mathematics.quadrature import OF_FUNCTION
 from symbody.worksheet.mathematics.sympy_refusal import SYMPY_REFUSALS
 from symbody.worksheet.values.complex_number import has_i
 from symbody.worksheet.values.naming import symbol
@@ -34,6 +35,8 @@ _PLACE = symbol("_place")
 
 def integral(session: Session, value: Value, *ranges: Value) -> Value:
     """int(e, x), int(e, x = a..b), int(e, [x = a..b, y = c..d]): an integral in closed form."""
+    if len(ranges) == 1 and isinstance(ranges[0], Range):
+        return _integral_of_function(session, value, ranges[0])
     flat = [each for item in ranges for each in (item.items if isinstance(item, Listed) else (item,))]
     if not flat or (isinstance(flat[0], Relation) and not isinstance(flat[0].right, Range)):
         raise WorksheetError("int: expected a variable, or a variable and its range, such as x = 0..L")
@@ -41,6 +44,17 @@ def integral(session: Session, value: Value, *ranges: Value) -> Value:
         if isinstance(each, Expr | Reference | Relation):
             value = _applied(session, "int", value, each, _integral_of)
     return value
+
+
+def _integral_of_function(session: Session, function: Value, bounds: Range) -> Value:
+    """Return ``int(f, a..b)``; of a function that needs a number, as it is written, for evalf."""
+    plain = Unevaluated(symbol("int"), (function, bounds))
+    try:
+        body = session.call(function, (OF_FUNCTION,))
+    except SymbodyError:
+        return plain
+    found = _applied(session, "int", body, Relation("=", OF_FUNCTION, bounds), _integral_of)
+    return plain if isinstance(found, Unevaluated) else found
 
 
 def limit(session: Session, value: Value, place: Value, direction: Value | None = None) -> Value:

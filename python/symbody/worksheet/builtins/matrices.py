@@ -19,6 +19,7 @@ from symbody.worksheet.evaluation.arithmetic import (
     scalar,
     transposed,
 )
+from symbody.worksheet.evaluation.condition import truth
 from symbody.worksheet.evaluation.entrywise import parts_of
 from symbody.worksheet.evaluation.session import Command, Session, sequence
 from symbody.worksheet.values.naming import symbol
@@ -119,6 +120,10 @@ def cross(session: Session, a: Value, b: Value) -> Value:
 def dot(session: Session, a: Value, b: Value, *options: Value) -> Value:
     """DotProduct(a, b)."""
     one, two = array_of(session, a, "DotProduct"), array_of(session, b, "DotProduct")
+    if len(one.entries) != len(two.entries):
+        raise WorksheetError(
+            f"DotProduct: vectors of {len(one.entries)} and {len(two.entries)} components; expected as many"
+        )
     total: Value = number(0)
     for x, y in zip(one.entries, two.entries, strict=True):
         total = binary(session, "+", total, binary(session, "*", x, y))
@@ -238,7 +243,7 @@ def generate_matrix(kind: str) -> Command:
         matrix = Array(len(residuals), len(variables), entries, kind)
         vector = Array(len(right), 1, right, "Vector" if kind == "Matrix" else "vector")
         if kind == "Matrix":
-            return sequence([matrix, vector])
+            return _augmented(session, matrix, vector, options)
         if not options:
             return matrix
         if isinstance(options[0], Expr) and options[0].name not in ("flag", ""):  # genmatrix(eqns, x, 'b')
@@ -247,6 +252,18 @@ def generate_matrix(kind: str) -> Command:
         return beside(session, matrix, vector)
 
     return command
+
+
+def _augmented(session: Session, matrix: Array, vector: Array, options: tuple[Value, ...]) -> Value:
+    """Return a matrix and a vector; one matrix with the option ``augmented = true``."""
+    joined = False
+    for each in options:
+        name = session.text(each.left) if isinstance(each, Relation) else session.text(each)
+        if name != "augmented":
+            session.notice(f"GenerateMatrix: the option {name} is not known, and is ignored")
+            continue
+        joined = not isinstance(each, Relation) or truth(session, each.right) is True
+    return from_rows(session, (matrix, vector)) if joined else sequence([matrix, vector])
 
 
 def _residual(session: Session, equation: Value) -> Expr:

@@ -23,7 +23,7 @@ _BY_PURPOSE = {
         "arccosh arctanh sech csch coth"
     ),
     "matrices": (
-        "eigenvects curl diverge laplacian blockmatrix toeplitz vandermonde wronskian geneqns QRdecomp "
+        "curl diverge laplacian blockmatrix toeplitz vandermonde wronskian geneqns QRdecomp "
         "LUdecomp cholesky svd singularvals rowspan colspan "
         "JordanForm LUDecomposition QRDecomposition SingularValues ConditionNumber ConstantMatrix "
         "ConstantVector MatrixFunction RandomMatrix RandomVector BandMatrix ToeplitzMatrix HilbertMatrix "
@@ -37,8 +37,8 @@ _BY_PURPOSE = {
         "phaseportrait DEplot fieldplot contourplot densityplot tubeplot listplot animate3d matrixplot inequal "
         "conformal replot"
     ),
-    "texts and files": "latex sscanf fscanf scanf readdata writedata writeto appendto",
-    "the system": "traperror randomize anames process lasterror tracelast debug showstat stopat profile iostatus",
+    "texts and files": "latex fscanf scanf readdata writedata writeto appendto",
+    "the system": "traperror randomize process lasterror tracelast debug showstat stopat profile iostatus",
 }
 """Their names, by what they are for. A name that gets a command leaves this table."""
 

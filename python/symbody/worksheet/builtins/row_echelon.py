@@ -15,7 +15,7 @@ from symbody.worksheet.evaluation.session import Command, Session
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.value import Array, Listed, MapleSet, Value
 
-__all__ = ["PACKAGES", "rows_of", "solved"]
+__all__ = ["PACKAGES", "null_vectors", "rows_of", "solved"]
 
 Rows = list[list[Expr]]
 
@@ -54,16 +54,21 @@ def _form(*, reduced: bool) -> Command:
     return command
 
 
-def _null_vectors(session: Session, value: Value, kind: str) -> list[Value]:
-    array = array_of(session, value, "NullSpace")
+def null_vectors(session: Session, array: Array) -> list[list[Expr]]:
+    """Return a basis of the vectors v with A v = 0."""
     rows, pivots = _echelon(rows_of(session, array), array.columns, reduced=True)
-    found: list[Value] = []
+    found: list[list[Expr]] = []
     for free in (j for j in range(array.columns) if j not in pivots):
-        entries: list[Value] = [number(int(j == free)) for j in range(array.columns)]
+        entries = [number(int(j == free)) for j in range(array.columns)]
         for i, j in enumerate(pivots):
             entries[j] = -rows[i][free]
-        found.append(Array(array.columns, 1, entries, kind))
+        found.append(entries)
     return found
+
+
+def _null_vectors(session: Session, value: Value, kind: str) -> list[Value]:
+    array = array_of(session, value, "NullSpace")
+    return [Array(array.columns, 1, [*each], kind) for each in null_vectors(session, array)]
 
 
 def null_space(session: Session, value: Value, *options: Value) -> Value:

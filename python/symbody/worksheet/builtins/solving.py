@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 from symbody.errors import SymbodyError, WorksheetError
 from symbody.symbolic import Expr, expand, factor_terms, t
 from symbody.symbolic.expression.traverse import post_order
 from symbody.symbolic.roots.solutions import solutions as all_solutions
+from symbody.worksheet.builtins.inequalities import inequalities_of, solved_inequalities
 from symbody.worksheet.builtins.unknowns import names_of_unknowns, with_names
 from symbody.worksheet.evaluation.arithmetic import scalar
 from symbody.worksheet.evaluation.at_numbers import calls_functions, value_at
@@ -164,9 +165,19 @@ def _factored(session: Session, value: Expr) -> Value:
 
 def solve(session: Session, equations: Value, unknowns: Value | None = None, *options: Value) -> Value:
     """solve(equations, unknowns): a value of one unknown, sets of equations for a set, a list of lists for a list."""
+    relations = inequalities_of(session, equations)
+    if relations:
+
+        def roots(side: Expr, unknown: Expr) -> list[Value]:
+            return [each[unknown] for each in solutions(session, [side], [unknown])]
+
+        several = isinstance(session.resolve(equations), MapleSet | Listed)
+        return solved_inequalities(session, relations, unknowns, roots, in_sets=several)
     residuals = residuals_of(session, equations)
     wanted = unknowns_of(session, unknowns, residuals)
-    found = solutions(session, residuals, wanted)
+    found = (
+        _for_any(session, residuals, wanted) if unknowns is None else solutions(session, residuals, wanted)
+    )
     if not found:
         session.notice("solve: no solution was found; the result is NULL")
     given = session.resolve(unknowns) if unknowns is not None else None
@@ -182,26 +193,79 @@ def solve(session: Session, equations: Value, unknowns: Value | None = None, *op
     return sequence([each[wanted[0]] for each in found]) if wanted else NULL
 
 
+def _for_any(session: Session, residuals: list[Expr], names: list[Expr]) -> list[Solution]:
+    """Return the solutions for all names; of one equation such as ``a*x = b``, for the first that it is linear in."""
+    linear = [x for residual in residuals for x in names if residual.diff(x).free_symbols.isdisjoint({x})]
+    if len(residuals) != 1 or len(names) < 2 or not linear:
+        return solutions(session, residuals, names)
+    first = next((x for x in linear if residuals[0].diff(x).is_constant), linear[0])
+    return [{x: one.get(x, x) for x in names} for one in solutions(session, residuals, [first])]
+
+
 def _equations(solution: Mapping[Expr, Value], unknowns: list[Expr]) -> tuple[Value, ...]:
     return tuple(Relation("=", each, solution[each]) for each in unknowns)
 
 
 def allvalues(session: Session, *values: Value) -> Value:
-    """allvalues(e): all branches; solve has returned them already, but for those of RootOf."""
-    made: list[Value] = []
-    for value in values:
-        polynomial = _polynomial_of_root(value)
-        if polynomial is None:
+    """allvalues(e): all branches; solve has returned them already, but for those of RootOf.
+
+    Of a list or an expression that contains roots, there is one for each branch, with this branch in all places of the
+    same root.
+    """
+    pending, made = list(values), list[Value]()
+    while pending:
+        value = pending.pop(0)
+        root = next(_roots_in(session, value), None)
+        branches = _branches(session, root) if root is not None else None
+        if root is None or branches is None:
             made.append(value)
             continue
-        roots = roots_of(polynomial)
-        if any(isinstance(each, Unevaluated) for each in roots) and all(
-            each.is_number for each in polynomial
-        ):
-            roots = [of_number(each) for each in numeric_roots(polynomial)]
-        session.options.imaginary |= is_complex(roots)
-        made.extend(roots)
+        pending[:0] = [_with_root(session, value, root, each) for each in branches]
     return sequence(made)
+
+
+def _branches(session: Session, root: Unevaluated) -> list[Value] | None:
+    """Return the values of ``RootOf(p(_Z))``; None if they have no closed form, and are not numbers."""
+    polynomial = _polynomial_of_root(root)
+    if polynomial is None:
+        return None
+    roots = roots_of(polynomial)
+    if any(isinstance(each, Unevaluated) for each in roots):
+        if not all(each.is_number for each in polynomial):
+            return None
+        roots = [of_number(each) for each in numeric_roots(polynomial)]
+    session.options.imaginary |= is_complex(roots)
+    return roots
+
+
+def _roots_in(session: Session, value: Value) -> Iterator[Unevaluated]:
+    """Return the roots of polynomials in a value that have several branches."""
+    if _polynomial_of_root(value) is not None and isinstance(value, Unevaluated):
+        yield value
+    elif isinstance(value, Listed | MapleSet | Sequence):
+        for each in value.items:
+            yield from _roots_in(session, each)
+    elif isinstance(value, Relation):
+        yield from _roots_in(session, value.left)
+        yield from _roots_in(session, value.right)
+    elif isinstance(value, Expr):
+        for name in sorted(x.name for x in value.free_symbols if x.name in session.opaque):
+            yield from _roots_in(session, session.opaque[name])
+
+
+def _with_root(session: Session, value: Value, root: Unevaluated, branch: Value) -> Value:
+    """Return a value with a branch in place of a root."""
+    if isinstance(value, Unevaluated):
+        return branch if value == root else value
+    if isinstance(value, Listed | MapleSet | Sequence):
+        return type(value)(tuple(_with_root(session, each, root, branch) for each in value.items))
+    if isinstance(value, Relation):
+        sides = (_with_root(session, side, root, branch) for side in (value.left, value.right))
+        return Relation(value.operator, *sides)
+    if isinstance(value, Expr):
+        names = [x for x in value.free_symbols if session.opaque.get(x.name) == root]
+        return session.rebuild(value, dict.fromkeys(names, branch)) if names else value
+    return value
 
 
 def _polynomial_of_root(value: Value) -> list[Expr] | None:

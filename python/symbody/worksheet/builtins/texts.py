@@ -50,6 +50,10 @@ def formatted(session: Session, template: Value, values: tuple[Value, ...]) -> s
             raise WorksheetError(f"printf: the format {found[0]} is too wide")
         flags = found["before"] + found["flags"]
         value = pending.pop(0)
+        if kind in "qQ":
+            listed = ", ".join(_piece(session, "", "", None, kind, each) for each in (value, *pending))
+            pending.clear()
+            return f"%{flags}{width or ''}s" % listed
         rows = _rows(session, value) if kind in "dfeg" else None
         if rows is None:
             return _piece(session, flags, width or "", precision, kind, value)

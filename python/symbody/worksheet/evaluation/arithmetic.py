@@ -187,7 +187,7 @@ def _with_scalar(session: Session, operator: str, array: Array, other: Value, *,
         other_array = _scaled_identity(session, array, other)
         return _entrywise(session, operator, *((other_array, array) if reverse else (array, other_array)))
     if reverse and operator == "/":
-        raise WorksheetError("a scalar is divided by a matrix; expected its inverse, M^(-1)")
+        return binary(session, "*", other, binary(session, "^", array, number(-1)))
     entries = [
         binary(
             session, "*" if operator == "." else operator, *((other, entry) if reverse else (entry, other))
