@@ -15,10 +15,10 @@ from symbody.geometry import Vector
 from symbody.multibody import Body, System
 from symbody.multibody.element.element import is_along_line, terms_of_law
 from symbody.multibody.quantity.role import in_order, units_of_names
-from symbody.simulation.given.wording import joined_by_and
 from symbody.symbolic import Expr, cost, free_symbols, latex, listing
 from symbody.symbolic.expression.latex_layout import LINE, width
 from symbody.symbolic.given.arguments import brief, counted
+from symbody.symbolic.given.wording import joined_by_and
 from symbody.view import DrawableMotion
 from symbody.view.sketch import sketch
 from symbody.view.svg import sketch_svg

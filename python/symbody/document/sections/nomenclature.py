@@ -12,8 +12,8 @@ from symbody.document.formula import listed
 from symbody.document.subject import Subject
 from symbody.multibody.quantity.dimension import units_of_multipliers
 from symbody.multibody.quantity.role import in_order, roles_of
-from symbody.simulation.given.wording import joined_by_and
 from symbody.symbolic import Expr, t
+from symbody.symbolic.given.wording import joined_by_and
 from symbody.view.overview import overview
 
 

@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 from symbody.errors import ConstraintError, ModelError, ModelNotice
 from symbody.multibody import Variables
+from symbody.multibody.named_constraint import redundant
 from symbody.symbolic import Expr, free_symbols, number, substitute, t
 from symbody.symbolic.given.arguments import brief, counted
 
@@ -167,8 +168,9 @@ def _report(system: Variables, place: int, combined: Sequence[int], rest: Expr) 
         )
     if not combined:
         return f"{constraint} always holds, and restrains nothing; leave it out, or correct it"
+    said = redundant(system.conditions, [place], [number - 1 for number in combined])
     return (
-        f"{constraint} depends on {others}: its gradient is a combination of theirs, so that their multipliers aren't "
+        f"{system.where}: {said}: its gradient is a combination of theirs, so that their multipliers aren't "
         "determined: forward dynamics takes those of minimum norm, and a simulation leaves out what is redundant"
     )
 

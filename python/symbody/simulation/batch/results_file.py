@@ -15,7 +15,7 @@ import numpy as np
 from symbody.errors import ResultsError
 from symbody.files.replacement import replacement
 from symbody.simulation.batch.case_arrays import Results
-from symbody.simulation.given.wording import joined_by_and
+from symbody.symbolic.given.wording import joined_by_and
 
 FORMAT = "symbody results 3"
 """The first entry of a results file; the number increases when the meaning of the arrays changes."""

@@ -10,10 +10,10 @@ from numpy.typing import ArrayLike, NDArray
 from symbody.dynamics import Equations
 from symbody.errors import ConstraintError, notify
 from symbody.multibody import Variables
+from symbody.multibody.named_constraint import named_constraints
 from symbody.simulation.given.odd_values import warn_of_odd_values
 from symbody.simulation.given.values import check_equations, parameter_values, state_values
 from symbody.simulation.given.watched_limit import tell_passed_limits
-from symbody.simulation.model.named_constraint import named_constraints
 from symbody.symbolic import Expr, ExprLike, number
 from symbody.symbolic import t as time
 from symbody.symbolic.given.arguments import with_known_names

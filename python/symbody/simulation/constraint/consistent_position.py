@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from symbody.errors import ConstraintError
 from symbody.multibody import Variables
-from symbody.simulation.model.named_constraint import named_constraint
+from symbody.multibody.named_constraint import named_constraint
 from symbody.symbolic import Expr
 from symbody.symbolic.given.arguments import counted
 

@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 
 from symbody.codegen import lambdify
 from symbody.errors import ConstraintError, SimulationError
-from symbody.simulation.given.wording import joined_by_and
 from symbody.symbolic import Expr, derivation, gradient, jacobian, number, symbol, t, time_derivative
+from symbody.symbolic.given.wording import joined_by_and
 
 from .consistent_position import ROUNDED
 from .kinematics import Kinematics, neutral_position

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.errors import ConstraintError
-from symbody.simulation.model.named_constraint import named_constraint
+from symbody.multibody.named_constraint import named_constraint
 from symbody.symbolic import Expr, time_derivative
 from symbody.symbolic.given.arguments import brief
 

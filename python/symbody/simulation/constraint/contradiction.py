@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.multibody import Constraint
-from symbody.simulation.given.wording import joined_by_and
-from symbody.simulation.model.named_constraint import named_constraints
+from symbody.multibody.named_constraint import named_constraints
+from symbody.symbolic.given.wording import joined_by_and
 
 from .vanishing_combinations import vanishing_combinations
 

@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symbody.dynamics import Equations
-from symbody.simulation.given.wording import joined_by_and
+from symbody.multibody.named_constraint import named_constraints
 from symbody.simulation.model.model import Model
-from symbody.simulation.model.named_constraint import named_constraints
 from symbody.symbolic import Expr, Matrix, pi, substitute
+from symbody.symbolic.given.wording import joined_by_and
 
 from .constraint_directions import masses_and_jacobians
 from .vanishing_combinations import vanishing_combinations

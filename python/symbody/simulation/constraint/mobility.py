@@ -12,12 +12,12 @@ from numpy.typing import ArrayLike
 from symbody.dynamics.equations.constraint_force import constraint_jacobian
 from symbody.errors import ConstraintError, ModelError
 from symbody.multibody import System
+from symbody.multibody.named_constraint import named_constraints
 from symbody.simulation.given.values import parameter_values, state_values
-from symbody.simulation.given.wording import joined_by_and
-from symbody.simulation.model.named_constraint import named_constraints
 from symbody.symbolic import Expr, ExprLike, Matrix, number
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.given.arguments import counted, with_known_names
+from symbody.symbolic.given.wording import joined_by_and
 
 from .consistent_position import positions
 from .kinematics import Kinematics

@@ -18,9 +18,9 @@ from symbody.codegen import CompiledFunction, lambdify
 from symbody.errors import ConstraintError
 from symbody.multibody import System
 from symbody.simulation.given.given_input import substitute_inputs
-from symbody.simulation.given.wording import joined_by_and
 from symbody.symbolic import Expr, free_symbols, t
 from symbody.symbolic.given.arguments import brief
+from symbody.symbolic.given.wording import joined_by_and
 
 from .kinematics import Kinematics
 

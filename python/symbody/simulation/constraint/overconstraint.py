@@ -15,9 +15,9 @@ from numpy.typing import NDArray
 from symbody.dynamics.equations.constraint_force import constraint_jacobian
 from symbody.errors import ConstraintError
 from symbody.multibody import Variables
-from symbody.simulation.given.wording import joined_by_and
-from symbody.simulation.model.named_constraint import named_constraints
+from symbody.multibody.named_constraint import named_constraints
 from symbody.symbolic import Expr, Matrix
+from symbody.symbolic.given.wording import joined_by_and
 
 from .kinematics import Kinematics
 from .least_norm import least_norm

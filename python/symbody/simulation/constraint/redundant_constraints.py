@@ -16,11 +16,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from symbody.errors import SymbodyError
 from symbody.multibody import Constraint, Variables
+from symbody.multibody.named_constraint import briefly_named
 from symbody.simulation.given.values import parameter_values, state_values
-from symbody.simulation.given.wording import joined_by_and
-from symbody.simulation.model.named_constraint import briefly_named
 from symbody.symbolic import Expr, ExprLike, number
 from symbody.symbolic.given.arguments import with_known_names
+from symbody.symbolic.given.wording import joined_by_and
 from symbody.symbolic.numeric.deficiency import noting, reporting
 
 from .consistent_position import positions

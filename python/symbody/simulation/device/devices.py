@@ -7,9 +7,9 @@ from dataclasses import replace
 from functools import lru_cache
 
 from symbody.errors import ProgramError, SimulationError
-from symbody.simulation.given.wording import joined_by_and
 from symbody.simulation.integrate.methods import methods_that
 from symbody.simulation.integrate.task import Task
+from symbody.symbolic.given.wording import joined_by_and
 
 from .cuda import cuda
 from .device import Device

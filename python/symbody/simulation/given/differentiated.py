@@ -10,8 +10,7 @@ from symbody.symbolic import Expr
 from symbody.symbolic.given.arguments import brief, described
 from symbody.symbolic.given.namesake import namesake_note
 from symbody.symbolic.given.similar_name import did_you_mean
-
-from .wording import joined_by_and
+from symbody.symbolic.given.wording import joined_by_and
 
 __all__ = ["differentiated_by"]
 

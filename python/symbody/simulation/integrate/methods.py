@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import partial
 
 from symbody.errors import SimulationError
-from symbody.simulation.given.wording import joined_by_and
+from symbody.symbolic.given.wording import joined_by_and
 
 from . import ida_method, native
 from .task import Method

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from symbody.multibody.named_constraint import named_constraints, redundant
 from symbody.simulation.constraint.consistent_position import term_sizes
 from symbody.simulation.constraint.dependent_constraints import dependent_constraints, named_dependence
 from symbody.simulation.constraint.kinematics import kinematics_in
@@ -16,9 +17,7 @@ from symbody.simulation.constraint.lost_independence import lost_independence
 from symbody.simulation.constraint.singular_kinematics import another_choice, singular_kinematics
 from symbody.simulation.constraint.singular_passage import singular_passages
 from symbody.simulation.constraint.singular_position import SINGULAR, is_singular, may_be_singular
-from symbody.simulation.given.wording import joined_by_and
 from symbody.simulation.model.model import Model
-from symbody.simulation.model.named_constraint import briefly_named, named_constraints
 from symbody.symbolic.numeric.deficiency import Deficiency, strongest
 
 from .half_turn import half_turns
@@ -39,9 +38,6 @@ __all__ = [
     "notices_of_batch",
     "notices_of_motion",
 ]
-
-
-_NAMED = 8
 
 
 @dataclass(frozen=True, order=True)
@@ -108,22 +104,14 @@ def _redundancy(motion: Integrated) -> Iterable[Finding]:
     found = motion.task.redundancy
     if found is None:
         return []
-    others = [str(row + 1) for row in found.rows if row not in found.choice]
-    out = joined_by_and(briefly_named(found.conditions, found.choice), most=_NAMED)
-    several = found.count > 1
-    reason = (
-        f"follow from {joined_by_and(others, most=_NAMED)} wherever it moves"
-        if others
-        else "restrain nothing"
+    others = [row for row in found.rows if row not in found.choice]
+    told = redundant(found.conditions, found.choice, others, "wherever it moves")
+    consequence = (
+        "are left out with multipliers of zero"
+        if found.count > 1
+        else "is left out with a multiplier of zero"
     )
-    return [
-        Finding(
-            "overconstrained",
-            f"constraints {out} {reason}, and are left out with multipliers of zero"
-            if several
-            else f"constraint {out} {reason.replace(' ', 's ', 1)}, and is left out with a multiplier of zero",
-        )
-    ]
+    return [Finding("overconstrained", f"{told}, and {consequence}")]
 
 
 def _singular_start(motion: Integrated) -> Iterable[Finding]:

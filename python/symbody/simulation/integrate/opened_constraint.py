@@ -12,9 +12,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from symbody.multibody.named_constraint import named_constraints
 from symbody.simulation.constraint.consistent_position import term_sizes_of_many
 from symbody.simulation.constraint.kinematics import kinematics_in
-from symbody.simulation.model.named_constraint import named_constraints
 
 from .integrated import Integrated
 

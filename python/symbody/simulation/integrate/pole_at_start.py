@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.simulation.constraint.consistent_position import listed_values
-from symbody.simulation.given.wording import joined_by_and
 from symbody.simulation.model.model import Model
+from symbody.symbolic.given.wording import joined_by_and
 from symbody.symbolic.numeric.deficiency import noting
 
 __all__ = ["may_have_pole", "pole_at_start"]

@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.errors import ConstraintError, SimulationError
+from symbody.multibody.named_constraint import named_constraint
 from symbody.simulation.constraint.consistent_position import EXACT, Positions, positions
 from symbody.simulation.constraint.kinematics import Kinematics
 from symbody.simulation.constraint.least_norm import least_norm_many
-from symbody.simulation.model.named_constraint import named_constraint
 from symbody.symbolic import Expr
 from symbody.symbolic.given.arguments import with_known_names
 

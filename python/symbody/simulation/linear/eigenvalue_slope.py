@@ -17,9 +17,9 @@ from symbody.codegen import CompiledFunction, lambdify
 from symbody.dynamics import Linear
 from symbody.errors import ArgumentError, ModelError, ParameterError
 from symbody.simulation.given.values import finite_number
-from symbody.simulation.given.wording import joined_by_and
 from symbody.symbolic import Expr, Matrix, jacobian
 from symbody.symbolic.given.arguments import brief, described
+from symbody.symbolic.given.wording import joined_by_and
 
 from .matrices import pencil
 

@@ -7,9 +7,9 @@ from collections.abc import Iterable, Sequence
 from symbody.errors import ParameterError, SimulationError
 from symbody.multibody import Variables
 from symbody.simulation.given.closing_joint import measured_note
-from symbody.simulation.given.wording import joined_by_and
 from symbody.symbolic import Expr, free_symbols
 from symbody.symbolic.given.namesake import namesake_note
+from symbody.symbolic.given.wording import joined_by_and
 
 from .model import Model
 

@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.errors import ArgumentError, ParameterError, SimulationError, SymbodyError
-from symbody.simulation.given.wording import joined_by_and
 from symbody.simulation.model.model import Model
 from symbody.simulation.model.unknown import explain_unknown
 from symbody.symbolic import Expr, jacobian, partial_derivative, t
 from symbody.symbolic.given.arguments import brief, described
+from symbody.symbolic.given.wording import joined_by_and
 
 from .occurrence import Occurrence
 

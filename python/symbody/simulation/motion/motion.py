@@ -15,13 +15,13 @@ from numpy.typing import NDArray
 from symbody.errors import ArgumentError, ModelError, SimulationError, SymbodyError
 from symbody.multibody import Variables
 from symbody.multibody.joint.freedom import Freedom
-from symbody.simulation.given.wording import joined_by_and
 from symbody.simulation.integrate.methods import methods_that
 from symbody.simulation.integrate.outcome import Statistics
 from symbody.simulation.model.model import Model
 from symbody.simulation.model.unknown import explain_unknown
 from symbody.symbolic import Expr, ExprLike
 from symbody.symbolic.given.arguments import counted, described, with_known_names
+from symbody.symbolic.given.wording import joined_by_and
 
 from .continuous_angle import values_along
 from .differentiated_motion import DifferentiatedMotion

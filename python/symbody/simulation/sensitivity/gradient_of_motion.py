@@ -14,7 +14,6 @@ from symbody.dynamics import Equations
 from symbody.errors import ArgumentError, ParameterError, SimulationError
 from symbody.simulation.given.differentiated import differentiated_by
 from symbody.simulation.given.event import Event
-from symbody.simulation.given.wording import joined_by_and
 from symbody.simulation.integrate.initial_state import initial_slopes, initial_state
 from symbody.simulation.integrate.methods import methods_that
 from symbody.simulation.integrate.rate_jump import rate_jump
@@ -26,6 +25,7 @@ from symbody.simulation.motion.motion import Motion
 from symbody.simulation.motion.simulate import simulate
 from symbody.symbolic import Expr, ExprLike, jacobian
 from symbody.symbolic.given.arguments import brief, described, expression, with_known_names
+from symbody.symbolic.given.wording import joined_by_and
 
 from .adjoint import BackwardMotion, adjoint_of
 

@@ -16,11 +16,11 @@ from symbody.codegen import lambdify
 from symbody.errors import ArgumentError, SimulationError
 from symbody.multibody import Variables
 from symbody.multibody.joint.freedom import Freedom
-from symbody.simulation.given.wording import joined_by_and
 from symbody.simulation.motion.drawing import drawing_function
 from symbody.symbolic import Expr
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.given.arguments import described, with_known_names
+from symbody.symbolic.given.wording import joined_by_and
 
 from .steady_motion import SteadyMotion
 

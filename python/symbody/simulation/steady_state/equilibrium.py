@@ -19,7 +19,6 @@ from symbody.simulation.constraint.opposite_axes import check_senses
 from symbody.simulation.given.odd_values import warn_of_odd_values
 from symbody.simulation.given.values import given_inputs, parameter_values, state_values
 from symbody.simulation.given.watched_limit import tell_passed_limits
-from symbody.simulation.given.wording import joined_by_and
 from symbody.simulation.model.undefined_force import undefined_force
 from symbody.simulation.motion.reading import Reading
 from symbody.simulation.steady_state.force_balance import Balance
@@ -28,6 +27,7 @@ from symbody.symbolic import t as time
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.given.arguments import brief, with_known_names
 from symbody.symbolic.given.arguments import expression as as_expression
+from symbody.symbolic.given.wording import joined_by_and
 from symbody.symbolic.numeric.deficiency import reporting
 
 from .failed_balance import not_isolated, unbalanced

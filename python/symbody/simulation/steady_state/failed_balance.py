@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.simulation.constraint.kinematics import kinematics_of
-from symbody.simulation.given.wording import joined_by_and
+from symbody.symbolic.given.wording import joined_by_and
 
 from .force_balance import Balance
 

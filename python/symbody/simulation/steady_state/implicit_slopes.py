@@ -20,9 +20,9 @@ from numpy.typing import NDArray
 from symbody.codegen import CompiledFunction, lambdify
 from symbody.errors import ParameterError, SimulationError
 from symbody.simulation.constraint.least_norm import RANK, least_norm
-from symbody.simulation.given.wording import joined_by_and
 from symbody.symbolic import Expr, free_symbols, jacobian, t
 from symbody.symbolic.given.arguments import brief, described
+from symbody.symbolic.given.wording import joined_by_and
 
 from .force_balance import Balance
 from .steady_conditions import SteadyConditions

@@ -11,10 +11,10 @@ from symbody.dynamics import Equations
 from symbody.errors import ConstraintError, SimulationError, notify
 from symbody.simulation.constraint.consistent_position import listed_values
 from symbody.simulation.given.watched_limit import tell_passed_limits
-from symbody.simulation.given.wording import joined_by_and
 from symbody.symbolic import Expr, ExprLike
 from symbody.symbolic import t as time
 from symbody.symbolic.given.arguments import with_known_names
+from symbody.symbolic.given.wording import joined_by_and
 from symbody.symbolic.numeric.deficiency import reporting
 
 from .reached_limit import reached_limits

@@ -9,11 +9,11 @@ from functools import cached_property, lru_cache
 from symbody.codegen import CompiledFunction, lambdify
 from symbody.dynamics import Equations
 from symbody.errors import DivisionByZeroError, ExpressionError, SimulationError
+from symbody.multibody.named_constraint import named_constraint
 from symbody.simulation.constraint.kinematics import quaternions
 from symbody.simulation.constraint.magnitude import MeasuredFunction, measured
 from symbody.simulation.given.given_input import Given, substitute_inputs
 from symbody.simulation.given.parameter import parameters_among
-from symbody.simulation.model.named_constraint import named_constraint
 from symbody.symbolic import (
     Expr,
     free_symbols,

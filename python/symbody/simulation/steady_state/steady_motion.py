@@ -12,13 +12,13 @@ from numpy.typing import NDArray
 from symbody.errors import SimulationError
 from symbody.multibody import Variables
 from symbody.multibody.joint.freedom import Freedom
-from symbody.simulation.given.wording import joined_by_and
 from symbody.simulation.motion.reading import Reading
 from symbody.symbolic import Expr, ExprLike, free_symbols
 from symbody.symbolic import t as time
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.given.arguments import expression as as_expression
 from symbody.symbolic.given.arguments import with_known_names
+from symbody.symbolic.given.wording import joined_by_and
 
 from .implicit_slopes import ImplicitSlopes
 from .steady_problem import SteadyProblem

@@ -20,10 +20,10 @@ from symbody.simulation.given.values import (
     check_equations,
     parameter_values,
 )
-from symbody.simulation.given.wording import joined_by_and
 from symbody.symbolic import Expr, ExprLike, free_symbols, idle_symbols, number, symbol, time_derivative
 from symbody.symbolic import t as time
 from symbody.symbolic.given.arguments import brief
+from symbody.symbolic.given.wording import joined_by_and
 
 from .course import course_of
 from .force_balance import Balance

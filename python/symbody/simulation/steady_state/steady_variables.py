@@ -14,9 +14,9 @@ from numpy.typing import ArrayLike, NDArray
 from symbody.dynamics import Equations
 from symbody.errors import ArgumentError, ModelError, ParameterError, SymbodyError
 from symbody.simulation.given.values import check_known, finite_number, given_inputs
-from symbody.simulation.given.wording import joined_by_and
 from symbody.symbolic import Expr, ExprLike, free_symbols, symbol, time_derivative
 from symbody.symbolic.given.arguments import brief, described
+from symbody.symbolic.given.wording import joined_by_and
 
 __all__ = [
     "Kinds",

@@ -8,11 +8,11 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from symbody.multibody.named_constraint import named_constraints
 from symbody.simulation.constraint.singular_position import dependent_rows
-from symbody.simulation.given.wording import joined_by_and
-from symbody.simulation.model.named_constraint import named_constraints
 from symbody.simulation.steady_state.force_balance import Balance
 from symbody.symbolic import Matrix
+from symbody.symbolic.given.wording import joined_by_and
 
 __all__ = ["UndeterminedForces"]
 

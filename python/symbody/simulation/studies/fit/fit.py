@@ -11,10 +11,10 @@ import numpy as np
 from symbody.dynamics import Equations
 from symbody.errors import ArgumentError, ParameterError, notify
 from symbody.simulation.given.real import is_real
-from symbody.simulation.given.wording import joined_by_and
 from symbody.symbolic import Expr, ExprLike
 from symbody.symbolic.given.arguments import described, with_known_names
 from symbody.symbolic.given.similar_name import did_you_mean
+from symbody.symbolic.given.wording import joined_by_and
 
 from .experiment import Experiment, one_or_several
 from .fitted import Fit

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.errors import ArgumentError, ParameterError
-from symbody.simulation.given.wording import joined_by_and
+from symbody.symbolic.given.wording import joined_by_and
 
 from .distribution import distribution_name
 

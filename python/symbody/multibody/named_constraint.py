@@ -6,10 +6,12 @@ from collections.abc import Iterable, Sequence
 
 from symbody.multibody import Constraint
 from symbody.symbolic import Expr, readable
+from symbody.symbolic.given.wording import joined_by_and
 
-__all__ = ["briefly_named", "named_constraint", "named_constraints", "shortened"]
+__all__ = ["briefly_named", "named_constraint", "named_constraints", "redundant", "shortened"]
 
 _SHOWN = 80
+_NAMED = 8
 _READABLE = 3000
 """Characters of a constraint up to which a message looks for a shorter form."""
 
@@ -52,3 +54,27 @@ def briefly_named(constraints: Sequence[Constraint], rows: Iterable[int], most: 
     return [
         f"{row + 1} ({constraints[row].name or named_constraint(constraints[row], most)})" for row in rows
     ]
+
+
+def redundant(
+    constraints: Sequence[Constraint], rows: Sequence[int], others: Sequence[int], where: str = ""
+) -> str:
+    """Return the sentence that some constraints follow from others.
+
+    Args:
+        constraints: all constraints.
+        rows: those that are redundant.
+        others: those from which they follow; none if they always hold.
+        where: at which positions, such as "wherever it moves".
+
+    >>> from symbody import Constraint, symbols
+    >>> x, y = symbols("x y")
+    >>> redundant([Constraint(x), Constraint(y), Constraint(x + y, "pin.y")], [2], [0, 1])
+    'constraint 3 (pin.y) follows from 1 and 2'
+    """
+    s, ends = ("s", "") if len(rows) > 1 else ("", "s")
+    names = joined_by_and(briefly_named(constraints, rows), most=_NAMED)
+    if not others:
+        return f"constraint{s} {names} restrain{ends} nothing"
+    numbers = joined_by_and([str(row + 1) for row in others], most=_NAMED)
+    return " ".join(filter(None, (f"constraint{s} {names} follow{ends} from {numbers}", where)))
