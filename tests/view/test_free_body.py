@@ -300,6 +300,7 @@ def test_forces_of_teeth_and_of_the_ground_act_where_they_touch(tmp_path):
     assert place == (0.05, 0, 0)
     drawn = free_body_diagram(simulate(train, t=(0, 0.1)), pinion, tmp_path / "pinion.svg")
     assert sorted(texts(drawn)) == ["G 5.08 N", "P 5.08 N", "drive 0.3 N m", "pinion"]
+    assert drawn.read_text().count("<polygon") == 4  # three heads of arrows, and the disc in the pitch circle
 
     ball = Link("ball", 2.0, 0.05, 0.05, 0.05)
     K = rolling("K", ground, ball, radius=0.3, crown=0.3)

@@ -341,7 +341,10 @@ def _three_digits(size: float) -> str:
 
 
 def _without_what_hides(content: dict[str, Any]) -> list[dict[str, Any]]:
-    """Return the bodies without solids far larger than the part: rods to the joints show it, and forces are seen."""
+    """Return the bodies without solids far larger than the part: rods to the joints show it, and forces are seen.
+
+    Wheels with teeth have the size of their pitch circles, and stay.
+    """
     places = _places(content)
     extent = float(np.ptp(places, axis=0).max())
     if extent < 0.1 * float(content["view"]["radius"]):
@@ -349,7 +352,11 @@ def _without_what_hides(content: dict[str, Any]) -> list[dict[str, Any]]:
     return [
         {
             **body,
-            "parts": [part for part in body["parts"] if np.ptp(corners(part), axis=0).max() <= HUGE * extent],
+            "parts": [
+                part
+                for part in body["parts"]
+                if part.get("is_true") or np.ptp(corners(part), axis=0).max() <= HUGE * extent
+            ],
         }
         for body in content["bodies"]
     ]

@@ -35,7 +35,7 @@ class PitchDisc(NamedTuple):
     radius: float
 
     def part(self, thickness: float) -> dict[str, Any]:
-        """Return the disc as a part of a body."""
+        """Return the disc as a part of a body, whose size is not found by inertia."""
         along = np.eye(3)[self.axis]
         ends = [(self.height + side * thickness / 2) * along for side in (-1, 1)]
         return {
@@ -44,6 +44,7 @@ class PitchDisc(NamedTuple):
             "radius": self.radius,
             "from": ends[0].tolist(),
             "to": ends[1].tolist(),
+            "is_true": True,
         }
 
 
