@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from weakref import WeakKeyDictionary
 
 from symbody.multibody import System, Variables
-from symbody.symbolic import Expr, cost, free_symbols
+from symbody.symbolic import Expr, cost, diff, free_symbols
 from symbody.symbolic.calculus.reader import Reader
 from symbody.symbolic.calculus.standard_names import standard_names
 from symbody.symbolic.expression.container import expressions_in
@@ -47,7 +47,12 @@ def names_of_masses(system: Variables) -> frozenset[str]:
 
 
 def _inertias(system: System) -> frozenset[Expr]:
-    """Return the parameters of the masses and moments of inertia."""
-    return free_symbols(
-        [value for body in system.bodies for value in (body.mass, *body.moments, *body.products)]
+    """Return the parameters that are masses and moments of inertia; the length of a rod, as in m*l**2/12, is none."""
+    bodies = system.bodies
+    given = [value for body in bodies for value in (body.mass, *body.moments, *body.products)]
+    motions = [value for body in bodies for motion in body.frame.motions for value in motion.variables]
+    places = [value for body in bodies for value in body.center_of_mass.coordinates]
+    linear = (leaf for leaf in free_symbols(given) - free_symbols([*motions, *places]))
+    return frozenset(
+        leaf for leaf in linear if all(leaf not in diff(each, leaf).free_symbols for each in given)
     )

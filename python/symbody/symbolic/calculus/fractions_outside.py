@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from math import lcm
+from math import gcd, lcm
 
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 
 from .reading import parts_of
+from .summands import summands
 
 
 def with_fractions_outside(form: Expr) -> Expr:
@@ -27,6 +28,28 @@ def with_fractions_outside(form: Expr) -> Expr:
         made.append(_core.sum_of([common * term for term in terms]) if common > 1 else factor)
         outside *= common
     return form if outside == 1 else _core.number(Fraction(1, outside)) * _core.product_of(made)
+
+
+def with_number_outside(total: Expr) -> Expr:
+    """Return a sum with the number outside that all its terms have as a factor.
+
+    >>> from symbody import symbols
+    >>> m, M = symbols("m M")
+    >>> with_number_outside(2 * m / 3 + 2 * M)
+    2*(m + 3*M)/3
+    """
+    terms = summands(total)
+    numbers = [Fraction(*_number(term).ratio) for term in terms]
+    if len(terms) == 1 or any(_number(term).is_decimal for term in terms):
+        return total
+    common = Fraction(gcd(*(n.numerator for n in numbers)), lcm(*(n.denominator for n in numbers)))
+    if common == 1:
+        return total
+    return _core.number(common) * _core.sum_of([term / common for term in terms])
+
+
+def _number(term: Expr) -> Expr:
+    return _core.product_of([part for part in parts_of(term, "product") if part.is_number])
 
 
 def _denominator(term: Expr) -> int:

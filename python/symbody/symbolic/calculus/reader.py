@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
-from symbody.symbolic._core import Expr, number
+from symbody.symbolic._core import Expr, number, product_of
 from symbody.symbolic.expression.functions import Abs, sign
 
 from .by_parameters import by_lengths, by_parameters
+from .by_products import by_products, has_common_fraction
 from .cost import cost
 from .derivative import substitute
 from .difference import by_differences, with_differences
@@ -18,6 +19,7 @@ from .reading import is_divisor, levels, multiples_of_angles, nodes_of, parts_of
 from .rewrite import factor_terms, short_form, simplify, textbook_form
 from .squares import squared_sums, with_squares
 from .standard_names import AS_GIVEN, StandardNames
+from .summands import summands
 
 _LARGE = 100
 """Operations from which on an expression stays as it is: nobody reads it."""
@@ -37,6 +39,8 @@ _DIVIDED, _SAME = 0.95, 1.2
 square of one of its sums, such as the distance of a mass from an axis, which stays the same in all equations."""
 _FLAT = 1.25
 """The length of a form with a term for each length, at most, in relation to one with brackets in brackets."""
+_NESTED = 2
+"""The levels of brackets of a form with a term for each body: ``m1*l1**2 + m2*(l1**2 + l2**2 + 2*l1*l2*cos(q))``."""
 _RATIOS = (Fraction(-1), Fraction(2), Fraction(-2), Fraction(1, 2), Fraction(-1, 2))
 """What a known form may be multiplied by, as the same term occurs with other numbers."""
 
@@ -119,7 +123,7 @@ class Reader:
     def _multiple_of_known(self, expression: Expr) -> Expr | None:
         for ratio in _RATIOS:
             form = self._known.get(expression / ratio)
-            if form is not None and (form.kind != "sum" or ratio == -1):
+            if form is not None and (ratio == -1 or not (form.kind == "sum" or _has_fractions(-form))):
                 return ratio * form
         return None
 
@@ -136,6 +140,7 @@ class Reader:
         form = _with_factor_outside(
             self._by_bodies(expression, _by_signs(_with_positive_outside(form)), operations)
         )
+        form = self._by_products(form)
         shorter, used = by_differences(expression, self._differences)
         if used:
             other = with_differences(textbook_form(shorter), used)
@@ -159,6 +164,17 @@ class Reader:
         best = flat if flat is not None and is_flatter and _length(flat) <= _FLAT * _length(best) else best
         self._distances |= squared_sums(best)
         return best
+
+    def _by_products(self, form: Expr) -> Expr:
+        """Return the form with a fraction for each term, in the place of one before brackets, or of nested ones."""
+        has_fraction = has_common_fraction(form)
+        if not self._inertias or not (has_fraction or levels(form) > _NESTED) or _is_divided(form):
+            return form
+        flat = by_products(form, self._inertias)
+        if flat is None or _length(flat) > (_FLAT if has_fraction else 1) * _length(form):
+            return form
+        is_better = levels(flat) < levels(form) or len({*map(_number_of, summands(flat))}) > 1
+        return flat if is_better else form
 
 
 def _with_factor_outside(form: Expr) -> Expr:
@@ -241,6 +257,22 @@ def _apart(factors: Sequence[Expr]) -> Expr:
         else:
             within *= factor
     return outside * Abs(within)
+
+
+def _has_fractions(total: Expr) -> bool:
+    """Return whether a term of a sum has a fraction."""
+    terms = summands(total)
+    numbers = [_number_of(term) for term in terms]
+    return len(terms) > 1 and any(not each.is_decimal and each.ratio[1] > 1 for each in numbers)
+
+
+def _is_divided(form: Expr) -> bool:
+    return any(map(is_divisor, nodes_of(form)))
+
+
+def _number_of(term: Expr) -> Expr:
+    """Return the size of the number that is a factor of a term."""
+    return abs(product_of([part for part in parts_of(term, "product") if part.is_number]))
 
 
 def _length(form: Expr) -> int:

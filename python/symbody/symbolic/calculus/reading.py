@@ -48,7 +48,7 @@ def _numbers(angle: Expr) -> list[Expr]:
 
 
 def levels(form: Expr) -> int:
-    """Return the levels of brackets of a form: of sums within sums, other than those of parameters alone.
+    """Return the levels of brackets of a form: of sums within sums, but those of parameters alone and of angles.
 
     >>> from symbody import functions_of_time, symbols
     >>> (x, y), a, b = functions_of_time("x y"), *symbols("a b")
@@ -57,6 +57,9 @@ def levels(form: Expr) -> int:
     """
     found = dict[int, int]()
     for node in nodes_of(form):
+        if node.kind == "function":
+            found[node.id] = 0
+            continue
         inner = [found[arg.id] - (arg.kind == node.kind == "sum" and found[arg.id] > 0) for arg in node.args]
         is_level = node.kind == "sum" and any(leaf.kind == "time_function" for leaf in node.free_symbols)
         found[node.id] = max(inner, default=0) + is_level

@@ -1,0 +1,59 @@
+"""Rods: each term of their inertia has one fraction in front, as `1/3*m2*l2**2 + 1/2*l1*l2*m2*cos(q2)`."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from symbody import (
+    Body,
+    Equations,
+    System,
+    Vector,
+    describe,
+    functions_of_time,
+    ground,
+    newton_euler,
+    parse,
+    rotate,
+    symbols,
+    translate,
+)
+
+
+def rods(axes: str, *, is_absolute: bool = False) -> Equations:
+    """A chain of rods with pins, whose angles are relative or absolute."""
+    names = range(1, len(axes) + 1)
+    q, g, frame, bodies = functions_of_time([f"q{k}" for k in names]), symbols("g"), ground, []
+    before = [0, *q[:-1]] if is_absolute else [0] * len(q)
+    for k, axis, angle, other in zip(names, axes, q, before, strict=True):
+        m, l = symbols(f"m{k} l{k}")
+        frame = frame * rotate(axis, angle - other)
+        bodies.append(Body(frame * translate(l / 2, 0, 0), m, 0, m * l**2 / 12, m * l**2 / 12))
+        frame = frame * translate(l, 0, 0)
+    return newton_euler(System(bodies, coordinates=q, gravity=Vector(ground, 0, -g, 0)))
+
+
+FRACTION_BEFORE_A_SUM = re.compile(r"\d/\d+\*(?:\w+\*)*\((?=[^()]*\()[^()]*\d\*")
+
+
+@pytest.mark.parametrize("axes", ["ZZ", "ZZZ", "ZYY"])
+@pytest.mark.parametrize("is_absolute", [False, True], ids=["relative", "absolute"])
+def test_no_fraction_stands_before_inertia_of_several_terms(axes: str, is_absolute: bool) -> None:
+    equations = rods(axes, is_absolute=is_absolute)
+    shown = equations.matrix_form().mass_matrix
+    assert shown == equations.mass_matrix
+    text = describe(equations.matrix_form()).partition("\n    c1")[0]
+    assert not FRACTION_BEFORE_A_SUM.search(text)
+    assert FRACTION_BEFORE_A_SUM.search("1/6*l2*m2*(2*l2 + 3*l1*cos(q2))")
+
+
+def test_a_double_pendulum_of_rods_has_the_terms_of_the_book() -> None:
+    """The arm of two links in Spong & Vidyasagar 1989, ch. 6, with I = m*l**2/12 and l_c = l/2."""
+    inertia = describe(rods("ZZ").matrix_form())
+    assert "M11 = 1/3*(m1 + 3*m2)*l1**2 + 1/3*m2*l2**2 + l1*l2*m2*cos(q2)" in inertia
+    assert "M12 = M21 = 1/3*m2*l2**2 + 1/2*l1*l2*m2*cos(q2)" in inertia
+    book = "m1*l1**2/4 + m2*(l1**2 + l2**2/4 + l1*l2*cos(q2)) + m1*l1**2/12 + m2*l2**2/12"
+    q1, q2 = functions_of_time("q1 q2")
+    assert parse(book, names={"q1": q1, "q2": q2}) == rods("ZZ").mass_matrix[0, 0]
