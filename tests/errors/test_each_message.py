@@ -33,6 +33,7 @@ SOURCES = (
     *sorted(ROOT.glob("multibody/element/*.py")),
     *(ROOT / "multibody" / f"{name}.py" for name in ("body", "combined", "displaced", "load", "resultant")),
     ROOT / "dynamics" / "formalism" / "reaction.py",
+    ROOT / "dynamics" / "formalism" / "idle_joint.py",
 )
 TABLES = (
     test_body.MISTAKES,

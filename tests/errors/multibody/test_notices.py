@@ -54,6 +54,15 @@ def doubled() -> object:
     return sb.reaction(sb.newton_euler(sb.assemble(hinges).system()), "Q")
 
 
+def planetary() -> object:
+    """Take the reaction of the joint that gives the mesh of a ring its angle."""
+    arm, planet = Link("arm", 1, Iz=1), Link("planet", 1, Iz=1)
+    T, ring = sb.revolute("T", arm, planet, at=(2, 0, 0)), sb.revolute("ring", arm, ground)
+    joints = [sb.revolute("C", ground, arm, loop=False), T, ring]
+    mesh = sb.gear("mesh", T, ring, 1, 3, internal=True)
+    return sb.reaction(sb.newton_euler(sb.assemble([*joints, mesh]).system()), ring)
+
+
 def cart_on_a_plane() -> object:
     """Take the reaction of a wheel whose axle a planar joint keeps level."""
     axle = sb.planar("P", ground, a, at=(0, 0, 1))
@@ -133,6 +142,16 @@ NOTICES: list[tuple[Callable[[], object], list[str]]] = [
                 "reaction: revolute Q holds what other joints hold already, so that the forces of its loop are "
                 "statically indeterminate; it is taken to exert none; leave it out, or put a bushing in its "
                 "place to share them"
+            )
+        ],
+    ),
+    (
+        planetary,
+        [
+            (
+                "reaction: revolute ring holds what other joints hold already, so that the forces of its loop are "
+                "statically indeterminate; it is taken to exert none, as if it only gave gear mesh its angle, and the "
+                "other joints carry all"
             )
         ],
     ),

@@ -21,6 +21,7 @@ from symbody.symbolic.expression.container import Container, contains
 from symbody.symbolic.given.arguments import brief, given_twice
 
 from .euler import euler_equations
+from .idle_joint import tell_idle
 from .newton import newton_equations
 from .part import body_of, cut_joints, things_of
 
@@ -286,7 +287,7 @@ def _of_loop(system: System, placed: PlacedJoint) -> Reaction:
     """Return ``sum(lambda f)`` and ``sum(lambda m)`` of the closures of a joint."""
     multipliers = _multipliers(system)
     force, moment = _zero(placed.parent_side), _zero(placed.parent_side)
-    _tell_idle(placed)
+    tell_idle(system, placed)
     for closure in placed.active:
         intensity = multipliers[f"{placed.name}.{closure.name}"]
         force += intensity * closure.force
@@ -309,21 +310,6 @@ def _of_tree(system: System, placed: PlacedJoint) -> Reaction:
     total = Reaction(force, moment, placed.point, _name(placed.joint.child))
     total = total if placed.ends[1][0] in beyond else -total
     return _carried(total, placed) if _is_free(system, placed, driven) else total
-
-
-def _tell_idle(placed: PlacedJoint) -> None:
-    """Give a notice of a joint that closes a loop, and holds what other joints hold already: all, or a wheel's load."""
-    if placed.closures and not placed.opens and not placed.active:
-        notify(
-            f"reaction: {placed} holds what other joints hold already, so that the forces of its loop are statically "
-            "indeterminate; it is taken to exert none; leave it out, or put a bushing in its place to share them"
-        )
-    elif not placed.opens and "contact" in {each.name for each in placed.closures} - {*placed.constraining}:
-        notify(
-            f"reaction: the contact of {placed} holds by itself, as other joints keep the height of the wheel, so that "
-            "the wheel is taken to carry no load, and these joints carry it; to know the loads of wheels, leave the "
-            "height and the attitude of what they carry free, as with a free joint"
-        )
 
 
 def _multipliers(system: System) -> dict[str, Expr]:
