@@ -74,18 +74,20 @@ def with_names(
 def merged(expressions: Sequence[Expr]) -> list[Expr]:
     """Return expressions in which equal parts have the same form, so that they can be shared.
 
-    >>> from symbody import symbols
+    >>> from symbody import cos, sin, symbols
     >>> a, b, q = symbols("a b q")
     >>> merged([b * (a + 1) ** 2, b * (a**2 + 2 * a + 1) * q])
     [b*(a**2 + 2*a + 1), b*q*(a**2 + 2*a + 1)]
+    >>> merged([0.5 * sin(q), sin(q) * cos(q) / 2])
+    [0.5*sin(q), sin(q)*cos(q)/2]
     """
     found = [*expressions]
     for _ in range(_PASSES):
-        first, twins = dict[Expr, Expr](), dict[Expr, Expr]()
-        for node in post_order(found, lambda node: node.args, lambda node: node.id):
-            known = first.setdefault(node, node)
-            if known.id != node.id:
-                twins.setdefault(node, known)
+        order = post_order(found, lambda node: node.args, lambda node: node.id)
+        first = {node: node for node in reversed(order) if not node.args}  # numbers and symbols stay
+        for node in order:
+            first.setdefault(node, node)
+        twins = {node: first[node] for node in order if node.args and first[node].id != node.id}
         if not twins:
             break
         found = [*substitute(found, twins)]
