@@ -47,6 +47,7 @@ from symbody.errors import ViewError
 from symbody.view.drawing_options import DrawingOptions
 from symbody.view.free_body import _three_digits
 from symbody.view.scene import scene
+from symbody.view.solid import corners
 
 HEIGHT = re.compile(r'viewBox="0 0 (\S+) (\S+)"')
 LINE = re.compile(r'<line x1="(\S+)" y1="(\S+)" x2="(\S+)" y2="(\S+)" stroke="(#\w+)" stroke-width="2"')
@@ -403,6 +404,20 @@ def test_wheels_are_discs_up_to_the_points_where_teeth_touch(tmp_path):
     for part in (part for body in content["bodies"] for part in body["parts"]):
         along = np.subtract(part["to"], part["from"])
         np.testing.assert_allclose(along[:2], 0.0, atol=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("crown", "width"), [(0.0, None), (0.1, 0.1), (0.3, 0.3)], ids=["disc", "torus", "ball"]
+)
+def test_wheels_that_roll_touch_the_ground(crown, width):
+    """They have the radius of the joint, not that of a solid with their inertia, and the width of their crown."""
+    wheel = Link("wheel", 2.0, 1.0, 2.0, 3.0)
+    K = rolling("K", ground, wheel, radius=0.3, crown=crown)
+    rolls = simulate(newton_euler(assemble([K]).system()), {}, {K.coordinates[2]: 0.4}, t=(0, 0.1))
+    content = scene(rolls, DrawingOptions(), "")
+    ((part,),) = (body["parts"] for body in content["bodies"])
+    sizes = np.abs(corners(part)).max(axis=0)
+    np.testing.assert_allclose(sizes, [0.3, content["thickness"] / 2 if width is None else width, 0.3])
 
 
 @pytest.mark.parametrize(

@@ -19,8 +19,9 @@ from symbody.view.drawable_motion import DrawableMotion, mechanism_of
 from symbody.view.drawing_options import DrawingOptions
 from symbody.view.equivalent import equivalent_shape
 from symbody.view.frame_table import FrameTable
-from symbody.view.pitch_disc import pitch_discs
+from symbody.view.pitch_disc import PitchDisc, pitch_discs
 from symbody.view.pose import arrows, constants, fixed_paths, paths, poses, relative_path, rounded
+from symbody.view.rolling_wheel import RollingWheel, rolling_wheels
 from symbody.view.shape import Shape
 from symbody.view.skeleton import COLORS, Skeleton, skeleton
 from symbody.view.solid import corners, falls_short_of, hides
@@ -54,7 +55,7 @@ def scene(motion: DrawableMotion, options: DrawingOptions, title: str) -> dict[s
     bones = skeleton(motion, table, of_bodies[own])
     given = [_given(motion, table, body, options.shapes.get(body)) for body in bodies]
     bones = bones.without({k for k, shapes in enumerate(given) if shapes})
-    discs = [*pitch_discs(motion, table)]
+    wheels: list[PitchDisc | RollingWheel] = [*pitch_discs(motion, table), *rolling_wheels(motion, table)]
     axes = [{"name": frame.name, "pose": table.place(frame)} for frame in (ground, *options.frames)]
     tracks = np.concatenate([of_bodies, poses(motion, table.frames[len(of_bodies) :])])
     requested = _requested_paths(motion, options)
@@ -62,10 +63,10 @@ def scene(motion: DrawableMotion, options: DrawingOptions, title: str) -> dict[s
     shift = _shift(motion, options.follow, tracks[own], up)
     core = _core(tracks, own, bones, requested, shift)
     least = THICKNESS * _radius(np.concatenate([core, _reach(motion, tracks[own], given, shift)]))
-    toothed = [[disc.part(least) for disc in discs if disc.body == body.name] for body in bodies]
+    of_wheels = [[wheel.part(least) for wheel in wheels if wheel.body == body.name] for body in bodies]
     parts = [
-        shapes or wheels or [_equivalent(motion, body, own[k], bones, least)]
-        for k, (body, shapes, wheels) in enumerate(zip(bodies, given, toothed, strict=True))
+        shapes or own_wheels or [_equivalent(motion, body, own[k], bones, least)]
+        for k, (body, shapes, own_wheels) in enumerate(zip(bodies, given, of_wheels, strict=True))
     ]
     for k in (k for k, shapes in enumerate(given) if not shapes):
         is_glass = _is_glass(k, parts, tracks[:, 0], own, bones)
