@@ -378,6 +378,22 @@ def test_quaternions() -> None:
     np.testing.assert_allclose(height, np.cos(same[lean]), atol=1e-7)
 
 
+@pytest.mark.parametrize("quaternion", [False, True])
+def test_a_pin_of_a_plane_loop_on_a_moving_carrier_counts_all_turns(*, quaternion: bool) -> None:
+    """Its axis keeps one direction in both bodies, however the carrier moves; so does the axis of a screw there."""
+    carrier, one, two, three, nut = (
+        Link(name, 1, 1, 1, 1) for name in ("carrier", "one", "two", "three", "nut")
+    )
+    base = free("F", ground, carrier, quaternion=quaternion)
+    P, Q = revolute("P", carrier, one), revolute("Q", one, two, at=(1, 0, 0))
+    R = revolute("R", carrier, three, at=translate(2, 0, 0) * rotate("Z", 1))
+    C = revolute("C", two, three, at=(1, 0, 0), to=(1, 0, 0))
+    made = assemble([base, P, Q, R, C, screw("S", carrier, nut, pitch=h)])
+    assert made.joint("C").freedom().value == 1 + R.coordinate - P.coordinate - Q.coordinate
+    assert made.joint("S").freedom().value == functions_of_time("phi_S")
+    assert [each.name for each in made.constraints] == ["C.x", "C.y"]
+
+
 def test_a_disc_that_rolls_has_the_equations_of_the_page_on_rolling() -> None:
     g = symbols("g")
     plane = translate(x, y, 0) * rotate("Z", psi) * rotate("X", theta)

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from math import pi as half_turn
 from typing import NamedTuple
 
 from symbody.geometry import Frame, Vector, dot
+from symbody.geometry.motion.floating import Floating
 from symbody.symbolic import Expr, atan2, cos, number, pi, sin, substitute
 
 from .closure import Sides
@@ -25,10 +27,10 @@ def constant_angle(sides: Sides, axis: int, sine: Expr, cosine: Expr) -> Expr:
         sine: that of the angle about it.
         cosine: that of the same angle.
     """
-    sine, cosine = _at_zero(sine), _at_zero(cosine)
-    shared = sides.of_parent(axis)
-    turns = [_along(turn, shared) for turn in _turns(sides.child)]
-    back = [_along(turn, shared) for turn in _turns(sides.parent)]
+    start = _Start(frozenset(_scalar_parts(sides.parent, sides.child)))
+    sine, cosine, shared = start.of(sine), start.of(cosine), sides.of_parent(axis)
+    turns = [start.along(turn, shared) for turn in _turns(sides.child)]
+    back = [start.along(turn, shared) for turn in _turns(sides.parent)]
     total = sum(turns, start=number(0)) - sum(back, start=number(0))
     for quarter in range(4):
         angle = total + quarter * pi / 2
@@ -42,27 +44,39 @@ class _Turn(NamedTuple):
     angle: Expr
 
 
+class _Start(NamedTuple):
+    """The position where all coordinates are zero, but for the scalar parts of quaternions, which are one."""
+
+    scalar_parts: frozenset[Expr]
+
+    def of(self, value: Expr) -> Expr:
+        """Return a value there."""
+        moving = (each for each in value.free_symbols if each.depends_on_time)
+        return substitute([value], {each: number(int(each in self.scalar_parts)) for each in moving})[0]
+
+    def along(self, turn: _Turn, shared: Vector) -> Expr:
+        """Return the angle of a turn, with the sense in which it is about an axis; zero about any other axis."""
+        cosine = self.of(dot(shared, turn.axis))
+        return self.of(turn.angle) * cosine if (cosine**2 - 1).is_zero else number(0)
+
+
+def _scalar_parts(*frames: Frame) -> Iterator[Expr]:
+    """Yield the first Euler parameters of the floating frames in some chains."""
+    for each in (link for frame in frames for link in frame.chain):
+        if isinstance(each.motion, Floating):
+            yield from each.motion.quaternion[:1]
+
+
 def _turns(frame: Frame) -> list[_Turn]:
-    """Return the turns about principal axes in the chain of a frame, by constant angles."""
+    """Return the turns about principal axes in the chain of a frame."""
     return [
         _Turn(
             Vector(each, *(int(k == each.motion.turn_axis) for k in range(3))),
-            _at_zero(each.motion.turn_angle),
+            each.motion.turn_angle,
         )
         for each in frame.chain
         if each.motion is not None and each.motion.turn_angle is not None
     ]
-
-
-def _along(turn: _Turn, shared: Vector) -> Expr:
-    """Return the angle of a turn, with the sense in which it is about an axis; zero about any other axis."""
-    cosine = _at_zero(dot(shared, turn.axis))
-    return turn.angle * cosine if (cosine**2 - 1).is_zero else number(0)
-
-
-def _at_zero(value: Expr) -> Expr:
-    """Return a value where all that moves is zero."""
-    return substitute([value], {each: number(0) for each in value.free_symbols if each.depends_on_time})[0]
 
 
 def _within_a_turn(angle: Expr) -> Expr:

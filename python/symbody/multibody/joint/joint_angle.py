@@ -102,6 +102,8 @@ def over_all_turns(sides: Sides, axis: int) -> Expr | None:
         total = number(0)
         for leaf in sorted(rate.free_symbols, key=str):
             slope = diff(rate, leaf)
+            if slope.is_zero:  # its terms cancel, as those of the motion of a carrier do
+                continue
             coordinate = _coordinate(leaf)
             if coordinate is None or not slope.is_number:
                 return None
