@@ -65,6 +65,9 @@ def test_a_modulus_whose_rest_is_known_in_the_form_of_a_quotient_ends() -> None:
         pytest.param(1104, 763, id="the derivative of the modulus of a power"),
         pytest.param(1110, 3364, id="the derivative of the sign of a sum with a root"),
         pytest.param(1200, 5158, id="the direction of what complex symbols cancel in"),
+        pytest.param(1212, 1200, id="the derivative of a constant in which a symbol cancels"),
+        pytest.param(1215, 4946, id="derivatives at a pole that fills an interval"),
+        pytest.param(1225, 2783, id="the content of the root in a sine of an arc cosine"),
         # more signs in one form of an argument than in the other; roots of what contains units of order 109
         *repeated([(1102, 4196), (1108, 414), (1108, 3914)]),
     ],

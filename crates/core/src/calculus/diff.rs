@@ -3,7 +3,9 @@
 use rustc_hash::FxHashMap;
 
 use crate::error::Error;
-use crate::graph::{Flags, Function, Graph, Id, NumberId, View, check_order};
+use crate::graph::{Function, Graph, Id, NumberId, View, check_order};
+
+use super::vanishing::Variables;
 
 /// The variables on which each node depends: one row of bits per node.
 struct Dependence {
@@ -61,7 +63,11 @@ impl Graph {
     /// If `variable` is not a variable.
     pub fn partial_derivatives(&mut self, ids: &[Id], variable: Id) -> Result<Vec<Id>, Error> {
         self.check_variable(variable)?;
-        self.congruent_each(ids, Flags::BRANCH, |graph, ids| graph.partial_tangents(ids, variable))
+        let by = [variable];
+        let rows = self.congruent_derivatives(ids, Variables::Each(&by), |graph, ids| {
+            Ok(in_rows(graph.partial_tangents(ids, variable)?))
+        })?;
+        Ok(rows.concat())
     }
 
     fn partial_tangents(&mut self, ids: &[Id], variable: Id) -> Result<Vec<Id>, Error> {
@@ -80,7 +86,10 @@ impl Graph {
     /// # Errors
     /// If a divisor is identically zero.
     pub fn time_derivatives(&mut self, ids: &[Id]) -> Result<Vec<Id>, Error> {
-        self.congruent_each(ids, Flags::BRANCH, Self::total_tangents)
+        let rows = self.congruent_derivatives(ids, Variables::OfTime, |graph, ids| {
+            Ok(in_rows(graph.total_tangents(ids)?))
+        })?;
+        Ok(rows.concat())
     }
 
     fn total_tangents(&mut self, ids: &[Id]) -> Result<Vec<Id>, Error> {
@@ -234,7 +243,7 @@ impl Graph {
         for &variable in variables {
             self.check_variable(variable)?;
         }
-        let rows = self.congruent(&[id], Flags::BRANCH, |graph, ids| {
+        let rows = self.congruent_derivatives(&[id], Variables::Each(variables), |graph, ids| {
             ids.iter().map(|&id| graph.gradient_of_form(id, variables)).collect()
         })?;
         Ok(rows.into_iter().flatten().collect())
@@ -320,7 +329,9 @@ impl Graph {
         for &variable in variables {
             self.check_variable(variable)?;
         }
-        self.congruent(ids, Flags::BRANCH, |graph, ids| graph.columns(ids, variables))
+        self.congruent_derivatives(ids, Variables::Each(variables), |graph, ids| {
+            graph.columns(ids, variables)
+        })
     }
 
     /// The Jacobian by columns, in forward mode.
@@ -341,6 +352,11 @@ impl Graph {
         }
         Ok(rows)
     }
+}
+
+/// One entry in each row.
+fn in_rows(ids: Vec<Id>) -> Vec<Vec<Id>> {
+    ids.into_iter().map(|id| vec![id]).collect()
 }
 
 #[cfg(test)]

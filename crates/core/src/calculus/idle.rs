@@ -107,7 +107,7 @@ impl Graph {
     }
 
     /// The pairs that keep the rates of a function of time when it is replaced.
-    fn rates_of(&self, variable: Id, roots: &[Id]) -> Vec<(Id, Id)> {
+    pub(super) fn rates_of(&self, variable: Id, roots: &[Id]) -> Vec<(Id, Id)> {
         let View::TimeFunction(name, order, assumption) = self.view(variable) else { return Vec::new() };
         let is_rate = |id: &Id| matches!(self.view(*id), View::TimeFunction(other, more, its) if other == name && more > order && its == assumption);
         self.variables(roots).into_iter().filter(is_rate).map(|id| (id, id)).collect()

@@ -26,7 +26,7 @@ impl Graph {
             targets.push(self.value(target), target, replacement);
         }
         let uncertain = Flags::BRANCH.with(Flags::INVERSE);
-        self.congruent_each(roots, uncertain, |graph, roots| graph.replace(roots, &targets, time))
+        self.congruent_values(roots, uncertain, |graph, roots| graph.replace(roots, &targets, time))
     }
 
     fn replace(&mut self, roots: &[Id], targets: &ByValue<Id>, time: Option<Id>) -> Result<Vec<Id>, Error> {

@@ -151,49 +151,26 @@ impl Graph {
         f: &Field,
         value: &impl Fn(Id) -> Quadratic,
     ) -> Point {
-        let is_complex = atom.arguments().iter().any(|&id| self.is_complex(id));
-        let root = |square: Quadratic| {
-            let half = Number::rational(1, 2);
-            if is_complex { power_of_complex(&square, &half, f) } else { f.rational_power(&square, &half) }
-        };
-        let (point, content) = match *atom {
+        let (point, denominator) = match *atom {
             Atom::Asin(argument) => {
-                let (sin, length) = (value(argument), self.length_with_one(argument, -1, f, value, root));
-                ((length, sin), self.denominator_of(argument, f))
+                let length = self.length([Id::ONE, argument], -1, f, value);
+                ((length, value(argument)), self.denominator_of(argument, f))
             }
             Atom::Atan(argument) => {
-                let scale = f.inverse(&self.length_with_one(argument, 1, f, value, root));
+                let scale = f.inverse(&self.length([Id::ONE, argument], 1, f, value));
                 ((scale.clone(), f.mul(&value(argument), &scale)), Number::integer(1))
             }
             Atom::Atan2(y, x) => (self.unit_vector(y, x, f, value), Number::integer(1)),
             _ => return f.part_of_turn(&factor.mul(&Number::rational(1, 2))), // pi is half a turn
         };
-        let halved = if factor.is_integer() { point } else { half_angle(f, &point, &content, root) };
+        let is_complex = atom.arguments().iter().any(|&id| self.is_complex(id));
+        let root = |square: Quadratic| {
+            let half = Number::rational(1, 2);
+            if is_complex { power_of_complex(&square, &half, f) } else { f.rational_power(&square, &half) }
+        };
+        let halved = if factor.is_integer() { point } else { half_angle(f, &point, &denominator, root) };
         let count = if factor.is_integer() { factor.clone() } else { factor.mul(&Number::integer(2)) };
         multiple(f, halved, count.to_i64().unwrap_or(0))
-    }
-
-    /// sqrt(1 + u^2), or sqrt(1 - u^2) for the sign -1, of the value u of a node.
-    ///
-    /// It is sqrt(d^2 + (d u)^2)/d, where d is the denominator of the content of u, because a prime may be no square here.
-    fn length_with_one(
-        &self,
-        id: Id,
-        sign: i64,
-        f: &Field,
-        value: &impl Fn(Id) -> Quadratic,
-        root: impl Fn(Quadratic) -> Quadratic,
-    ) -> Quadratic {
-        if let Some(number) = self.as_number(id) {
-            let square = Number::integer(1).add(&Number::integer(sign).mul(&number.mul(number)));
-            if !square.is_negative() {
-                return power_of_number(&square, &Number::rational(1, 2), f);
-            }
-        }
-        let d = f.number(&self.denominator_of(id, f));
-        let whole = f.mul(&d, &value(id));
-        let square = f.mul(&f.number(&Number::integer(sign)), &f.mul(&whole, &whole));
-        f.div(&root(f.add(&f.mul(&d, &d), &square)), &d)
     }
 
     /// The denominator of the content of a node.

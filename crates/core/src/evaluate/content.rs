@@ -8,10 +8,9 @@
 
 use num_bigint::BigInt;
 use num_integer::Integer;
-use std::cmp::Ordering;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
-use crate::graph::{Content, Flags, Graph, Id, NumberId, View};
+use crate::graph::{Combination, Content, Flags, Graph, Id, NumberId, View};
 use crate::value::{Adics, Field, Number, coprime_factors};
 
 use super::adic_point::{AdicPoint, POINTS, POINTS_WITHOUT_SIGNS, TRIALS};
@@ -26,25 +25,27 @@ const LONG: u64 = 40;
 impl Graph {
     /// The content of a node, without the primes that are squares in a field; `None` if it is one.
     pub(super) fn numeric_content(&self, id: Id, f: &Field) -> Option<Content> {
+        self.content_of(Combination::node(self.representative_up_to_sign(id).0), f)
+    }
+
+    /// The content of a combination of nodes, likewise.
+    pub(super) fn content_of(&self, of: Combination, f: &Field) -> Option<Content> {
         let least = f.least_non_square();
-        let (id, _) = self.representative_up_to_sign(id);
-        if let Some(known) = self.lanes.borrow().content(id, least) {
+        if let Some(known) = self.lanes.borrow().content(of, least) {
             return known.clone();
         }
-        let content = self.content_of(&[(1, id)], least);
-        self.lanes.borrow_mut().insert_content(id, least, content.clone());
+        let content = self.find_content(of, least);
+        self.lanes.borrow_mut().insert_content(of, least, content.clone());
         content
     }
 
-    /// The content of a - b, likewise.
-    pub(super) fn content_of_difference(&self, a: Id, b: Id, f: &Field) -> Option<Content> {
-        let least = f.least_non_square();
-        if let Some(known) = self.lanes.borrow().content_of_difference(a, b, least) {
-            return known.clone();
-        }
-        let content = self.content_of(&[(1, a), (-1, b)], least);
-        self.lanes.borrow_mut().insert_content_of_difference(a, b, least, content.clone());
-        content
+    /// The content of primes from the least one up.
+    fn find_content(&self, of: Combination, least: u64) -> Option<Content> {
+        let order = self.open_parts(of);
+        not_one(self.primes_of(of, &order, least).into_iter().map(|prime| {
+            let exponent = self.valuation(of, &order, &prime);
+            (prime, exponent)
+        }))
     }
 
     /// The rational number in the content of a node: that of the whole powers.
@@ -58,34 +59,11 @@ impl Graph {
         )
     }
 
-    /// The content that two nodes have in common; `None` if it is one.
-    pub(super) fn common_content(&self, a: Id, b: Id, f: &Field) -> Option<Content> {
-        let of = |id: Id| -> BTreeMap<BigInt, Number> {
-            self.numeric_content(id, f).iter().flat_map(|content| content.iter().cloned()).collect()
-        };
-        let (a, b) = (of(a), of(b));
-        let zero = Number::integer(0);
-        let primes: BTreeSet<&BigInt> = a.keys().chain(b.keys()).collect();
-        let common = primes.into_iter().map(|prime| {
-            let (one, two) = (a.get(prime).unwrap_or(&zero), b.get(prime).unwrap_or(&zero));
-            (prime.clone(), if one.compare(two) == Ordering::Less { one } else { two }.clone())
-        });
-        not_one(common)
-    }
-
-    /// The content of a sum of multiples, of primes from the least one up.
-    fn content_of(&self, terms: &[(i64, Id)], least: u64) -> Option<Content> {
-        let order = self.open_parts(terms);
-        not_one(self.primes_of(terms, &order, least).into_iter().map(|prime| {
-            let exponent = self.valuation(terms, &order, &prime);
-            (prime, exponent)
-        }))
-    }
-
-    /// The nodes from whose values the q-adic values of terms are found, parts first; none if there are too many.
-    fn open_parts(&self, terms: &[(i64, Id)]) -> Vec<Id> {
+    /// The nodes from whose values the q-adic values of a combination are found, parts first; none if there are too
+    /// many.
+    fn open_parts(&self, of: Combination) -> Vec<Id> {
         let (mut order, mut seen) = (Vec::new(), rustc_hash::FxHashSet::default());
-        let mut stack: Vec<(Id, bool)> = terms.iter().rev().map(|&(_, id)| (id, false)).collect();
+        let mut stack: Vec<(Id, bool)> = of.nodes().rev().map(|id| (id, false)).collect();
         let mut parts = Vec::new();
         while let Some((id, expanded)) = stack.pop() {
             if expanded {
@@ -105,7 +83,7 @@ impl Graph {
 
     /// The primes from the least one up that the content may hold: those of the numbers in the nodes, and those that two
     /// values at points of integers have in common, because sums make new ones.
-    fn primes_of(&self, terms: &[(i64, Id)], nodes: &[Id], least: u64) -> BTreeSet<BigInt> {
+    fn primes_of(&self, of: Combination, nodes: &[Id], least: u64) -> BTreeSet<BigInt> {
         let mut numbers: BTreeSet<u32> = BTreeSet::new();
         let (mut sums, mut bases) = (Vec::new(), Vec::new());
         let mut note = |number: NumberId| {
@@ -123,21 +101,21 @@ impl Graph {
                 _ => bases.extend(self.adic_bases(id)),
             }
         }
-        if numbers.is_empty() && bases.is_empty() && terms.len() == 1 {
+        if numbers.is_empty() && bases.is_empty() && of.is_node() {
             return BTreeSet::new();
         }
         let literals: Vec<Number> =
             numbers.into_iter().map(|number| self.get_number(NumberId(number)).clone()).collect();
-        let roots: Vec<Id> = terms.iter().map(|&(_, id)| id).collect();
+        let roots: Vec<Id> = of.nodes().collect();
         let are_long = literals
             .iter()
             .any(|number| number.numerator().bits() > LONG || number.denominator().bits() > LONG);
         let pairs = self.at_pairs_of_points(&roots, are_long);
-        let shared = pairs.iter().flatten().flat_map(|pair| shared_at(pair, terms, &sums));
+        let shared = pairs.iter().flatten().flat_map(|pair| shared_at(pair, of, &sums));
         let all = literals.iter().cloned().chain(bases).chain(shared).filter(|number| !number.is_zero());
         let primes = coprime_factors(all.map(|number| number.abs()));
         let common =
-            pairs.filter(|_| self.is_polynomial(nodes)).and_then(|[pair, _]| common_value(&pair, terms));
+            pairs.filter(|_| self.is_polynomial(nodes)).and_then(|[pair, _]| common_value(&pair, of));
         let may_divide = |prime: &BigInt| {
             let divides = |number: &BigInt| number.is_multiple_of(prime);
             common.as_ref().is_none_or(divides)
@@ -158,22 +136,22 @@ impl Graph {
         })
     }
 
-    /// The power of a prime in the content of a sum of multiples.
-    fn valuation(&self, terms: &[(i64, Id)], order: &[Id], prime: &BigInt) -> Number {
+    /// The power of a prime in the content of a combination.
+    fn valuation(&self, of: Combination, order: &[Id], prime: &BigInt) -> Number {
         let adics = Adics::new(prime);
-        let has_signs = terms.iter().any(|&(_, id)| self.flags(id).has(Flags::BRANCH));
+        let has_signs = of.nodes().any(|id| self.flags(id).has(Flags::BRANCH));
         let count = if has_signs { POINTS } else { POINTS_WITHOUT_SIGNS };
         // It is the same at all points, but where it depends on signs and on the choice between opposite roots.
         let least = |first: u16| {
             let found =
-                (first..first + count).filter_map(|point| self.valuation_at(terms, order, &adics, point));
+                (first..first + count).filter_map(|point| self.valuation_at(of, order, &adics, point));
             found.min_by(|a, b| a.abs().compare(&b.abs()))
         };
         least(0).or_else(|| least(POINTS)).unwrap_or_else(|| Number::integer(0))
     }
 
-    /// The power of the prime in a sum of multiples at a point, where that is not zero and nothing has a pole.
-    fn valuation_at(&self, terms: &[(i64, Id)], order: &[Id], adics: &Adics, point: u16) -> Option<Number> {
+    /// The power of the prime in a combination at a point, where that is not zero and nothing has a pole.
+    fn valuation_at(&self, of: Combination, order: &[Id], adics: &Adics, point: u16) -> Option<Number> {
         let mut first = None;
         for trial in 0..TRIALS {
             let at = AdicPoint::new(adics, point, trial);
@@ -181,10 +159,12 @@ impl Graph {
             if at.has_pole() {
                 return None;
             }
-            let sum = terms.iter().fold(Adics::zero(), |sum, (factor, id)| {
-                adics.add(&sum, &adics.mul(&adics.integer(&(*factor).into()), &values[id]))
-            });
-            let valuation = sum.leading().map(|leading| leading.valuation.clone());
+            let value = of.value(
+                |id| values.get(&id).cloned(),
+                |value| adics.mul(&value, &value),
+                |a, sign, b| adics.add(&a, &adics.mul(&adics.integer(&sign.into()), &b)),
+            );
+            let valuation = value?.leading().map(|leading| leading.valuation.clone());
             if !at.misses_roots() {
                 return valuation;
             }
@@ -201,25 +181,22 @@ impl Graph {
 
 /// The greatest common divisor of the values of a polynomial at two points of integers, if they are not too large: a prime
 /// that is in no denominator of the polynomial is in its content only if it divides this number.
-fn common_value(points: &[Rationals; 2], terms: &[(i64, Id)]) -> Option<BigInt> {
-    let at = |values: &Rationals| {
-        terms.iter().try_fold(Number::integer(0), |sum, &(factor, id)| {
-            Some(sum.add(&values.get(id)?.mul(&Number::integer(factor))))
-        })
-    };
+fn common_value(points: &[Rationals; 2], of: Combination) -> Option<BigInt> {
     let [first, second] = points;
+    let at = |values: &Rationals| number_of(of, |id| values.get(id));
     Some(at(first)?.numerator().gcd(&at(second)?.numerator()))
 }
 
+/// The combination of the numbers that nodes are.
+fn number_of(of: Combination, number: impl Fn(Id) -> Option<Number>) -> Option<Number> {
+    of.value(number, |value| value.mul(&value), |a, sign, b| a.add(&Number::integer(sign).mul(&b)))
+}
+
 /// What the values of nodes at two points have in common.
-fn shared_at([first, second]: &[Rationals; 2], terms: &[(i64, Id)], nodes: &[Id]) -> Vec<Number> {
-    let of_terms = |values: &Rationals| {
-        terms.iter().try_fold(Number::integer(0), |sum, &(factor, id)| {
-            Some(sum.add(&values.guess(id)?.mul(&Number::integer(factor))))
-        })
-    };
+fn shared_at([first, second]: &[Rationals; 2], of: Combination, nodes: &[Id]) -> Vec<Number> {
+    let of_combination = |values: &Rationals| number_of(of, |id| values.guess(id));
     let pairs = nodes.iter().map(|&id| first.guess(id).zip(second.guess(id)));
-    let shared = pairs.chain([of_terms(first).zip(of_terms(second))]).flatten().map(|(a, b)| {
+    let shared = pairs.chain([of_combination(first).zip(of_combination(second))]).flatten().map(|(a, b)| {
         let common = |a: BigInt, b: BigInt| Number::whole(a.gcd(&b));
         [common(a.numerator(), b.numerator()), common(a.denominator(), b.denominator())]
     });
@@ -244,8 +221,8 @@ mod tests {
             (g.number_id(&factor), symbol)
         });
         let sum = g.sum(&terms);
-        let order = g.open_parts(&[(1, sum)]);
-        g.primes_of(&[(1, sum)], &order, 37).into_iter().collect()
+        let of = Combination::node(sum);
+        g.primes_of(of, &g.open_parts(of), 37).into_iter().collect()
     }
 
     #[test]

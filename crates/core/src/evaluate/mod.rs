@@ -6,7 +6,7 @@
 //! what has a known angle or exponential and the rest; [`integer_point`] reads the factors of such parts off, by the mean
 //! of [`conjugates`] where roots stand beside them; [`negative_base`] has powers of what may be negative; [`logarithm`]
 //! knows logarithms of products, also of those that [`monomial`] finds; [`content`] is the numeric factor of a node, from
-//! its [q-adic values](adic_value) at [points](adic_point); [`rotation`] adds angles; [`complex`] tells what is real,
+//! its [q-adic values](adic_value) at [points](adic_point); [`rotation`] adds angles, and [`length`] has the roots in them; [`complex`] tells what is real,
 //! [`real_range`] what is nowhere negative, with [`semidefinite`] where forms do not show it, which opens [`polynomial`]s;
 //! [`same`] compares nodes, in as many lanes as [`sign_degree`] and [`independent_signs`] say, unless their forms show that
 //! they are equal ([`form`]). Functions are evaluated for the [`representative`] of all nodes of one value. [`slope`] finds
@@ -25,6 +25,7 @@ mod drawn_root;
 mod form;
 mod independent_signs;
 mod integer_point;
+mod length;
 mod logarithm;
 mod logarithm_part;
 mod monomial;

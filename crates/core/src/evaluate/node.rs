@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
-use crate::graph::{Column, Content, Flags, Function, Graph, Id, Ids, Kind, NumberId, View, leaf_in};
+use crate::graph::{
+    Column, Combination, Content, Flags, Function, Graph, Id, Ids, Kind, NumberId, View, leaf_in,
+};
 use crate::interrupt::tick;
 use crate::value::{Element, Field, FieldId, Key, Number, Quadratic, fingerprint, in_hash_lane};
 
 use super::rational_power::power_of_content;
-
-type Point = (Quadratic, Quadratic);
 
 impl Graph {
     /// The value of a node in a field: above the first field of a lane, that of the node that stands for its class.
@@ -268,7 +268,7 @@ impl Graph {
 
     /// The sign of a - b, which has this value.
     pub(super) fn sign_of_difference(&self, difference: &Quadratic, a: Id, b: Id, f: &Field) -> Quadratic {
-        signed_by_content(difference, self.content_of_difference(a, b, f), f)
+        signed_by_content(difference, self.content_of(Combination::difference(a, b), f), f)
     }
 
     /// Which of several nodes is the greatest or the least where they have these values: the first two are compared, the
@@ -339,26 +339,6 @@ impl Graph {
                 f.piecewise(&values, &signs)
             }
         }
-    }
-
-    /// The point (x, y)/|(x, y)| of the unit circle: the cosine and the sine of atan2(y, x).
-    pub(super) fn unit_vector(&self, y: Id, x: Id, f: &Field, value: impl Fn(Id) -> Quadratic) -> Point {
-        let (mut y_value, mut x_value) = (value(y), value(x));
-        if let Some(content) = self.common_content(y, x, f) {
-            let inverse = power_of_content(&content, &Number::integer(-1), f);
-            (y_value, x_value) = (f.mul(&y_value, &inverse), f.mul(&x_value, &inverse));
-        }
-        let square = f.add(&f.mul(&y_value, &y_value), &f.mul(&x_value, &x_value));
-        let scale = f.inverse(&f.rational_power(&square, &Number::rational(1, 2)));
-        (f.mul(&x_value, &scale), f.mul(&y_value, &scale))
-    }
-
-    pub(super) fn direction_in(&self, y: Id, x: Id, field: FieldId) -> Quadratic {
-        let f = field.field();
-        let (cos, sin) = self.unit_vector(y, x, f, |id| self.value_in(id, field));
-        let (magnitude, negated) = f.unsigned(&sin);
-        let angle = f.opaque(Key::new("atan2"), &[&cos, &magnitude]);
-        if negated { f.neg(&angle) } else { angle }
     }
 
     /// The fingerprint of a function of arguments, before its node is made.

@@ -60,13 +60,7 @@ impl Graph {
         if self.is_complex(base) {
             return power_of_complex(value, exponent, f);
         }
-        match self.numeric_content(base, f) {
-            Some(content) => {
-                let rest = f.div(value, &power_of_content(&content, &Number::integer(1), f));
-                f.mul(&power_of_content(&content, exponent, f), &f.rational_power(&rest, exponent))
-            }
-            None => f.rational_power(value, exponent),
-        }
+        power_beside_content(value, self.numeric_content(base, f), exponent, f)
     }
 
     /// Whether a power has signs that differ from lane to lane: a root of something that is not known to be positive.
@@ -110,6 +104,18 @@ pub(super) fn power_of_number(number: &Number, exponent: &Number, f: &Field) -> 
         let exponent = exponent.mul(&Number::integer(count));
         f.mul(&product, &f.power_of_prime(&Number::whole(prime.clone()), &exponent))
     })
+}
+
+/// The power of what is real and has a content, which is taken out.
+pub(super) fn power_beside_content(
+    value: &Quadratic,
+    content: Option<Content>,
+    exponent: &Number,
+    f: &Field,
+) -> Quadratic {
+    let Some(content) = content else { return f.rational_power(value, exponent) };
+    let rest = f.div(value, &power_of_content(&content, &Number::integer(1), f));
+    f.mul(&power_of_content(&content, exponent, f), &f.rational_power(&rest, exponent))
 }
 
 /// The power of a content in a field.

@@ -31,10 +31,8 @@ pub(crate) struct Lanes {
     signs: FxHashMap<Id, Signs>,
     /// What the signs are in the lanes.
     coins: FxHashMap<u64, Coin>,
-    /// The numeric contents of nodes, of primes from the least one up.
-    contents: FxHashMap<(Id, u64), Option<Content>>,
-    /// The numeric contents of differences.
-    contents_of_differences: FxHashMap<(Id, Id, u64), Option<Content>>,
+    /// The numeric contents, of primes from the least one up.
+    contents: FxHashMap<(Combination, u64), Option<Content>>,
     /// The numbers in exponents, such as the 1 in x + 1; in a lane those where signs are the ones of this lane.
     exponents: FxHashMap<(Id, Option<FieldId>), Number>,
     /// Nodes that are a number times powers of positive factors.
@@ -58,6 +56,53 @@ pub(crate) type Column = Arc<[Quadratic]>;
 
 /// A product of prime numbers with rational exponents, not 0.
 pub(crate) type Content = Arc<[(BigInt, Number)]>;
+
+/// What has a content: a node, a difference, or a sum or difference of squares, whether or not it is a node.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+pub(crate) struct Combination {
+    first: Id,
+    /// The second node and its sign.
+    second: Option<(Id, i8)>,
+    are_squares: bool,
+}
+
+impl Combination {
+    pub(crate) fn node(id: Id) -> Self {
+        Self { first: id, second: None, are_squares: false }
+    }
+
+    pub(crate) fn difference(a: Id, b: Id) -> Self {
+        Self { first: a, second: Some((b, -1)), are_squares: false }
+    }
+
+    /// a^2 + b^2, or a^2 - b^2 for the sign -1.
+    pub(crate) fn squares([a, b]: [Id; 2], sign: i8) -> Self {
+        Self { first: a, second: Some((b, sign)), are_squares: true }
+    }
+
+    pub(crate) fn nodes(self) -> impl DoubleEndedIterator<Item = Id> {
+        [Some(self.first), self.second.map(|(id, _)| id)].into_iter().flatten()
+    }
+
+    pub(crate) fn is_node(self) -> bool {
+        self.second.is_none()
+    }
+
+    /// The value from those of the nodes.
+    pub(crate) fn value<T>(
+        self,
+        value: impl Fn(Id) -> Option<T>,
+        square: impl Fn(T) -> T,
+        add: impl Fn(T, i64, T) -> T,
+    ) -> Option<T> {
+        let part = |id: Id| value(id).map(|value| if self.are_squares { square(value) } else { value });
+        let first = part(self.first)?;
+        match self.second {
+            Some((second, sign)) => Some(add(first, sign.into(), part(second)?)),
+            None => Some(first),
+        }
+    }
+}
 
 /// A part of an argument that has a known angle or exponential.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -199,26 +244,12 @@ impl Lanes {
         self.coins.insert(sign, coin);
     }
 
-    pub(crate) fn content(&self, id: Id, least: u64) -> Option<&Option<Content>> {
-        self.contents.get(&(id, least))
+    pub(crate) fn content(&self, of: Combination, least: u64) -> Option<&Option<Content>> {
+        self.contents.get(&(of, least))
     }
 
-    pub(crate) fn insert_content(&mut self, id: Id, least: u64, content: Option<Content>) {
-        self.contents.insert((id, least), content);
-    }
-
-    pub(crate) fn content_of_difference(&self, a: Id, b: Id, least: u64) -> Option<&Option<Content>> {
-        self.contents_of_differences.get(&(a, b, least))
-    }
-
-    pub(crate) fn insert_content_of_difference(
-        &mut self,
-        a: Id,
-        b: Id,
-        least: u64,
-        content: Option<Content>,
-    ) {
-        self.contents_of_differences.insert((a, b, least), content);
+    pub(crate) fn insert_content(&mut self, of: Combination, least: u64, content: Option<Content>) {
+        self.contents.insert((of, least), content);
     }
 
     pub(crate) fn exponent(&self, id: Id, lane: Option<FieldId>) -> Option<&Number> {

@@ -25,7 +25,7 @@ pub(crate) use cost::{factoring, solving};
 pub use function::Function;
 pub(crate) use function::Parity;
 pub(crate) use lanes::{
-    Atom, Coin, Column, Content, Generator, Monomial, Signs, Split, draw_logarithm, leaf_in,
+    Atom, Coin, Column, Combination, Content, Generator, Monomial, Signs, Split, draw_logarithm, leaf_in,
 };
 pub use node::{Assumption, Factors, Id, Ids, NumberId, Terms, View};
 pub(crate) use node::{Flags, Kind};
