@@ -74,7 +74,7 @@ def moved(make: Callable[[], Machine]) -> Moved:
     machine = make()
     names = {str(each): each for q in machine.mechanism.coordinates for each in (q, time_derivative(q))}
     with warnings.catch_warnings():
-        warnings.filterwarnings("ignore", ".*(overconstrained|follows from)", ModelNotice)
+        warnings.filterwarnings("ignore", ".*(overconstrained|follows from|depends on)", ModelNotice)
         equations = newton_euler(machine.mechanism.system(machine.loads, gravity=GRAVITY))
         start, guess = (
             {names[name]: float(value) for name, value in given.items() if name in names}
@@ -99,7 +99,7 @@ def test_laws_of_machines(make: Callable[[], Machine]) -> None:
 def check_formalisms(found: Moved) -> None:
     """Lagrange's equations are the nodes of Newton's and Euler's."""
     with warnings.catch_warnings():
-        warnings.filterwarnings("ignore", ".*(overconstrained|follows from)", ModelNotice)
+        warnings.filterwarnings("ignore", ".*(overconstrained|follows from|depends on)", ModelNotice)
         assert lagrange_equations(found.equations.system).residuals == found.equations.residuals
 
 

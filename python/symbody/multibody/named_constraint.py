@@ -57,7 +57,12 @@ def briefly_named(constraints: Sequence[Constraint], rows: Iterable[int], most: 
 
 
 def redundant(
-    constraints: Sequence[Constraint], rows: Sequence[int], others: Sequence[int], where: str = ""
+    constraints: Sequence[Constraint],
+    rows: Sequence[int],
+    others: Sequence[int],
+    where: str = "",
+    *,
+    by_slopes: bool = False,
 ) -> str:
     """Return the sentence that some constraints follow from others.
 
@@ -66,6 +71,7 @@ def redundant(
         rows: those that are redundant.
         others: those from which they follow; none if they always hold.
         where: at which positions, such as "wherever it moves".
+        by_slopes: whether only their gradients do, so that they depend on these, and may contradict them.
 
     >>> from symbody import Constraint, symbols
     >>> x, y = symbols("x y")
@@ -77,4 +83,5 @@ def redundant(
     if not others:
         return f"constraint{s} {names} restrain{ends} nothing"
     numbers = joined_by_and([str(row + 1) for row in others], most=_NAMED)
-    return " ".join(filter(None, (f"constraint{s} {names} follow{ends} from {numbers}", where)))
+    verb = f"depend{ends} on" if by_slopes else f"follow{ends} from"
+    return " ".join(filter(None, (f"constraint{s} {names} {verb} {numbers}", where)))

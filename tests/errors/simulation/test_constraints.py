@@ -215,7 +215,7 @@ def test_notice_of_forces_of_constraints_that_are_given() -> None:
 
 def test_given_coordinates_where_constraints_disagree() -> None:
     """They agree at pi/3: the value is wrong, not the constraints."""
-    with pytest.warns(ModelNotice, match="follows from 1:"):
+    with pytest.warns(ModelNotice, match="depends on 1:"):
         equations = bead(2 * cos(x) - 1, 2 * sin(x) - sqrt(3))
     with pytest.raises(errors.ConstraintError) as caught:
         consistent_state(equations, {}, {x: 1.0})

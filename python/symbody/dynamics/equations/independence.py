@@ -168,7 +168,8 @@ def _report(system: Variables, place: int, combined: Sequence[int], rest: Expr) 
         )
     if not combined:
         return f"{constraint} always holds, and restrains nothing; leave it out, or correct it"
-    said = redundant(system.conditions, [place], sorted(number - 1 for number in combined))
+    rows = sorted(other - 1 for other in combined)
+    said = redundant(system.conditions, [place], rows, by_slopes=not rest.is_zero)
     return (
         f"{system.where}: {said}: its gradient is a combination of theirs, so that their multipliers aren't "
         "determined: forward dynamics takes those of minimum norm, and a simulation leaves out what is redundant"
