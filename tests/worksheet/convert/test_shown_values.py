@@ -12,6 +12,9 @@ from symbody.worksheet.interpreter.interpret import Interpreter
 from symbody.worksheet.reading import statements
 from symbody.worksheet.reading.files import source_cells
 
+pytestmark = pytest.mark.filterwarnings("ignore::symbody.errors.ModelNotice")
+"""Other tests of this process use the names of these sheets for other things."""
+
 RULE = "with(MBSymba_r6): `diff/phi` := proc(t) p(t) end proc:\n"
 TWO_TURNS = RULE + "T := rotate('Z',theta(t))*rotate('X',phi(t)): P := make_POINT(T,0,0,c):\n"
 

@@ -34,7 +34,7 @@ def display(session: Session, value: Value) -> None:
         each for each in (value.items if isinstance(value, Sequence) else (value,)) if isinstance(each, Plot)
     ]
     for plot in plots:
-        session.print(drawn(session, plot))
+        session.print(drawn(session, plot) if session.draws else "[Plot]")
     if not plots:
         session.print(session.text(_shown(session, value)))
 

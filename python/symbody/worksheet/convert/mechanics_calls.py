@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping
 from typing import TypeAlias
 
 from symbody.geometry import Frame, Point, Vector
-from symbody.multibody import Body
+from symbody.multibody import Body, Force, Torque
 from symbody.symbolic import Expr, Matrix
 from symbody.worksheet.convert.frames import axis, components, frame
 from symbody.worksheet.convert.names import NoText
@@ -29,6 +29,20 @@ def _framed(function: str, *places: int) -> Call:
     def write(text: Writer, arguments: Arguments) -> str:
         parts = [frame(text, each) if k in places else item(text, each) for k, each in enumerate(arguments)]
         return f"{function}({', '.join(parts)})"
+
+    return write
+
+
+def _of_vectors(function: str) -> Call:
+    """Return the writer of a function of vectors; a force or a torque stands for its vector."""
+
+    def write(text: Writer, arguments: Arguments) -> str:
+        parts = [item(text, each) for each in arguments]
+        vectors = [
+            f"{grouped(each)}.vector" if isinstance(text.value(each), Force | Torque) else each
+            for each in parts
+        ]
+        return f"{function}({', '.join(vectors)})"
 
     return write
 
@@ -267,8 +281,8 @@ MECHANICS: Mapping[str, Call] = {
     "CoM": _center,
     "frame_frozen_velocity": _framed("sb.frozen_velocity", 1),
     "project": _framed("sb.project", 1),
-    "dot_prod": _framed("sb.dot"),
-    "cross_prod": _framed("sb.cross"),
+    "dot_prod": _of_vectors("sb.dot"),
+    "cross_prod": _of_vectors("sb.cross"),
     **dict.fromkeys(("comp_X", "Xcomp"), _component(0)),
     **dict.fromkeys(("comp_Y", "Ycomp"), _component(1)),
     **dict.fromkeys(("comp_Z", "Zcomp"), _component(2)),

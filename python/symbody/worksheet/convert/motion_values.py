@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 
 from symbody.simulation import Motion
 from symbody.symbolic import Expr
-from symbody.worksheet.convert.names import STATE_AT, NoText, identifier
+from symbody.worksheet.convert.names import NoText, identifier
 from symbody.worksheet.convert.writer import Arguments, Writer
 from symbody.worksheet.sheet import syntax
 
@@ -17,7 +16,6 @@ __all__ = [
     "is_motion",
     "motion_call",
     "motion_lines",
-    "needed_definitions",
     "output_entry",
 ]
 
@@ -93,9 +91,3 @@ def _function(text: Writer, state: Expr) -> str:
     name = text.names.text(state.name)
     orders = f", {state.order}" if state.order > 1 else ""
     return f"sb.diff({name}, sb.t{orders})" if state.order else name
-
-
-def needed_definitions(body: str) -> Iterator[str]:
-    """Return the functions that a program needs besides its own."""
-    if re.search(r"(?<![\w.])state_at\(", body):
-        yield STATE_AT

@@ -9,9 +9,10 @@ from typing import Any
 
 from symbody.deferred import Deferred
 from symbody.symbolic import Expr, symbol, time_function
+from symbody.worksheet.convert.definitions import DEFINITIONS
 from symbody.worksheet.sheet import syntax
 
-__all__ = ["STATE_AT", "Names", "NoText", "identifier"]
+__all__ = ["Names", "NoText", "identifier"]
 
 _MODULES = """import functools
 import itertools
@@ -22,24 +23,16 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import numpy as np
 import scipy.optimize
+from matplotlib.animation import ArtistAnimation
 
 import symbody as sb
 """
 """What a program may import: only what it needs."""
 
-STATE_AT = '''def state_at(equations, motion, time):
-    """Return the time and the state of a motion, by integration from its start up to a time."""
-    state = motion.state_at(0)
-    if time != motion.t[0]:
-        span = motion.t[0], float(time)
-        state = sb.simulate(equations, initial=state, t=span, rtol=1e-9, atol=1e-10).state_at()
-    return {sb.t: time} | {x: state[x] for x in sorted(state, key=lambda x: (x.name, x.order))}
-'''
-"""The function that a program needs for the values of a motion at given times."""
-
 _TAKEN = frozenset(
     {
-        "state_at",
+        *DEFINITIONS,
+        "ArtistAnimation",
         "sb",
         "print",
         "range",
@@ -90,8 +83,9 @@ def _maker(name: str, *, is_function: bool) -> str:
 def _imported() -> dict[str, Any]:
     """Return what the first lines of a program import."""
     values: dict[str, Any] = {}
-    exec(_MODULES + STATE_AT, values)
+    exec("\n".join([_MODULES, *DEFINITIONS.values()]), values)
     values["sympy"] = Deferred("sympy")  # optional, and only for what it finds
+    values["draw"] = values["animate"] = list  # nothing is drawn while the program is written
     return values
 
 

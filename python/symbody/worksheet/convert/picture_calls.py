@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Callable, Mapping
 from typing import TypeAlias
 
@@ -9,6 +10,7 @@ from symbody.symbolic import Expr
 from symbody.worksheet.convert.names import NoText
 from symbody.worksheet.convert.numbers_calls import number_text, range_of, residual_text
 from symbody.worksheet.convert.operations import grouped
+from symbody.worksheet.convert.shapes import SHAPES, is_animated, picture_of, points_of
 from symbody.worksheet.convert.writer import Arguments, Writer
 from symbody.worksheet.sheet import syntax
 
@@ -23,6 +25,9 @@ def _curve(method: str = "plot", spaced: str = "linspace") -> Call:
     """Return the writer of curves of an expression, or of several; ``method`` says which axes are logarithmic."""
 
     def write(text: Writer, arguments: Arguments) -> str:
+        points = arguments[0].items if isinstance(arguments[0], syntax.SetDisplay) else arguments[:1]
+        with contextlib.suppress(NoText):
+            return picture_of(text, [points_of(text, each) for each in points])
         places, values = _samples(text, arguments, spaced)
         return f"{_PLANE}.{method}({places}, {values})"
 
@@ -124,8 +129,10 @@ def _together(text: Writer, arguments: Arguments) -> str:
     nodes = first.items if isinstance(first, syntax.ListDisplay | syntax.SetDisplay) else arguments
     shown = [node for node in nodes if not isinstance(node, syntax.Infix)]
     pictures = [text.text(node) for node in shown]
+    if is_animated(arguments):
+        return text.text(first) if len(shown) == 1 else f"[{', '.join(pictures)}]"
     if not pictures or not all(_are_curves(text.value(each)) for each in pictures):
-        raise NoText("display")
+        return picture_of(text, pictures)
     lines = ", ".join(f"*{each}" for each in pictures)
     return f"{_PLANE}.plot(*[values for line in [{lines}] for values in line.get_data()])"
 
@@ -136,6 +143,7 @@ def _are_curves(value: object) -> bool:
 
 
 PICTURES: Mapping[str, Call] = {
+    **SHAPES,
     "plot": _curve(),
     "logplot": _curve("semilogy"),
     "semilogplot": _curve("semilogx", "geomspace"),

@@ -13,10 +13,10 @@ from dataclasses import dataclass
 
 from symbody.errors import ModelNotice, WorksheetError
 from symbody.worksheet.convert.declarations import declarations
+from symbody.worksheet.convert.definitions import needed_definitions
 from symbody.worksheet.convert.draft import Draft
 from symbody.worksheet.convert.expressions import PythonText
 from symbody.worksheet.convert.layout import laid_out
-from symbody.worksheet.convert.motion_values import needed_definitions
 from symbody.worksheet.convert.names import Names, identifier
 from symbody.worksheet.convert.open_files import leave_alone, note_files
 from symbody.worksheet.convert.procedures import Procedures
@@ -83,6 +83,7 @@ def converted(cells: Sequence[Cell], title: str, session: Session | None = None)
         called=frozenset(called_names(cells)),
     )
     program = Draft(tuple(cells), Interpreter(session), names, PythonText(names), Procedures(names))
+    program.interpreter.session.draws = False
     with tempfile.TemporaryDirectory() as program.folder, warnings.catch_warnings():
         warnings.simplefilter("ignore", ModelNotice)  # attempts make variables that the program doesn't have
         warnings.simplefilter("ignore", SyntaxWarning)  # and take entries of numbers
@@ -123,7 +124,13 @@ def _text(program: Draft, title: str) -> str:
     title = title.replace('"', "'")
     imports = _imports(body + "".join(needed_definitions(body)))
     defined = "".join(f"\n{each}" for each in needed_definitions(body))
-    return _HEAD.format(title=title, imports=imports) + "\n".join(head) + f"\n{defined}\n" + body + _end(body)
+    return (
+        _HEAD.format(title=title, imports=imports)
+        + "\n".join(head)
+        + f"\n{defined}\n"
+        + body
+        + _end(defined + body)
+    )
 
 
 def _add(program: Draft, statement: syntax.Statement, *, keeps: bool) -> bool:
@@ -183,6 +190,7 @@ def _imports(body: str) -> str:
         "plt.": "import matplotlib.pyplot as plt\n",
         "np.": "import numpy as np\n",
         "scipy.": "import scipy.optimize\n",
+        "ArtistAnimation(": "from matplotlib.animation import ArtistAnimation\n",
         "sympy.": "import sympy\n",
     }
     lines = "".join(line for word, line in needed.items() if word in body)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 from io import TextIOBase
 from typing import Any
@@ -58,7 +59,11 @@ def order_of(session: Session, made: Any, value: Value) -> list[int] | None:
     """
     found = session.current(session.resolve(value))
     items = found.entries if isinstance(found, Array) else getattr(found, "items", ())
-    if not isinstance(made, list) or not isinstance(found, Listed | Array) or len(made) != len(items):
+    if (
+        not isinstance(made, list)
+        or not isinstance(found, Listed | Array | Sequence)
+        or len(made) != len(items)
+    ):
         return None
     left = list(range(len(made)))
     order = []
@@ -152,6 +157,8 @@ class _Comparison:
         if isinstance(made, float | complex):
             return abs(made - _as_complex(value)) <= 1e-8 * (1 + abs(made))
         plain = self.plain([number(made)])[0]
+        if _is_near(plain, value):
+            return True
         if (
             value.is_number and "." in str(value) and plain.is_constant
         ):  # decimals of evalf, where the program is exact
@@ -217,8 +224,7 @@ class _Comparison:
             return rows.shape == (value.rows, value.columns) and self.numbers(rows, value)
         if isinstance(matrix, tuple | list):
             return len(matrix) == len(entries) and all(map(self.same, matrix, entries))
-        listed = self.plain(matrix.entries)
-        return matrix.shape in {(value.rows, value.columns)} and listed == entries
+        return matrix.shape == (value.rows, value.columns) and all(map(self.same, matrix.entries, entries))
 
     def object(self, made: Any, value: Table) -> bool:
         reader, kind = Reader(self.session, "convert"), kind_of(value)
@@ -242,7 +248,7 @@ class _Comparison:
 
     def in_frame(self, made: Any, thing: Any, left: Iterable[Expr], right: Iterable[Expr]) -> bool:
         frames = [*made.frame.matrix.entries, *left], [*thing.frame.matrix.entries, *right]
-        return self.plain(frames[0]) == self.plain(frames[1])
+        return len(frames[0]) == len(frames[1]) and all(map(self.equal, *map(self.plain, frames)))
 
 
 _EXPRESSIONS = (symbol("expr"),)
@@ -255,6 +261,23 @@ def _as_complex(value: Any) -> complex:
     unit = symbol("I")
     real = value.subs({unit: 0})
     return complex(float(real), float(coeff(expand(value), unit)) if value.has(unit) else 0.0)
+
+
+def _is_near(made: Expr, value: Expr) -> bool:
+    """Whether expressions with decimals, which evalf rounds, agree at several numbers to eight digits."""
+    names = sorted(made.free_symbols | value.free_symbols, key=str)
+    if "." not in f"{made} {value}" or len(str(value)) > _LONG:
+        return False
+    for k in range(1, 4):
+        at = {name: 0.3 + math.modf((j + 1) * k * math.sqrt(2))[0] for j, name in enumerate(names)}
+        left, right = made.evaluate(at), value.evaluate(at)
+        if not abs(left - right) <= 1e-8 * (1 + abs(right)):
+            return False
+    return True
+
+
+_LONG = 5000
+"""How long the text of an expression is of which decimals are compared."""
 
 
 def _is_series(value: Expr) -> bool:

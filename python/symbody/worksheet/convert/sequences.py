@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import contextlib
+import re
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -67,7 +69,21 @@ def listed(to: Writer, nodes: tuple[syntax.Expression, ...]) -> str:
         if only.startswith("*"):
             found = only[1:]
             return found if isinstance(to.value(found), list) else f"[{only}]"
-    return f"[{items(to, nodes)}]"
+    written = [text for node in nodes for text in [item(to, node)] if text]
+    return f"[{_first_components(written) or ', '.join(written)}]"
+
+
+_COMPONENT = re.compile(r"(.*\.(?:components|coordinates))\[(\d)\]", re.DOTALL)
+
+
+def _first_components(written: Sequence[str]) -> str:
+    """Return ``*v.components[:2]`` for the first two components of a vector; nothing for another list."""
+    found = [_COMPONENT.fullmatch(each) for each in written]
+    wholes = {each[1] for each in found if each is not None}
+    places = [each[2] for each in found if each is not None]
+    if len(wholes) != 1 or len(places) < len(written) or places != ["0", "1"]:
+        return ""
+    return f"*{wholes.pop()}[:2]"
 
 
 def comprehension(to: Writer, each: syntax.Expression, span: syntax.Expression) -> str:

@@ -17,6 +17,7 @@ from symbody.worksheet.convert.modes import mode_lines
 from symbody.worksheet.convert.names import NoText
 from symbody.worksheet.convert.sequences import item as opened
 from symbody.worksheet.convert.sequences import items
+from symbody.worksheet.convert.shapes import shown_picture
 from symbody.worksheet.convert.statement_kinds import acts
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.sheet.within import mentions
@@ -97,7 +98,7 @@ def _value_lines(
     if is_code(item):
         return [f"print({written})"]
     if acts(item):
-        return [written] if not keeps else [f"last = {written}"]
+        return [shown_picture(text, written)] if not keeps else [f"last = {written}"]
     text.shown.append(written)
     if not keeps:
         return [f"print({written})"] if shown else []
@@ -122,15 +123,33 @@ def _show(text: PythonText, what: syntax.Expression, *, synthetic: bool, keeps: 
 
 def _printed(text: PythonText, form: str, rest: Sequence[syntax.Expression]) -> str:
     """Return ``printf`` as a format of Python; its texts are written as they are."""
-    arguments = [text.text(each) for each in rest]
     kinds = [kind for kind in _CONVERSION.findall(form) if kind != "%"]
-    if len(kinds) != len(arguments):
+    values: list[str] = []
+    for each in rest:
+        part = opened(text, each)
+        part = f"*{part}" if isinstance(text.value(part), tuple) else part
+        found = text.value(f"[{part}]")
+        if not isinstance(found, list) or len(found) > len(kinds):
+            raise NoText("printf")
+        values.append(_with_floats(part, found, kinds[: len(found)]))
+        kinds = kinds[len(found) :]
+    if kinds:
         raise NoText("printf")
-    values = [
-        f"float({each})" if isinstance(text.value(each), Expr) and kind not in "as" else each
-        for kind, each in zip(kinds, arguments, strict=True)
-    ]
     if not values:
         return f"print({form!r}, end='')"
     form = _CONVERSION.sub(lambda found: found[0][:-1] + "s" if found[1] == "a" else found[0], form)
     return f"print({form!r} % ({', '.join(values)}{',' if len(values) == 1 else ''}), end='')"
+
+
+def _with_floats(part: str, values: Sequence[object], kinds: Sequence[str]) -> str:
+    """Return an argument of a format, whose expressions are numbers where the format prints numbers.
+
+    Args:
+        part: the argument, which may be several.
+        values: what it holds.
+        kinds: the letters of the formats that print it.
+    """
+    pairs = zip(values, kinds, strict=True)
+    if not any(isinstance(value, Expr) and kind not in "as" for value, kind in pairs):
+        return part
+    return f"*map(float, {part[1:]})" if part.startswith("*") else f"float({part})"

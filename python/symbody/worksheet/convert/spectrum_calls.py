@@ -28,12 +28,16 @@ def _eigenvalues(text: Writer, arguments: Arguments) -> str:
     else:
         product = whole[0]
     matrix = text.value(product)
+    closed = f"eigenvalues({', '.join(whole)})"
     if isinstance(matrix, np.ndarray):
         return f"np.linalg.eigvals({product})"
     if not isinstance(matrix, Matrix):
         raise NoText("Eigenvalues")
     if all(each.is_constant for each in matrix.entries):
         return f"np.linalg.eigvals(np.array({product}, dtype=float))"
+    values = text.value(closed)
+    if isinstance(values, list) and len(values) == matrix.shape[0]:
+        return closed
     return f"[sb.from_sympy(each) for each in {grouped(product)}.to_sympy().eigenvals(multiple=True)]"
 
 

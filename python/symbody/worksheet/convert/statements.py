@@ -12,6 +12,7 @@ from typing import Any
 from symbody.symbolic import Expr
 from symbody.worksheet.convert.assignments import assignment_lines
 from symbody.worksheet.convert.expressions import PythonText
+from symbody.worksheet.convert.late_names import renewed
 from symbody.worksheet.convert.names import Names, NoText, identifier
 from symbody.worksheet.convert.operations import grouped, plain_decimal
 from symbody.worksheet.convert.operators import condition
@@ -90,21 +91,42 @@ def _line(statement: syntax.Statement, text: PythonText) -> str:
     raise NoText(type(statement).__name__)
 
 
-def block(statements: tuple[syntax.Statement, ...], text: PythonText, *, shown: bool = False) -> list[str]:
+def block(
+    statements: tuple[syntax.Statement, ...],
+    text: PythonText,
+    *,
+    shown: bool = False,
+    variable: str | None = None,
+) -> list[str]:
     """Return indented lines; each statement is tried out, so that the next one knows its kinds of values.
 
     Values of expressions are shown as the terminator of the whole construct says, at its first level only: with
     ``printlevel`` 1, Maple doesn't print those of a loop within a loop.
+
+    Args:
+        statements: the statements.
+        text: writes their expressions.
+        shown: whether values of expressions are printed.
+        variable: of a loop, its variable, which is empty if it has none; None of other blocks.
     """
-    lines: list[str] = []
-    for statement in statements:
+    lines = [] if variable is None else _renewed(text, variable, statements)
+    for k, statement in enumerate(statements):
         told = statement
         if isinstance(statement, syntax.Evaluation | syntax.If | syntax.For):
             told = replace(statement, shown=shown and isinstance(statement, syntax.Evaluation))
         written = lines_of(told, text, keeps=False)
         lines += written
         _try_out(written, text.names.values)
+        match statement:
+            case syntax.Assignment(targets=(syntax.Name(name=name),)) if variable is not None:
+                lines += _renewed(text, name, statements[k + 1 :])
     return [f"{INDENT}{line}" for line in lines] or [f"{INDENT}pass"]
+
+
+def _renewed(text: PythonText, name: str, rest: tuple[syntax.Statement, ...]) -> list[str]:
+    lines = renewed(text.names, name, rest) if name else []
+    _try_out(lines, text.names.values)
+    return lines
 
 
 def _try_out(lines: list[str], values: dict[str, Any]) -> None:
@@ -128,7 +150,8 @@ def _loop(text: PythonText, loop: syntax.For) -> list[str]:
     assert loop.variable is not None
     lines: list[str] = []
     for body in at_values(text, loop.body, loop.variable, loop.start, loop.stop):
-        lines += (line.removeprefix(INDENT) for line in block(body, text, shown=loop.shown))
+        written = block(body, text, shown=loop.shown, variable="")
+        lines += (line.removeprefix(INDENT) for line in written)
     return lines
 
 
@@ -150,7 +173,7 @@ def _for(text: PythonText, loop: syntax.For) -> list[str]:
         head = _unbounded(text, loop, inner)
     else:
         head = _counted(text, loop, inner)
-    body = block(loop.body, writer, shown=loop.shown)
+    body = block(loop.body, writer, shown=loop.shown, variable=loop.variable or "")
     if loop.condition is not None and not head.startswith("while"):
         body = [f"{INDENT}if not ({condition(writer, loop.condition)}):", f"{INDENT * 2}break", *body]
     before = [

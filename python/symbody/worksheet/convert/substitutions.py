@@ -125,7 +125,18 @@ def solution(text: Writer, arguments: Arguments) -> str:
         unknowns = f"[{unknowns}]"
     equations = differences(text, equations)
     solved = f"sb.solve({equations}, {unknowns})"
+    if text.value(solved) is None:
+        return _all_solutions(text, equations, unknowns, arguments[1]) or solved
     return f"[{solved}]" if isinstance(arguments[1], syntax.ListDisplay | syntax.Call) else solved
+
+
+def _all_solutions(text: Writer, equations: str, unknowns: str, given: syntax.Expression) -> str:
+    """Return the solutions of equations that are not linear; nothing if there are none in closed form."""
+    found = f"sb.solutions({equations}, {unknowns})"
+    values = text.value(found)
+    if not isinstance(values, list) or not values:
+        return ""
+    return f"{found}[0]" if len(values) == 1 and isinstance(given, syntax.SetDisplay) else found
 
 
 def _value_of(text: Writer, equation: str, unknown: str) -> str:

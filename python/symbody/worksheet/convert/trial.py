@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import io
+import re
 from collections.abc import Iterator, Sequence
 
 from symbody.worksheet.convert.code_calls import is_code
@@ -57,6 +58,8 @@ def as_code(program: Draft, statement: syntax.Statement, changed: Sequence[str])
         program.names.restore(program.snapshot)
         program.procedures.drop()
         return False
+    for name in changed:
+        program.names.made.pop(identifier(name), None)
     if len(changed) == 1 and len(program.code) == 1:
         program.names.made[identifier(changed[0])] = program.code[0]
     program.known |= dict.fromkeys(changed, program.code if len(changed) == 1 else [])
@@ -78,11 +81,22 @@ def _versions(program: Draft, changed: Sequence[str]) -> Iterator[list[str]]:
         return
     yield code
     if program.reason.startswith("differs in"):
+        yield from _of_simple_equations(code)
         yield from _to_first_order(program, code, changed)
         yield from by_rules(program.names, code)
         for shown, lines in shown_by_rules(program.names, program.text.shown, code):
             program.text.shown = shown
             yield lines
+
+
+_SOLVED = re.compile(r"sb\.solutions\((\w+), ")
+
+
+def _of_simple_equations(code: Sequence[str]) -> Iterator[list[str]]:
+    """Solve simplified equations: components of points are shown in their shortest form by the worksheet."""
+    lines = [_SOLVED.sub(r"sb.solutions(sb.simplify(\1), ", line) for line in code]
+    if lines != [*code]:
+        yield lines
 
 
 def _to_first_order(program: Draft, code: Sequence[str], changed: Sequence[str]) -> Iterator[list[str]]:

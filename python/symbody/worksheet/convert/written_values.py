@@ -78,6 +78,7 @@ def write_value(program: Draft, name: str) -> bool:
         return False
     program.names.values[identifier(name)] = program.names.value(text)
     program.known[name] = []
+    program.names.made.pop(identifier(name), None)
     program.lines.append(f"{identifier(name)} = {text}")
     return True
 

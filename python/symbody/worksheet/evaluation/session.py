@@ -67,7 +67,7 @@ class Options:
 
 
 _KEPT = (
-    *("folder", "source", "any_folder", "lines", "notices", "limits", "drawings", "file"),
+    *("folder", "source", "any_folder", "lines", "notices", "limits", "drawings", "draws", "file"),
     *("call", "evaluate", "execute", "run", "parsed", "rebuild", "select", "overload", "face"),
 )
 """What ``restart`` doesn't forget."""
@@ -97,6 +97,7 @@ class Session:
         indexed: base and indices of names such as ``a[1]``.
         applied: names that were applied to arguments other than t.
         unfinished: whether the last printed line has not ended.
+        draws: whether drawings are written into files.
         drawings: how many files of drawings were written.
         rules: the names of the sheet's own rules of derivatives, ``diff/f``.
         files: the files that ``fopen`` has opened.
@@ -140,6 +141,7 @@ class Session:
     resolving: list[str] = field(default_factory=list)
     depends: list[set[str]] = field(default_factory=list)
     unfinished: bool = False
+    draws: bool = True
     drawings: int = 0
     rules: set[str] = field(default_factory=set)
     files: dict[Any, Any] = field(default_factory=dict)
