@@ -18,7 +18,7 @@ from symbody.geometry.component.triple import expression
 from symbody.geometry.frame.regular_form import singular_positions
 from symbody.geometry.frame.regular_rates import normal_equations, regular_rates
 from symbody.symbolic import ENERGY, Expr, Matrix, derivation, gradient, jacobian, substitute, time_derivative
-from symbody.symbolic.given.arguments import brief, comparison_note, described
+from symbody.symbolic.given.arguments import brief, described, instead_note
 from symbody.symbolic.given.namesake import namesake_note
 
 __all__ = ["Choice", "GivenUnknowns", "chosen_rates", "defined_speeds"]
@@ -86,7 +86,7 @@ def _expression(left: Expr, right: Scalar) -> Expr:
     except SymbodyError as failure:
         raise ModelError(
             f"System: in kinematics, {left} = {described(right)}; expected an expression of rates and speeds"
-            f"{comparison_note(right)}"
+            f"{instead_note(right)}"
         ) from failure
 
 

@@ -89,6 +89,7 @@ FOUR = (
     revolute("D", ground, rocker, at=(1, 0, 0)),
 )
 four_bar = assemble([*FOUR])
+CLOSING = four_bar.joint("D").freedom()
 IDLE = FOUR[3].coordinate
 NONE = "revolute D closes a loop, and has none; expected those of the tree, such as phi_A, or the joint with loop=False"
 TELLS = (
@@ -434,6 +435,23 @@ MISTAKES: list[Mistake] = [
             "motion[...]: revolute A is a Joint; expected an expression, such as motion[phi_A]; "
             "motion[joint.coordinate] is that of a joint of the tree, and "
             "motion[mechanism.joint('A').freedom()] that of any joint with one"
+        ),
+    ),
+    (
+        errors.ParameterError,
+        lambda: simulate(newton_euler(four_bar.system()), {}, {CLOSING: 0.3}, (0, 1)),
+        (
+            "simulate, initial: Freedom(phi of revolute D), a Freedom, is not a coordinate, a rate of one or a speed of "
+            "this system; freedom.value is phi_A + phi_B + phi_C; expected one of phi_A, phi_B, phi_C, phi_A', phi_B', "
+            "phi_C'"
+        ),
+    ),
+    (
+        errors.ArgumentError,
+        lambda: moving_four_bar(outputs={"angle": CLOSING}),
+        (
+            "simulate, outputs, angle: Freedom(phi of revolute D) is a Freedom; expected an expression or a number (int, "
+            "float, Fraction, NumPy scalar); freedom.value is an expression"
         ),
     ),
     (

@@ -14,7 +14,7 @@ from typing import Annotated, Any, NamedTuple, ParamSpec, TypeVar, Union, get_ar
 
 from symbody.errors import ArgumentError, JointError, SymbodyError
 from symbody.symbolic import ExprLike
-from symbody.symbolic.given.arguments import comparison_note, described, unknown_option
+from symbody.symbolic.given.arguments import described, instead_note, unknown_option
 
 from .annotation import Test, hints_of, is_collection, strangers, test_of
 
@@ -167,7 +167,7 @@ class _Door(NamedTuple):
         of_sympy = type(stranger).__module__.startswith("sympy.")
         way_out = "; from_sympy converts it" if of_sympy else _way(type(stranger).__name__, hint)
         if "expression" in _wanted(hint):
-            way_out += comparison_note(stranger)
+            way_out += instead_note(stranger)
         return self.error(f"{where}: {found_text}; expected {_wanted(hint)}{way_out}")
 
 

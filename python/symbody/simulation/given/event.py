@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from symbody.errors import SimulationError
 from symbody.symbolic import Expr
-from symbody.symbolic.given.arguments import comparison_note, described
+from symbody.symbolic.given.arguments import described, instead_note
 
 __all__ = ["Event"]
 
@@ -43,7 +43,7 @@ class Event:
         if not isinstance(self.expression, Expr):
             raise SimulationError(
                 f"Event: {described(self.expression)}; expected an expression that passes zero, such as z - h"
-                f"{comparison_note(self.expression)}"
+                f"{instead_note(self.expression)}"
             )
         if self.direction not in {-1, 0, 1}:
             raise SimulationError(

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from symbody.dynamics import CanonicalEquations, Equations
 from symbody.errors import ArgumentError, ModelError, ParameterError
 from symbody.multibody import Variables
+from symbody.multibody.joint.freedom import Freedom
 from symbody.symbolic import Expr, ExprLike, t
 from symbody.symbolic.given.arguments import brief, described, expression
 from symbody.symbolic.given.namesake import namesake_note
@@ -288,7 +289,9 @@ def check_known(
 
 
 def _of_closing_joint(name: object, known: Sequence[Expr], system: Variables | None) -> str:
-    """Return the way out where a name is the coordinate of a joint that closes a loop; the empty text if it isn't."""
+    """Return the way out for the coordinate of a joint that closes a loop, or a freedom; the empty text for others."""
+    if isinstance(name, Freedom):
+        return f"; freedom.value is {brief(name.value)}; expected one of {_listed(known)}"
     joint = None if name in known else closing_joint(system, name)
     if joint is None:
         return ""

@@ -11,7 +11,7 @@ from symbody.simulation.given.event import Event
 from symbody.simulation.given.given_input import check_explicit
 from symbody.simulation.model.model import Model
 from symbody.symbolic import Expr, ExprLike, free_symbols
-from symbody.symbolic.given.arguments import comparison_note, described, expression
+from symbody.symbolic.given.arguments import described, expression, instead_note
 from symbody.symbolic.given.namesake import namesake_note
 
 __all__ = ["check_observed", "given_events", "given_outputs"]
@@ -50,7 +50,7 @@ def given_events(events: Sequence[Event] | None, where: str = "simulate") -> tup
         if not isinstance(event, Event):
             raise SimulationError(
                 f"{where}: events contain {event!r}; expected Event(expression), from symbody"
-                f"{comparison_note(event)}"
+                f"{instead_note(event)}"
             )
     return listed
 

@@ -14,11 +14,11 @@ from symbody.symbolic._core import Expr
 
 __all__ = [
     "brief",
-    "comparison_note",
     "counted",
     "described",
     "expression",
     "given_twice",
+    "instead_note",
     "size",
     "unknown_option",
     "with_known_names",
@@ -60,15 +60,20 @@ def described(value: object) -> str:
     return shown if value is None else f"{shown} is {article} {kind}"
 
 
-def comparison_note(value: object) -> str:
-    """Return the hint for a bool in place of an expression: it mostly comes from an equation written with ``==``.
+def instead_note(value: object) -> str:
+    """Return what to write instead of what is no expression; the empty text if that can't be told.
 
-    >>> comparison_note(1 == 2)
+    A bool mostly comes from an equation written with ``==``. What has a value that is an expression, as a freedom of a
+    joint has, was probably given in its place.
+
+    >>> instead_note(1 == 2)
     '; == compares two expressions, which gives a bool: write a == b as a - b'
     """
-    return (
-        "; == compares two expressions, which gives a bool: write a == b as a - b" if _is_bool(value) else ""
-    )
+    if _is_bool(value):
+        return "; == compares two expressions, which gives a bool: write a == b as a - b"
+    if isinstance(getattr(value, "value", None), Expr):
+        return f"; {type(value).__name__.lower()}.value is an expression"
+    return ""
 
 
 def _is_bool(value: object) -> bool:
@@ -97,8 +102,14 @@ def expression(value: object, place: str) -> Expr:
     """Return a number or an expression as an expression; ``place`` names the argument in the error."""
     if _is_bool(value):
         wanted = "expected an expression or a number (int, float, Fraction, NumPy scalar)"
-        raise ArgumentError(f"{place}: {described(value)}; {wanted}{comparison_note(value)}")
-    return _core.number(value, place)
+        raise ArgumentError(f"{place}: {described(value)}; {wanted}{instead_note(value)}")
+    try:
+        return _core.number(value, place)
+    except ArgumentError as fault:
+        note = instead_note(value)
+        if not note:
+            raise
+        raise ArgumentError(f"{fault}{note}") from None
 
 
 def expression_or_container(value: object, place: str) -> Expr:

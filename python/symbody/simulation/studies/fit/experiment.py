@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from symbody.errors import ArgumentError, ParameterError
 from symbody.simulation.given.real import is_real
 from symbody.symbolic import Expr, ExprLike
-from symbody.symbolic.given.arguments import brief, comparison_note, counted, described
+from symbody.symbolic.given.arguments import brief, counted, described, instead_note
 
 __all__ = ["Experiment", "Measurement", "one_or_several"]
 
@@ -56,7 +56,7 @@ class Measurement:
         if not isinstance(expression, Expr):
             raise ArgumentError(
                 f"Measurement: {described(expression)}; expected an expression of the motion, such as a coordinate"
-                f"{comparison_note(expression)}"
+                f"{instead_note(expression)}"
             )
         place = f"Measurement of {brief(expression)}"
         instants, numbers = _row(t, f"{place}, t"), _row(values, f"{place}, values")

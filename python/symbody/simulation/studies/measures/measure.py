@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from symbody.errors import ArgumentError
 from symbody.simulation.given.event import Event
 from symbody.symbolic import Expr
-from symbody.symbolic.given.arguments import comparison_note, described
+from symbody.symbolic.given.arguments import described, instead_note
 from symbody.symbolic.given.arguments import expression as given_expression
 
 __all__ = ["Course", "Crossings", "Measure", "checked_expression", "checked_number"]
@@ -108,7 +108,7 @@ def checked_expression(value: object, where: str) -> Expr:
     if not isinstance(value, Expr):
         raise ArgumentError(
             f"measures.{where}: {described(value)}; expected an expression of the motion, such as x - h"
-            f"{comparison_note(value)}"
+            f"{instead_note(value)}"
         )
     return value
 
