@@ -441,17 +441,17 @@ MISTAKES: list[Mistake] = [
         errors.ParameterError,
         lambda: simulate(newton_euler(four_bar.system()), {}, {CLOSING: 0.3}, (0, 1)),
         (
-            "simulate, initial: Freedom(phi of revolute D), a Freedom, is not a coordinate, a rate of one or a speed of "
-            "this system; freedom.value is phi_A + phi_B + phi_C; expected one of phi_A, phi_B, phi_C, phi_A', phi_B', "
-            "phi_C'"
+            "simulate, initial: Freedom(phi of revolute D), a Freedom, is not a coordinate, a rate of one or a speed "
+            "of this system; freedom.value is phi_A + phi_B + phi_C; expected one of phi_A, phi_B, phi_C, phi_A', "
+            "phi_B', phi_C'"
         ),
     ),
     (
         errors.ArgumentError,
         lambda: moving_four_bar(outputs={"angle": CLOSING}),
         (
-            "simulate, outputs, angle: Freedom(phi of revolute D) is a Freedom; expected an expression or a number (int, "
-            "float, Fraction, NumPy scalar); freedom.value is an expression"
+            "simulate, outputs, angle: Freedom(phi of revolute D) is a Freedom; expected an expression or a number "
+            "(int, float, Fraction, NumPy scalar); freedom.value is an expression"
         ),
     ),
     (
