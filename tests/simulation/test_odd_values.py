@@ -53,10 +53,17 @@ def test_sizes_by_which_laws_divide_are_told_where_they_vanish() -> None:
 def test_limits_in_degrees_are_told() -> None:
     """Multiples of pi are limits of joints that turn often, and screws count all turns."""
     most = sb.symbols("most")
-    link = sb.Link("link", 1.0, Iz=1.0)
+    link = sb.Link("link", 1.0, 1.0, 1.0, 1.0)
     sb.revolute("A", sb.ground, link, limits={"phi": (-20 * math.pi, 12)})
     sb.screw("S", sb.ground, link, pitch=0.01, limits=(0, 200))
     door = sb.newton_euler(sb.assemble([sb.revolute("A", sb.ground, link, limits=(0, most))]).system())
+    ball = sb.spherical("B", sb.ground, link, quaternion=True, limits={"cone": (None, most)})
+    top = sb.newton_euler(sb.assemble([ball]).system())
+    with pytest.warns(
+        sb.ModelNotice,
+        match="B: limits: most = 30 rad is more than the largest angle between two axes; write",
+    ):
+        sb.simulate(top, {most: 30.0}, {}, t=(0, 0.1))
     with pytest.warns(sb.ModelNotice) as caught:
         sb.simulate_many(door, {most: [1.5, 90.0, 20 * math.pi]}, {}, t=(0, 0.1))
     (notice,) = caught

@@ -84,19 +84,16 @@ class Limit(WithSheet):
     def in_degrees(self, bound: Expr) -> str:
         """Return what is wrong with a value of a limit that looks like degrees; the empty text if nothing.
 
-        A joint that turns further than two turns has multiples of pi for limits.
+        A joint that turns further than two turns has multiples of pi for limits. No two axes are further apart than pi.
         """
-        if (
-            self.name not in ANGLES
-            or self.turns_freely
-            or abs(float(radians(exact_angle(bound)))) <= 4 * math.pi
-        ):
-            return ""
         shown = f"{float(bound):.6g}"
-        return (
-            f"{shown} rad is more than two turns; write math.radians({shown}) if degrees are meant, and a multiple of "
-            "pi otherwise"
-        )
+        degrees = f"write math.radians({shown}) if degrees are meant"
+        if self.name == CONE and float(bound) > math.pi:
+            return f"{shown} rad is more than the largest angle between two axes; {degrees}"
+        is_small = abs(float(radians(exact_angle(bound)))) <= 4 * math.pi
+        if self.name not in ANGLES or self.turns_freely or is_small:
+            return ""
+        return f"{shown} rad is more than two turns; {degrees}, and a multiple of pi otherwise"
 
     @property
     def excesses(self) -> dict[str, Expr]:

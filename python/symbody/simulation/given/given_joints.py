@@ -49,7 +49,7 @@ def _warn_of_degrees(placed: PlacedJoint, given: Mapping[Expr, ArrayLike], where
             if bound is None or bound.is_constant or not bound.free_symbols <= given.keys():
                 continue
             values = size_in_cases(bound, given)
-            large = np.flatnonzero(np.abs(values) > 4 * np.pi)
+            large = np.flatnonzero(np.abs(values) > np.pi)
             faults = {int(case): limit.in_degrees(number(float(values[case]))) for case in large}
             places = [case for case, fault in faults.items() if fault]
             if places:

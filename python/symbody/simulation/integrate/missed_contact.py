@@ -7,7 +7,7 @@ what the contact would add to their changes. It was not felt if there is none of
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
@@ -27,7 +27,7 @@ __all__ = ["MissedContact", "gaps_of", "miss_contacts", "missed_contacts"]
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.intp]
-Gap = Callable[[Indices, Array, Array], Array]
+Gap = Callable[..., Sequence[Array]]
 
 _SHIFT = 1e-3
 """The step of differences along the motion, in intervals between instants."""
@@ -60,7 +60,7 @@ def missed_contacts(motion: Integrated) -> Iterator[MissedContact]:
     task, states = motion.task, np.array(motion.outcome.states)[:, : len(motion.task.model.state)]
     columns = {name: np.array([value]) for name, value in motion.parameters.items()}
     courses = _Courses(task.model, task.instants[: len(states)], states[np.newaxis], columns)
-    for label, gap in courses.gaps():
+    for label, gap in _gap_functions(task.model, tuple(columns)).items():
         missed = list(_Passages(courses, gap).missed())
         if missed:
             _, depth, at = max(missed, key=lambda passage: passage[1])
@@ -70,7 +70,8 @@ def missed_contacts(motion: Integrated) -> Iterator[MissedContact]:
 def miss_contacts(motions: Motions) -> NDArray[np.bool_]:
     """Return which of the plain motions pass a contact without its force, shape (k,)."""
     model, found = motions.task.model, np.zeros(len(motions.starts), dtype=bool)
-    if not gaps_of(tuple(getattr(model.system, "loads", ()))):
+    gaps = _gap_functions(model, tuple(motions.columns))
+    if not gaps:
         return found
     plain, size = np.flatnonzero(motions.plain), max(1, _POINTS // len(motions.task.instants))
     for own in np.split(plain, range(size, len(plain), size)):
@@ -81,9 +82,21 @@ def miss_contacts(motions: Motions) -> NDArray[np.bool_]:
             for name, column in motions.columns.items()
         }
         courses = _Courses(model, motions.task.instants, states, columns)
-        for _, gap in courses.gaps():
+        for gap in gaps.values():
             found[own[[case for case, *_ in _Passages(courses, gap).missed()]]] = True
     return found
+
+
+def _gap_functions(model: Model, parameters: tuple[Expr, ...]) -> dict[str, Gap]:
+    """Return the gaps of contacts, by their labels, as functions of coordinates, time and parameters."""
+    gaps = gaps_of(tuple(getattr(model.system, "loads", ())))
+    names = [*model.coordinates, t, *parameters]
+    written = zip(gaps, model.with_inputs(tuple(gaps.values())), strict=True) if gaps else ()
+    return {
+        label: lambdify(names, [expression])
+        for label, expression in written
+        if free_symbols([expression]) <= {*names}
+    }
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,22 +115,11 @@ class _Courses:
     states: Array
     columns: dict[Expr, Array]
 
-    def gaps(self) -> Iterator[tuple[str, Gap]]:
-        """Yield the gaps of contacts by their labels, as functions of the motions, the instants and the states."""
-        model = self.model
-        gaps = gaps_of(tuple(getattr(model.system, "loads", ())))
-        names = (*model.coordinates, t, *self.columns)
-        for label, expression in zip(gaps, model.with_inputs(tuple(gaps.values())), strict=True):
-            if free_symbols([expression]) <= {*names}:
-                yield label, self._function(lambdify([*names], [expression]))
-
-    def _function(self, function: Callable[..., Array]) -> Gap:
-        def gap(case: Indices, at: Array, states: Array) -> Array:
-            columns = np.moveaxis(states, -1, 0)[: len(self.model.coordinates)]
-            values = [np.broadcast_to(column[case], at.shape) for column in self.columns.values()]
-            return np.array(function(*columns, at, *values)[0]) + np.zeros(at.shape)
-
-        return gap
+    def gaps(self, gap: Gap, case: Indices, at: Array, states: Array) -> Array:
+        """Return the gaps of a contact in states of some motions."""
+        columns = np.moveaxis(states, -1, 0)[: len(self.model.coordinates)]
+        values = [np.broadcast_to(column[case], at.shape) for column in self.columns.values()]
+        return np.array(gap(*columns, at, *values)[0]) + np.zeros(at.shape)
 
     def rates(self, case: Indices, at: Array, states: Array) -> Array:
         """Return the rates of states of some motions, in the shape of these."""
@@ -158,7 +160,7 @@ class _Passages:
         rates, bends = self._rates_twice(case, times, x, h)
         change = x[1] - x[0] - h[:, None] * rates.mean(axis=0) - h[:, None] ** 2 * (bends[0] - bends[1]) / 12
         at, states = times[0] + _INSIDE[:, None] * h, _cubic(x, h[:, None] * rates)
-        gaps = self.gap(case, at, states)
+        gaps = self.courses.gaps(self.gap, case, at, states)
         most = np.abs(x).sum(axis=0)  # what stops the motion and turns it round
         gaps[:, self._is_felt(change, most, slice(self.coordinates, None))] = np.inf
         pushes, delays = self._effects(case, at, states, gaps < 0, (rates, bends), h)
@@ -174,7 +176,7 @@ class _Passages:
         """Return motions, and neighbouring instants outside of the contact between which it may close, shape (2, m)."""
         times, states = self.courses.t, self.courses.states
         cases = np.arange(len(states))[:, None]
-        g = self.gap(cases, np.broadcast_to(times, states.shape[:2]), states)
+        g = self.courses.gaps(self.gap, cases, np.broadcast_to(times, states.shape[:2]), states)
         outside, h = g > 0, np.diff(times)
         slope = np.abs(np.diff(g)) / h
         steepest = np.fmax(slope, np.fmax(_moved(slope, 1), _moved(slope, -1)))
