@@ -21,6 +21,7 @@ from symbody.symbolic.expression.container import Container, contains
 from symbody.symbolic.given.arguments import brief, given_twice
 
 from .euler import euler_equations
+from .held_teeth import meshes_of, without_freedom
 from .idle_joint import tell_idle
 from .newton import newton_equations
 from .part import body_of, cut_joints, things_of
@@ -284,7 +285,7 @@ def _center(body: Body) -> Point:
 
 
 def _of_loop(system: System, placed: PlacedJoint) -> Reaction:
-    """Return ``sum(lambda f)`` and ``sum(lambda m)`` of the closures of a joint."""
+    """Return ``sum(lambda f)`` and ``sum(lambda m)`` of the closures of a joint, less what it holds of teeth."""
     multipliers = _multipliers(system)
     force, moment = _zero(placed.parent_side), _zero(placed.parent_side)
     tell_idle(system, placed)
@@ -292,6 +293,11 @@ def _of_loop(system: System, placed: PlacedJoint) -> Reaction:
         intensity = multipliers[f"{placed.name}.{closure.name}"]
         force += intensity * closure.force
         moment += intensity * closure.moment_about(placed.point)
+    for mesh, is_second in meshes_of(system, placed) if placed.active else ():
+        teeth = _of_loop(system, mesh).about(placed.point)
+        teeth = teeth if is_second else -teeth
+        push, turn = without_freedom(placed, teeth.force, teeth.moment)
+        force, moment = force - push, moment - turn
     return Reaction(force, moment, placed.point, _name(placed.joint.child))
 
 
