@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from weakref import WeakKeyDictionary
 
 from symbody.multibody import System, Variables
-from symbody.symbolic import Expr, cost, diff, free_symbols
+from symbody.symbolic import Expr, cost, diff, free_symbols, number
 from symbody.symbolic.calculus.reader import Reader
 from symbody.symbolic.calculus.standard_names import standard_names
 from symbody.symbolic.expression.container import expressions_in
@@ -32,7 +32,23 @@ def reader_of(system: Variables, expressions: Sequence[Expr] = (), further: Sequ
         standard_names(unknowns, placing),
         written,
         _inertias(system) if cost(expressions).total <= _BY_BODIES else (),
+        _sums_of_angles(system),
     )
+
+
+def _sums_of_angles(system: System) -> list[Expr]:
+    """Return the angles of frames that turn about parallel axes, the sums of those of the joints before them."""
+    found = dict[Expr, None]()
+    for body in system.bodies:
+        axis, total = None, number(0)
+        for motion in body.frame.motions:
+            if motion.rotates and (motion.turn_axis is None or motion.turn_axis != axis):
+                axis, total = motion.turn_axis, number(0)
+            if motion.turn_angle is not None and motion.rotates:
+                total += motion.turn_angle
+                if total.kind == "sum":
+                    found[total] = None
+    return list(found)
 
 
 _placed: WeakKeyDictionary[System, tuple[Sequence[Expr], Sequence[Expr]]] = WeakKeyDictionary()

@@ -65,6 +65,8 @@ def _multiple(factor: Expr, known: Expr) -> Expr | None:
     moving = _moving(factor)
     if moving != _moving(known) or (not moving and factor.free_symbols != known.free_symbols):
         return None
+    if any(diff(factor, leaf) * known != factor * diff(known, leaf) for leaf in moving):
+        return None  # the ratio moves: found out in less time than its form
     ratio = short_form(factor / known)
     if ratio.is_number:
         return ratio

@@ -13,13 +13,15 @@ from .by_products import by_products, has_common_fraction
 from .cost import cost
 from .derivative import substitute
 from .difference import by_differences, with_differences
-from .fractions_outside import with_fractions_outside
+from .fractions_outside import with_fractions_outside, with_numbers_inside
 from .readable import readable
-from .reading import is_divisor, levels, multiples_of_angles, nodes_of, parts_of, reading
-from .rewrite import factor_terms, short_form, simplify, textbook_form
+from .reading import angles_in, is_divisor, levels, multiples_of_angles, nodes_of, parts_of, reading
+from .rewrite import expand_trig, factor_terms, short_form, simplify, textbook_form
 from .squares import squared_sums, with_squares
 from .standard_names import AS_GIVEN, StandardNames
 from .summands import summands
+from .sums_of_angles import in_sums_of_angles
+from .terms import number_of_terms
 
 _LARGE = 100
 """Operations from which on an expression stays as it is: nobody reads it."""
@@ -32,15 +34,19 @@ _EXPANDED = 40
 """Operations up to which `textbook_form` looks for the form from the expanded expression, too."""
 _LONGER = 2
 """How many times longer than an expression of more operations than `_EXPANDED` its form may be."""
-_OF_BODIES, _SHORT = 60, 35
+_OF_BODIES, _SHORT = 100, 35
 """Operations up to which, and characters from which on, a form with a term for each body is looked for."""
 _DIVIDED, _SAME = 0.95, 1.2
 """The length of a form with a term for each body, at most, in relation to another one; and if a known form has the
 square of one of its sums, such as the distance of a mass from an axis, which stays the same in all equations."""
 _FLAT = 1.25
 """The length of a form with a term for each length, at most, in relation to one with brackets in brackets."""
+_OPENED = 200
+"""Terms of an expression up to which the waves of sums of angles are multiplied out."""
 _NESTED = 2
 """The levels of brackets of a form with a term for each body: ``m1*l1**2 + m2*(l1**2 + l2**2 + 2*l1*l2*cos(q))``."""
+_ANGLE = 20
+"""Characters by which an angle that is neither in the expression nor that of a frame makes a form longer."""
 _RATIOS = (Fraction(-1), Fraction(2), Fraction(-2), Fraction(1, 2), Fraction(-1, 2))
 """What a known form may be multiplied by, as the same term occurs with other numbers."""
 
@@ -58,9 +64,11 @@ class Reader:
         names: StandardNames = AS_GIVEN,
         differences: Sequence[Expr] = (),
         inertias: Iterable[Expr] = (),
+        angles: Iterable[Expr] = (),
     ) -> None:
         self._names = names
         self._inertias = sorted(map(names.standard, inertias), key=str)
+        self._angles = tuple(map(names.standard, angles))
         self._differences = tuple(map(names.standard, differences))
         self._known: dict[Expr, Expr] = {}
         self._lengths: dict[int, int] = {}
@@ -132,7 +140,7 @@ class Reader:
         if operations > (_LARGE if self._read <= _TOTAL else _SMALL):
             return expression
         self._read += operations
-        form = textbook_form(expression)
+        form = self._in_one_set_of_angles(expression)
         if operations > _EXPANDED and _length(form) > _LONGER * _length(expression):
             return short_form(expression)
         if operations > _EXPANDED >= cost(form).total:
@@ -140,7 +148,7 @@ class Reader:
         form = _with_factor_outside(
             self._by_bodies(expression, _by_signs(_with_positive_outside(form)), operations)
         )
-        form = self._by_products(form)
+        form = with_numbers_inside(self._by_products(form))
         shorter, used = by_differences(expression, self._differences)
         if used:
             other = with_differences(textbook_form(shorter), used)
@@ -153,8 +161,8 @@ class Reader:
             return form
         angles = multiples_of_angles(expression)
         best = _best((with_squares(form), form), expression)
-        other = by_parameters(expression, self._inertias, _shortest_factor)
-        flat = by_lengths(expression, self._inertias, _shortest_factor)
+        other = by_parameters(expression, self._inertias, self._shortest_factor)
+        flat = by_lengths(expression, self._inertias, self._shortest_factor)
         if other is not None:
             nodes = nodes_of(other)
             is_same = flat is None and self._distances & set(nodes) and not any(map(is_divisor, nodes))
@@ -164,6 +172,24 @@ class Reader:
         best = flat if flat is not None and is_flatter and _length(flat) <= _FLAT * _length(best) else best
         self._distances |= squared_sums(best)
         return best
+
+    def _shortest_factor(self, expression: Expr) -> Expr:
+        """Return the form of what a mass multiplies; the derivative of a square is short as it is."""
+        form = self._in_one_set_of_angles(expression)
+        return _best((with_squares(form), expression), expression)
+
+    def _in_one_set_of_angles(self, expression: Expr) -> Expr:
+        """Return the textbook form by the angles of joints, or by those of frames if that is shorter."""
+        form = textbook_form(expression)
+        other = in_sums_of_angles(expression, self._angles, _form_with_sums) if self._angles else None
+        if other is None:
+            return form
+        known = angles_in(expression) | {*self._angles}
+        multiples = multiples_of_angles(expression)
+        is_worth = bool(multiples_of_angles(form) - multiples) > bool(multiples_of_angles(other) - multiples)
+        if is_worth and _length(other) <= _FLAT * _length(form):
+            return other
+        return min((form, other), key=lambda each: _length(each) + _ANGLE * len(angles_in(each) - known))
 
     def _by_products(self, form: Expr) -> Expr:
         """Return the form with a fraction for each term, in the place of one before brackets, or of nested ones."""
@@ -175,6 +201,16 @@ class Reader:
             return form
         is_better = levels(flat) < levels(form) or len({*map(_number_of, summands(flat))}) > 1
         return flat if is_better else form
+
+
+def _form_with_sums(expression: Expr) -> Expr:
+    """Return the textbook form of an expression in which sums of angles have names; other angles are looked for."""
+    form = textbook_form(expression)
+    if all(angle.is_variable for angle in angles_in(form)) or cost(expression).total > _LARGE:
+        return form
+    opened = [expand_trig(expression)] if number_of_terms(expression) <= _OPENED else []
+    others = (with_squares(textbook_form(simplify(each))) for each in (expression, *opened))
+    return _best((form, *(other for other in others if not _has_fractions_inside(other))), expression)
 
 
 def _with_factor_outside(form: Expr) -> Expr:
@@ -212,11 +248,6 @@ def _has_brackets(term: Expr) -> bool:
     within = [part for factor in factors for part in (factor.args if factor in sums else (factor,))]
     is_moving = any(leaf.kind == "time_function" for factor in sums for leaf in factor.free_symbols)
     return is_moving or any(node.kind == "sum" for part in within for node in nodes_of(part))
-
-
-def _shortest_factor(expression: Expr) -> Expr:
-    """Return the form of what a mass multiplies; the derivative of a square is short as it is."""
-    return _best((with_squares(textbook_form(expression)), expression), expression)
 
 
 def _best(forms: Iterable[Expr], value: Expr) -> Expr:
@@ -264,6 +295,14 @@ def _has_fractions(total: Expr) -> bool:
     terms = summands(total)
     numbers = [_number_of(term) for term in terms]
     return len(terms) > 1 and any(not each.is_decimal and each.ratio[1] > 1 for each in numbers)
+
+
+def _has_fractions_inside(form: Expr) -> bool:
+    """Return whether a sum that is a factor has fractions in it."""
+    factors = (
+        part for node in nodes_of(form) if node.kind == "product" for part in parts_of(node, "product")
+    )
+    return any(map(_has_fractions, factors))
 
 
 def _is_divided(form: Expr) -> bool:

@@ -32,10 +32,14 @@ def waves_in(expression: Expr) -> list[Expr]:
     return [node for node in nodes_of(expression) if node.kind == "function" and node.name in _WAVES]
 
 
+def angles_in(expression: Expr) -> set[Expr]:
+    """Return the angles of sines, cosines and tangents."""
+    return {wave.args[0] for wave in waves_in(expression)}
+
+
 def multiples_of_angles(expression: Expr) -> set[Expr]:
     """Return the angles such as 2*x of sines, cosines and tangents."""
-    angles = {wave.args[0] for wave in waves_in(expression)}
-    return {angle for angle in angles if any(abs(factor) != 1 for factor in _numbers(angle))}
+    return {angle for angle in angles_in(expression) if any(abs(factor) != 1 for factor in _numbers(angle))}
 
 
 _WAVES = frozenset({"sin", "cos", "tan"})
