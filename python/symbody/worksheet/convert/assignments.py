@@ -18,7 +18,7 @@ from symbody.worksheet.convert.names import NoText, identifier
 from symbody.worksheet.convert.operations import grouped
 from symbody.worksheet.convert.selections import index, key
 from symbody.worksheet.convert.substitutions import value_entries
-from symbody.worksheet.convert.tyres import tyre_lines
+from symbody.worksheet.convert.tyres import tyre_lines, tyre_load_lines
 from symbody.worksheet.sheet import syntax
 
 __all__ = ["assignment_lines", "one_line", "solution_lines", "target_text"]
@@ -49,6 +49,9 @@ def assignment_lines(
     if linear is not None:
         return linear
     tables = list(chain.from_iterable(_table_of(text, target) for target in targets))
+    match value:
+        case syntax.Call(function=syntax.Name(name="tire_forces"), arguments=arguments) if len(found) == 2:
+            return [*tables, *tyre_load_lines(text, found, arguments)]
     written = text.text(value)
     items = _tuple_items(written)
     if len(items) == len(found):

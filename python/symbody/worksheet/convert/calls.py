@@ -167,6 +167,10 @@ def _called(node: syntax.Expression) -> str:
             return name
         case syntax.Delayed(body=syntax.Name(name=name)):
             return name
+        case syntax.Selection(whole=syntax.Name(name="evalf"), indices=(syntax.Integer(value=n),)) if (
+            n >= _DIGITS
+        ):
+            return "evalf"
         case syntax.Selection(
             whole=syntax.Name(name=package),
             indices=(syntax.Name(name=name) | syntax.Delayed(body=syntax.Name(name=name)),),
@@ -179,6 +183,9 @@ _KNOWN = frozenset(
     (*KERNEL, *FORMS, *MISSING, *mbsymba.COMMANDS, *(each for one in PACKAGES.values() for each in one))
 )
 """Commands that the worksheet has, and those that are missing."""
+
+_DIGITS = 10
+"""Of decimals: numbers that are rounded to fewer are others."""
 
 _PACKAGES = {
     "LinearAlgebra",

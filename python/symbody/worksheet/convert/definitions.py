@@ -16,6 +16,11 @@ _STATE_AT = '''def state_at(equations, motion, time):
     return {sb.t: time} | {x: state[x] for x in sorted(state, key=lambda x: (x.name, x.order))}
 '''
 
+_INDEXED = '''def indexed(name, *indices):
+    """Return the function of time of a name with indices, such as theta[1]."""
+    return sb.symbolic.time_function(f"{name}[{','.join(map(str, indices))}]")
+'''
+
 _EIGENVALUES = '''def eigenvalues(A, B=None):
     """Return the solutions s of A x = s B x, where B is the identity by default, in closed form."""
     s = sb.symbols("_s")
@@ -65,6 +70,7 @@ _ANIMATE = '''def animate(frames):
 
 DEFINITIONS: dict[str, str] = {
     "state_at": _STATE_AT,
+    "indexed": _INDEXED,
     "eigenvalues": _EIGENVALUES,
     "circle": _CIRCLE,
     "rectangle": _RECTANGLE,

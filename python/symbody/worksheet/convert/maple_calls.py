@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Callable, Mapping
-from dataclasses import fields, replace
+from dataclasses import fields, is_dataclass, replace
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -79,15 +79,65 @@ def _derivative(text: Writer, arguments: Arguments) -> str:
                     variables[-1] = (name, str(int(variables[-1][1]) + 1))
                 else:
                     variables.append((name, "1"))
+    if isinstance(text.value(written), dict):
+        return _derivative_of_equations(written, variables)
     for name, times in variables:
         written = f"sb.diff({written}, {name}{'' if times == '1' else f', {times}'})"
     return written
+
+
+def _derivative_of_equations(written: str, variables: list[tuple[str, str]]) -> str:
+    """Return equations, by their left sides, with both sides derived."""
+    left, right = "left", "right"
+    for name, times in variables:
+        left, right = (
+            f"sb.diff({each}, {name}{'' if times == '1' else f', {times}'})" for each in (left, right)
+        )
+    return f"{{{left}: {right} for left, right in {grouped(written)}.items()}}"
+
+
+def _mapped_equations(text: Writer, function: syntax.Expression, over: str) -> str:
+    """Return what is made of equations by their left sides: ``map(rhs, s)``, ``map(e -> lhs(e) = f(rhs(e)), s)``."""
+    if isinstance(function, syntax.Name) and function.name in _SIDES:
+        return f"[*{grouped(over)}{'.values()' if function.name == 'rhs' else ''}]"
+    if not isinstance(function, syntax.Arrow) or len(function.parameters) != 1:
+        raise NoText("map")
+    names = text.names.inner()
+    names.values["left"], names.values["right"] = next(iter(text.value(over).items()))
+    body = _with_sides(function.body, function.parameters[0].name)
+    writer = text.within(names)
+    if isinstance(body, syntax.Infix) and body.operator == "=":
+        made = f"{{{writer.text(body.left)}: {writer.text(body.right)}"
+        return f"{made} for left, right in {grouped(over)}.items()}}"
+    return f"[{writer.text(body)} for left, right in {grouped(over)}.items()]"
+
+
+_SIDES = {"lhs": "left", "rhs": "right"}
+
+
+def _with_sides(node: Any, equation: str) -> Any:
+    """Return syntax with names in place of ``lhs(e)`` and ``rhs(e)``."""
+    match node:
+        case syntax.Call(
+            function=syntax.Name(name="lhs" | "rhs" as side), arguments=(syntax.Name(name=name),)
+        ) if name == equation:
+            return syntax.Name(_SIDES[side], place=node.place)
+        case syntax.Name(name=name) if name == equation:
+            raise NoText("map")
+        case tuple():
+            return tuple(_with_sides(each, equation) for each in node)
+    if not is_dataclass(node) or isinstance(node, syntax.Place):
+        return node
+    parts = {each.name: getattr(node, each.name) for each in fields(node) if each.name != "place"}
+    return replace(node, **{name: _with_sides(part, equation) for name, part in parts.items()})  # type: ignore[type-var]
 
 
 def _mapped(text: Writer, arguments: Arguments) -> str:
     function, whole, *rest = arguments
     over = text.text(whole)
     found = text.value(over)
+    if isinstance(found, dict) and found and not rest:
+        return _mapped_equations(text, function, over)
     if isinstance(function, syntax.Name) and function.name in _OF_CONTAINERS:
         return text.text(syntax.Call(function=function, arguments=tuple(arguments[1:]), place=function.place))
     if isinstance(found, Matrix) and not rest:
@@ -294,6 +344,8 @@ def _unapplied(text: Writer, arguments: Arguments) -> str:
 
 
 def _jacobian(text: Writer, arguments: Arguments) -> str:
+    if len(arguments) > 2:
+        raise NoText("Jacobian")
     return f"sb.jacobian({items(text, arguments[:2])})"
 
 
@@ -365,6 +417,7 @@ MAPLE: Mapping[str, Call] = {
     "isolate": isolated,
     "unapply": _unapplied,
     "jacobian": _jacobian,
+    "Jacobian": _jacobian,
     "GenerateMatrix": generated,
     "genmatrix": coefficient_matrix,
     "cost": _cost,

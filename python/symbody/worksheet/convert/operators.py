@@ -74,6 +74,8 @@ def infix(to: Writer, node: syntax.Infix) -> str:
     writer = _OPERATIONS.get(operator)
     if writer is None:
         raise NoText(operator)
+    if operator == "union" and isinstance(to.value(left), dict) and isinstance(to.value(right), dict):
+        return f"{{**{left}, **{right}}}"
     written = writer(left, right)
     return distinct(to, written) if operator == "union" else written
 

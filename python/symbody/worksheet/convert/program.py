@@ -6,9 +6,11 @@ the same equations, however much of the sheet it contains as code.
 
 from __future__ import annotations
 
+import contextlib
+import sys
 import tempfile
 import warnings
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from symbody.errors import ModelNotice, WorksheetError
@@ -108,8 +110,21 @@ def _write(program: Draft) -> None:
             program.lines += [f"# line {item.place.line}: {item.notice}"] if item.notice else []
         else:
             following.pop(0)
-            if not _add(program, item, keeps=bool(following) and mentions(following[0], syntax.Ditto)):
+            with _own_figures():
+                goes_on = _add(program, item, keeps=bool(following) and mentions(following[0], syntax.Ditto))
+            if not goes_on:
                 break
+
+
+@contextlib.contextmanager
+def _own_figures() -> Iterator[None]:
+    """Close the figures that are opened while the code of a statement is tried out."""
+    plt = sys.modules.get("matplotlib.pyplot")
+    before = plt.get_fignums() if plt else []
+    yield
+    for number in (each for each in (plt.get_fignums() if plt else []) if each not in before):
+        assert plt is not None
+        plt.close(number)
 
 
 def _text(program: Draft, title: str) -> str:

@@ -75,9 +75,10 @@ def indexed(text: Writer, node: syntax.Selection, *, is_function: bool = False) 
         return text.names.text(whole)
     if any(each is None for each in found):
         raise NoText("indexed")
+    if whole in text.names.functions:
+        return f'indexed("{name}", {", ".join(keys)})'
     form = f"{name}[{','.join(f'{{{key}}}' for key in keys)}]"
-    kind = "time_function" if whole in text.names.functions else "symbol"
-    return f'sb.symbolic.{kind}(f"{form}")'
+    return f'sb.symbolic.symbol(f"{form}")'
 
 
 def key(text: Writer, indices: tuple[syntax.Expression, ...]) -> str:

@@ -135,9 +135,10 @@ def matrix(to: Writer, rows: list[tuple[syntax.Expression, ...]]) -> str:
 
 
 def columns(to: Writer, node: syntax.Columns) -> str:
-    """Return a matrix given as ``<a,b;c,d>`` or ``<<a,b>|<c,d>>``."""
+    """Return a matrix given as ``<a,b;c,d>`` or ``<<a,b>|<c,d>>``, or a vector of a sequence, ``<comp_XYZ(P)>``."""
     rows = [each.items if isinstance(each, syntax.Rows) else (each,) for each in node.items]
-    return matrix(to, rows)
+    entries = items(to, node.items) if all(len(row) == 1 for row in rows) else ""
+    return f"sb.Matrix.column([{entries}])" if entries.startswith("*") else matrix(to, rows)
 
 
 def _bare(node: syntax.Expression) -> str:

@@ -7,7 +7,7 @@ import re
 from symbody.symbolic import Expr
 from symbody.worksheet.convert.motion_values import component, is_motion
 from symbody.worksheet.convert.names import NoText
-from symbody.worksheet.convert.operations import plain_decimal
+from symbody.worksheet.convert.operations import grouped, plain_decimal
 from symbody.worksheet.convert.sequences import comprehension
 from symbody.worksheet.convert.spectrum_calls import all_roots
 from symbody.worksheet.convert.writer import Arguments, Writer
@@ -119,6 +119,8 @@ def solution(text: Writer, arguments: Arguments) -> str:
         equations = text.text(arguments[0])
     finally:
         text.as_differences = before
+    if isinstance(text.value(equations), dict):
+        equations = differences(text, equations)
     if not isinstance(text.value(equations), list):
         return _value_of(text, equations, unknowns)
     if isinstance(text.value(unknowns), Expr):
@@ -136,7 +138,9 @@ def _all_solutions(text: Writer, equations: str, unknowns: str, given: syntax.Ex
     values = text.value(found)
     if not isinstance(values, list) or not values:
         return ""
-    return f"{found}[0]" if len(values) == 1 and isinstance(given, syntax.SetDisplay) else found
+    if not isinstance(given, syntax.SetDisplay):
+        return found
+    return f"{found}[0]" if len(values) == 1 else f"tuple({found})"  # a sequence, which lists open
 
 
 def _value_of(text: Writer, equation: str, unknown: str) -> str:
@@ -190,8 +194,10 @@ def _as_set(node: syntax.Expression, place: syntax.Place) -> syntax.Expression:
 
 
 def differences(text: Writer, equations: str) -> str:
-    """Return a list of equations as one of differences."""
+    """Return a list of equations, or a dictionary by their left sides, as a list of differences."""
     found = text.value(equations)
+    if isinstance(found, dict):
+        return f"[left - right for left, right in {grouped(equations)}.items()]"
     if isinstance(found, list) and found and all(isinstance(each, dict) for each in found):
         return f"[left - right for each in {equations} for left, right in each.items()]"
     if isinstance(found, list) and found and all(isinstance(each, tuple) for each in found):

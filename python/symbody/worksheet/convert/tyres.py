@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from symbody.geometry import Frame
@@ -12,7 +13,7 @@ from symbody.worksheet.convert.names import NoText
 from symbody.worksheet.convert.operations import POWER, SUM, grouped
 from symbody.worksheet.convert.writer import Arguments, Writer
 
-__all__ = ["Tyre", "tyre_forces", "tyre_lines", "tyre_motion"]
+__all__ = ["Tyre", "tyre_forces", "tyre_lines", "tyre_load_lines", "tyre_motion"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,7 +71,11 @@ def _sum(a: str, b: str) -> str:
 
 
 def _minus(text: str) -> str:
-    return text if text == "0" else text[1:] if text.startswith("-") else f"-{grouped(text, POWER)}"
+    """Return the negative of a text; that of ``-N`` is N, unless this is the first term of a sum."""
+    if text == "0":
+        return text
+    is_negative = text.startswith("-") and grouped(text, SUM + 1) == text
+    return text[1:] if is_negative else f"-{grouped(text, POWER)}"
 
 
 def _found(text: Writer, arguments: Arguments) -> Tyre:
@@ -89,20 +94,44 @@ def tyre_motion(text: Writer, arguments: Arguments) -> str:
 
 def tyre_forces(text: Writer, arguments: Arguments) -> str:
     """Return the force at the centre of the wheel, and the torque with the moment of the contact force."""
-    tyre = _found(text, arguments)
+    return f"({', '.join(_loads(_found(text, arguments), ''))})"
+
+
+def tyre_load_lines(text: Writer, targets: Sequence[str], arguments: Arguments) -> list[str]:
+    """Return the lines that make the force and the torque of a tyre, which needs the force."""
+    loads = _loads(_found(text, arguments), f"{targets[0]}.vector")
+    return [f"{target} = {load}" for target, load in zip(targets, loads, strict=True)]
+
+
+def _loads(tyre: Tyre, pushed_before: str) -> tuple[str, str]:
+    """Return the force and the torque of a tyre.
+
+    Args:
+        tyre: the tyre.
+        pushed_before: the vector of the force where it has a name.
+    """
     force, moment = (_along(tyre.variable, loads) for loads in (tyre.loads[:3], tyre.loads[3:]))
     center = f"{grouped(tyre.wheel)}.center_of_mass"
     lever = f"sb.project({tyre.contact} - {center}, {tyre.axes})"
     pushed = f"sb.project({force}, {tyre.axes})" if force else "0"
-    torque = f"sb.cross({lever}, {pushed})"
+    torque = f"sb.cross({lever}, {pushed_before or pushed})"
     if moment:
         torque = f"sb.project({moment}, {tyre.axes}) + {torque}"
-    return f"(sb.Force({pushed}, at={center}, on={tyre.wheel}), sb.Torque({torque}, on={tyre.wheel}))"
+    return (
+        f"sb.Force({pushed}, at={center}, on={tyre.wheel})",
+        f"sb.Torque({torque}, on={tyre.wheel})",
+    )
 
 
 def _along(name: str, loads: tuple[str, ...]) -> str:
     """Return the sum of loads along the axes of the contact: ahead, to the right, downwards."""
-    axes = (f"{name}.longitudinal", f"-{name}.lateral", f"-{name}.normal")
-    return " + ".join(
-        f"{axis}*{grouped(load, POWER)}" for axis, load in zip(axes, loads, strict=False) if load != "0"
-    ).replace("+ -", "- ")
+    ahead, right, down = (*loads, "0", "0", "0")[:3]
+    along = {"longitudinal": ahead, "lateral": _minus(right), "normal": _minus(down)}
+    terms = [
+        f"-{name}.{axis}*{grouped(load[1:], POWER)}"
+        if load.startswith("-") and grouped(load, SUM + 1) == load
+        else f"{name}.{axis}*{grouped(load, POWER)}"
+        for axis, load in along.items()
+        if load != "0"
+    ]
+    return " + ".join(terms).replace("+ -", "- ")
