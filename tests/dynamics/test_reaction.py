@@ -166,42 +166,6 @@ def test_the_force_of_gears():
     assert reaction(equations, A).moment.components == (0, 0, 0)
 
 
-def rocker_with_a_gear(closing: str):
-    """A crank moves a rocker, whose pin D turns a wheel by gears; one of the pins C and D closes the loop."""
-    crank, rod, rocker, wheel = (Link(name, 1, Iz=0.01, center=(0.05, 0.02, 0)) for name in "abcd")
-    A, B = revolute("A", ground, crank), revolute("B", crank, rod, at=(0.1, 0, 0))
-    C = revolute("C", rod, rocker, at=(0.4, 0, 0), to=(0.2, 0, 0), loop=closing == "C")
-    D, E = (
-        revolute("D", ground, rocker, at=(0.4, 0, 0), loop=closing == "D"),
-        revolute("E", ground, wheel, at=(0.7, 0, 0)),
-    )
-    guess = (
-        {B.coordinate: 0.5, C.coordinate: -2} if closing == "D" else {B.coordinate: 0.5, D.coordinate: -1.1}
-    )
-    return A, guess, assemble([A, B, C, D, E, gear("G", D, E, 0.2, 0.1)])
-
-
-def test_a_joint_that_closes_a_loop_holds_the_force_of_its_teeth():
-    """All forces in the plane are those of the same mechanism, of which another joint closes the loop."""
-    found = []
-    for closing in "CD":
-        A, guess, made = rocker_with_a_gear(closing)
-        assert [joint.name for joint in made.joints if not joint.opens] == [closing, "G"]
-        drive = Torque(ground, 0, 0, 0.5, on=made.body("a"))
-        equations = newton_euler(made.system([drive], gravity=Vector(ground, 0, -9.81, 0)))
-        motion = simulate(
-            equations, {}, {A.coordinate: 0.4}, guess=guess, t=[0, 0.1, 0.2], rtol=1e-11, atol=1e-12
-        )
-        forces = [reaction(equations, name, frame=ground) for name in "ABCDEG"]
-        found.append(
-            motion.evaluate(
-                [part for each in forces for part in (*each.force.components[:2], each.moment.components[2])]
-            )
-        )
-    assert np.abs(found[0]).max() > 1
-    np.testing.assert_allclose(found[1], found[0], atol=1e-7)
-
-
 def test_a_disc_needs_grip():
     """A disc on an incline: the friction is m g sin(alpha)/3, the normal force m g cos(alpha)."""
     alpha = symbols("alpha")

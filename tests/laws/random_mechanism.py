@@ -89,8 +89,8 @@ KINDS: dict[str, Make] = {
 MESHES = ("gear", "rack")
 """Kinds that couple two joints."""
 
-COUPLINGS = (*MESHES, "bevel")
-"""The same, with gears whose axes meet."""
+COUPLINGS = (*MESHES, "bevel", "closing gear")
+"""The same, with gears whose axes meet, and one whose joint closes a loop."""
 
 
 @dataclass
@@ -134,15 +134,17 @@ def random_mechanism(
     made = assemble(joints)
     if closing == "rack":
         position[functions_of_time("s_B")] = -0.6
-    if closing in ("gear", "bevel"):
-        position[functions_of_time("phi_B")] = 0.6 if closing == "gear" else -0.6
+    if closing in ("gear", "closing gear", "bevel"):
+        position[functions_of_time("phi_B")] = -0.6 if closing == "bevel" else 0.6
+    if closing == "closing gear":
+        position |= dict.fromkeys(functions_of_time("x_P y_P"), 0.0)
     return RandomMechanism(made, position)
 
 
 def _meshing(draw: Random, kind: str, carrier: Link) -> list[Joint]:
     """Return two joints on a carrier, and the mesh of their children, at angles 0.3 and 0.6 or -0.6 (or shifted)."""
-    place = _place(draw)
-    first = revolute("A", carrier, _link(draw, "pinion"), at=place, to=_place(draw))
+    place, pinion, to = _place(draw), _link(draw, "pinion"), _place(draw)
+    first = revolute("A", carrier, pinion, at=place, to=to, loop=True if kind == "closing gear" else None)
     if kind == "rack":
         at = place * translate(number("0.7"), 2, 0)
         second = prismatic("B", carrier, _link(draw, "bar"), at=at, to=_place(draw), axis="X")
@@ -153,7 +155,10 @@ def _meshing(draw: Random, kind: str, carrier: Link) -> list[Joint]:
         return [first, second, gear("G", first, second, 2, 1)]
     at = place * translate(0, -1, number("0.4"))
     second = revolute("B", carrier, _link(draw, "ring"), at=at, to=_place(draw))
-    return [first, second, gear("G", first, second, 2, 1, internal=True)]
+    mesh = gear("G", first, second, 2, 1, internal=True)
+    if kind == "closing gear":
+        return [planar("P", carrier, pinion, at=place, to=to), first, second, mesh]
+    return [first, second, mesh]
 
 
 def _closing(

@@ -157,7 +157,10 @@ def test_the_loops_are_closed_at_the_position(kind: str, form: str, seed: int) -
 
 @pytest.mark.parametrize(("kind", "form", "seed"), CASES)
 def test_what_a_joint_holds_is_independent_and_is_held_by_its_forces(kind: str, form: str, seed: int) -> None:
-    """``phi' = f . v + m . w`` for any velocities, and the pairs (f, m) have full rank."""
+    """``phi' = f . v + m . w`` for any velocities, and the pairs (f, m) have full rank.
+
+    Teeth on a joint that closes a loop push this joint as well, and do so for the velocities that it allows.
+    """
     case = moving(kind, form, seed)
     speeds = dict(zip(case.equations.speeds, np.linspace(-1, 2, len(case.equations.speeds)), strict=True))
     for placed in case.mechanism.joints:
@@ -176,7 +179,8 @@ def test_what_a_joint_holds_is_independent_and_is_held_by_its_forces(kind: str, 
                 rate = time_derivative(
                     place
                 )  # the condition is zero by itself, and the point moves along the curve
-            one, other = case._numbers([power, rate], case.state | speeds)
+            any_speeds = {} if kind == "closing gear" and placed.joint.kind == "gear" else speeds
+            one, other = case._numbers([power, rate], case.state | any_speeds)
             assert one == pytest.approx(other, abs=1e-10)
             rows.append(
                 case.numbers(
