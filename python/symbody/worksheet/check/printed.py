@@ -21,6 +21,7 @@ from symbody.errors import SymbodyError
 from symbody.symbolic import Expr, UndefinedFunction, number, pi, symbol, t
 from symbody.worksheet.reading.parse import Failure, next_statement, terminator_after, tokens_of
 from symbody.worksheet.sheet import syntax
+from symbody.worksheet.sheet.greek_letters import SMALL
 from symbody.worksheet.sheet.source import Line
 from symbody.worksheet.sheet.within import nodes_in
 from symbody.worksheet.values.complex_number import normal
@@ -52,9 +53,6 @@ class Printed:
     has_decimals: bool
 
 
-_LETTERS = """alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon phi
-chi psi omega"""
-_GREEK = frozenset(_LETTERS.split())
 _MOST_ENTRIES = 100_000
 _DOTS = re.compile(r"\s*(\.\.\.|…)\s*$")
 _MATRICES = frozenset({"matrix", "Matrix", "Vector", "vector", "array", "Array"})
@@ -115,7 +113,7 @@ def _is_symbol(token: Token, after: Token | None) -> bool:
     if token.type != "NAME":
         return False
     is_head = after is not None and after.type in {"LPAR", "LSQB"} and token.end_column == after.column
-    return is_head or len(token.rstrip("0123456789_'")) == 1 or token.lower() in _GREEK
+    return is_head or len(token.rstrip("0123456789_'")) == 1 or token.lower() in SMALL
 
 
 def place_of(index: int) -> Expr:

@@ -10,6 +10,7 @@ from typing import Any
 from symbody.symbolic import Expr, number
 from symbody.symbolic.expression.traverse import post_order
 from symbody.worksheet.printing.source_text import procedure_text, source_text
+from symbody.worksheet.sheet.greek_letters import GREEK
 from symbody.worksheet.values.decimals import decimal_text
 from symbody.worksheet.values.integers import number_text, shown_number
 from symbody.worksheet.values.structure import Tree, is_negative, tree_of
@@ -36,45 +37,6 @@ __all__ = ["PLAIN", "Style", "name_text", "sort_key", "text_of"]
 
 LIMIT = 5_000_000
 """The length of the longest text of a scalar that is printed."""
-
-_GREEK = frozenset(
-    [
-        "alpha",
-        "beta",
-        "gamma",
-        "delta",
-        "epsilon",
-        "zeta",
-        "eta",
-        "theta",
-        "iota",
-        "kappa",
-        "lambda",
-        "mu",
-        "nu",
-        "xi",
-        "omicron",
-        "pi",
-        "rho",
-        "sigma",
-        "tau",
-        "upsilon",
-        "phi",
-        "chi",
-        "psi",
-        "omega",
-        "Gamma",
-        "Delta",
-        "Theta",
-        "Lambda",
-        "Xi",
-        "Sigma",
-        "Upsilon",
-        "Phi",
-        "Psi",
-        "Omega",
-    ]
-)
 
 
 @dataclass(frozen=True)
@@ -301,7 +263,7 @@ def _derivative(node: Tree, parts: list[_Text], style: Style) -> _Text:
 
 def _primed(name: str, order: int) -> _Text:
     primes = "'" * order
-    return (f"{name}^`{primes}`", _POWER) if name in _GREEK else (f"`{name}{primes}`", _ATOM)
+    return (f"{name}^`{primes}`", _POWER) if name in GREEK else (f"`{name}{primes}`", _ATOM)
 
 
 def node_text(node: Tree, style: Style) -> str:

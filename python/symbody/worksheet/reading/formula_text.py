@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from symbody.worksheet.reading.stored_formula import Element
+from symbody.worksheet.sheet.greek_letters import GREEK
 
 __all__ = ["UnknownFormula", "formula_text"]
 
@@ -86,9 +87,7 @@ _NAMES = {
 }
 _LETTER = re.compile(r"&([A-Za-z]+);")
 _NAME = re.compile(r"%{1,3}[TH]?|%?[^\W\d]\w*|`[^`\n]*`")
-_LETTERS = """alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa lambda mu nu xi omicron rho
-sigma tau upsilon phi varphi chi psi omega Gamma Delta Theta Lambda Xi Sigma Upsilon Phi Psi Omega"""
-_GREEK = frozenset(_LETTERS.split())
+_LETTERS = GREEK | {"varepsilon", "vartheta", "varphi"}
 _SIGN = re.compile(r"[-+*/^=<>.,:;|()\[\]{}'#%$!&@~`?]+|\.\.|\|\|")
 _BRACKETS = {("(", ")"), ("[", "]"), ("{", "}"), ("<", ">")}
 _DEFINITION = re.compile(r"(^|[;:\n])(\s*)(\w+)\(([^\W\d]\w*(?:,[^\W\d]\w*)*)\):=")
@@ -207,7 +206,7 @@ def _identifier(part: Element) -> _Piece:
     if text in _NAMES:
         return _Piece(_NAMES[text], "operand")
     if found:
-        if found[1] not in _GREEK:
+        if found[1] not in _LETTERS:
             raise UnknownFormula(f"a sign {text}")
         return _Piece(found[1], "operand")
     if not text.strip():
