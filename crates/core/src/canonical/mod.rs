@@ -13,9 +13,9 @@
 //! multiple of a function. Who calls whom:
 //!
 //! * [`sum`] takes common factors out ([`distribute`]), which makes products.
-//! * [`product`] sorts factors into a [`collector`], takes roots of numbers out ([`root`]) and from roots
-//!   ([`nested_root`]), merges moduli by [`apply`],
-//!   groups factors ([`associate`]), and leaves numbers and signs to `scale` in [`sum`].
+//! * [`product`] sorts factors into a [`collector`], each by what leaves its base ([`power`]), takes roots of numbers out
+//!   ([`root`]) and from roots ([`nested_root`]), merges moduli by [`apply`], groups factors ([`associate`]), and leaves
+//!   numbers and signs to `scale` in [`sum`].
 //! * [`apply`] looks for a simpler form ([`exact`]), which may be a sum, a product or another function. Values come from
 //!   the chapter `evaluate`.
 //! * [`linear_system`] adds and multiplies where it removes known components.
@@ -33,6 +33,7 @@ mod hidden_number;
 mod linear_system;
 mod multiple_of_pi;
 mod nested_root;
+mod power;
 mod product;
 mod rebuild;
 mod root;
