@@ -12,7 +12,7 @@ from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 
 from .derivative import diff, substitute
-from .reading import angles_in, waves_in
+from .reading import angles_in, nodes_of, waves_in
 from .rewrite import expand_trig
 
 _NAME = "Z__{}"
@@ -32,25 +32,20 @@ def in_sums_of_angles(expression: Expr, sums: Sequence[Expr], form: Callable[[Ex
     >>> in_sums_of_angles(sin(x) ** 2 + 2 * cos(x) * cos(x + y) * cos(y) - cos(y) ** 2, [x + y], simplify)
     cos(x + y)**2
     """
-    angles = angles_in(expression)
-    leaves = expression.free_symbols
+    angles, leaves = angles_in(expression), expression.free_symbols
     if any(leaf.kind == "time_function" and leaf.order for leaf in leaves):
         return None
     apart, back = dict[Expr, Expr](), dict[Expr, Expr]()
-    for place, total in enumerate(sums):
-        added = total.free_symbols
-        last = _last(total)
-        if (
-            last is None
-            or last in apart
-            or last not in leaves
-            or sum(bool(each.free_symbols & added) for each in angles) < _FEW
-        ):
-            continue
-        name = _core.time_function(_NAME.format(place))
-        (rest,) = substitute([total - last], apart)
-        apart[last], back[name] = name - rest, total
-    if not apart:
+    for place, whole in enumerate(sums):
+        total = _of_leaves(whole, leaves)
+        last = None if total is None else _last(total)
+        if total is not None and last is not None and last not in apart and total.kind == "sum":
+            name = _core.time_function(_NAME.format(place))
+            (rest,) = substitute([total - last], apart)
+            apart[last], back[name] = name - rest, total
+    if not _has_products(
+        expression, frozenset(leaf for total in back.values() for leaf in total.free_symbols)
+    ):
         return None
     found = form(*substitute([expression], apart))
     known = {angle for angle in angles if _is_multiple(angle)}
@@ -63,14 +58,34 @@ def in_sums_of_angles(expression: Expr, sums: Sequence[Expr], form: Callable[[Ex
     return found if found == expression else None
 
 
+def _of_leaves(total: Expr, leaves: frozenset[Expr]) -> Expr | None:
+    """Return a sum without the coordinates that an expression does not have; None if it has others in common."""
+    for leaf in sorted(total.free_symbols - leaves, key=str):
+        factor = diff(total, leaf)
+        if leaf.kind != "time_function" or factor not in _ONCE:
+            return None
+        total -= factor * leaf
+    return total
+
+
 def _is_multiple(angle: Expr) -> bool:
     """Return whether a coordinate is twice in an angle."""
     return any(diff(angle, leaf) not in _ONCE for leaf in angle.free_symbols if leaf.kind == "time_function")
 
 
 _ONCE = {_core.number(1), _core.number(-1)}
-_FEW = 2
-"""The different angles of an expression between which products of waves may hide a sum."""
+
+
+def _has_products(expression: Expr, leaves: frozenset[Expr]) -> bool:
+    """Return whether a product has two factors with such leaves, or one that is a power."""
+    for node in nodes_of(expression):
+        moving = [part for part in node.args if part.free_symbols & leaves]
+        if node.kind in _PRODUCTS and len(moving) >= _PRODUCTS[node.kind]:
+            return True
+    return False
+
+
+_PRODUCTS = {"product": 2, "power": 1}
 
 
 def _last(total: Expr) -> Expr | None:
