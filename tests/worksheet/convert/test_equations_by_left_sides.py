@@ -53,6 +53,19 @@ def test_motions_of_united_solutions_obey_their_equations() -> None:
     assert np.asarray(motion[values["x"]]) == pytest.approx(np.cos(2 * np.asarray(motion.t)), abs=1e-5)
 
 
+def test_initial_values_have_a_name_as_in_the_worksheet() -> None:
+    program, values = made(
+        "ode := diff(x(t),t,t) = -4*x(t): start := {x(0) = 1, D(x)(0) = a}: a := 0: again := x(0) = 2, D(x)(0) = 0:\n"
+        "s := dsolve({ode} union start, numeric, range = 0..3): r := dsolve({ode, again}, numeric, range = 0..3):"
+    )
+    assert "start = {x: 1, sb.diff(x, sb.t): a}\n" in program.text
+    assert "again = {x: 2, sb.diff(x, sb.t): 0}\n" in program.text
+    for name, size in (("s", 1), ("r", 2)):
+        motion = values[name]
+        exact = size * np.cos(2 * np.asarray(motion.t))
+        assert np.asarray(motion[values["x"]]) == pytest.approx(exact, abs=1e-5 * size)
+
+
 def test_a_motion_of_other_equations_is_not_the_same() -> None:
     interpreter = Interpreter()
     printed("s := dsolve({diff(x(t),t) = -x(t), x(0) = 1}, numeric):", None, interpreter)

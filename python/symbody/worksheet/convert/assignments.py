@@ -12,6 +12,7 @@ from symbody.symbolic import Expr, Matrix
 from symbody.worksheet.convert.expressions import PythonText
 from symbody.worksheet.convert.linear_models import linear_lines
 from symbody.worksheet.convert.modes import mode_lines
+from symbody.worksheet.convert.motion_calls import initial_values
 from symbody.worksheet.convert.motion_values import motion_lines
 from symbody.worksheet.convert.name_text import joined_name
 from symbody.worksheet.convert.names import NoText, identifier
@@ -92,6 +93,10 @@ def one_line(text: PythonText, target: syntax.Expression, value: syntax.Expressi
         given = value_entries(text, value)
         if given:
             return [f"{identifier(target.name)} = {given}"]
+    if isinstance(target, syntax.Name) and target.name in text.names.sets:  # dsolve finds them there
+        begins = initial_values(text, value)
+        if begins:
+            return [f"{identifier(target.name)} = {begins}"]
     changed = _entry_of_matrix(text, target, value)
     if changed:
         return changed

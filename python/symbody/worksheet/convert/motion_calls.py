@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 
 from symbody.symbolic import Expr
@@ -176,8 +176,25 @@ def _instant(text: Writer, node: syntax.Expression) -> str:
 _TIME = syntax.Name("t", place=syntax.Place(1, 1, 1, 1))
 
 
-def _initial(text: Writer, node: syntax.Expression) -> str:
-    """Return the entry of an initial value, ``x(0) = 1`` or ``D(x)(0) = 1``; nothing for an equation."""
+def initial_values(text: Writer, node: syntax.Expression) -> str:
+    """Return a set that holds initial values only, ``{x(0) = 1, D(x)(0) = 0}``, as a dictionary; or nothing."""
+    if not isinstance(node, syntax.SetDisplay | syntax.ListDisplay | syntax.SequenceDisplay):
+        return ""
+    entries = [_initial(text, each, text.text) for each in node.items]
+    return f"{{{', '.join(entries)}}}" if entries and all(entries) else ""
+
+
+def _initial(
+    text: Writer, node: syntax.Expression, value: Callable[[syntax.Expression], str] | None = None
+) -> str:
+    """Return the entry of an initial value, ``x(0) = 1`` or ``D(x)(0) = 1``; nothing for an equation.
+
+    Args:
+        text: writes expressions.
+        node: the equation.
+        value: writes its right side; by default as a number.
+    """
+    value = value or (lambda right: number_text(text, right))
     match node:
         case syntax.Infix(
             operator="=",
@@ -186,7 +203,7 @@ def _initial(text: Writer, node: syntax.Expression) -> str:
             ),
             right=right,
         ):
-            return f"{text.text(_of_time(name))}: {number_text(text, right)}"
+            return f"{text.text(_of_time(name))}: {value(right)}"
         case syntax.Infix(
             operator="=",
             left=syntax.Call(
@@ -195,7 +212,7 @@ def _initial(text: Writer, node: syntax.Expression) -> str:
             ),
             right=right,
         ):
-            return f"sb.diff({text.text(_of_time(name))}, sb.t): {number_text(text, right)}"
+            return f"sb.diff({text.text(_of_time(name))}, sb.t): {value(right)}"
     return ""
 
 

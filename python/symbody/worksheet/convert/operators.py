@@ -28,9 +28,16 @@ def _compared(word: str) -> Callable[[str, str], str]:
     return lambda left, right: f"{grouped(left, COMPARISON + 1)} {word} {grouped(right, COMPARISON + 1)}"
 
 
+def _difference(left: str, right: str) -> str:
+    """Return a difference; that of a negative term is a sum."""
+    if right.startswith("-") and grouped(right, SUM + 1) == right:
+        return f"{grouped(left, SUM)} + {right[1:]}"
+    return f"{grouped(left, SUM)} - {grouped(right, SUM + 1)}"
+
+
 _OPERATIONS: Mapping[str, Callable[[str, str], str]] = {
     "+": lambda left, right: f"{grouped(left, SUM)} + {grouped(right, SUM + 1)}",
-    "-": lambda left, right: f"{grouped(left, SUM)} - {grouped(right, SUM + 1)}",
+    "-": _difference,
     "/": quotient,
     "^": lambda left, right: f"{grouped(left)}**{grouped(right)}",
     "mod": lambda left, right: f"{grouped(left)} % {grouped(right)}",
@@ -135,7 +142,7 @@ def _equation(to: Writer, node: syntax.Infix) -> str:
         return f"({left}, {right})"
     if right == "0":
         return left
-    return f"{grouped(left, SUM)} - {grouped(right, SUM + 1)}"
+    return _difference(left, right)
 
 
 def condition(to: Writer, node: syntax.Expression) -> str:

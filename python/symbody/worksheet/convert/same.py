@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterable, Mapping
 from io import TextIOBase
 from typing import Any
@@ -201,8 +202,20 @@ class _Comparison:
             )
         pairs = [(left, right) for left, right in pairs if left != right or left in made]
         return len(pairs) == len(made) and all(
-            any(self.same(key, left) and self.same(one, right) for left, right in pairs)
+            any(
+                (self.same(key, left) or self.begins(key, left)) and self.same(one, right)
+                for left, right in pairs
+            )
             for key, one in made.items()
+        )
+
+    def begins(self, key: Expr, left: Value) -> bool:
+        """Whether a left side is the initial value of a function or a rate: ``x(0)``, ``D(x)(0)``."""
+        found = _INITIAL.fullmatch(self.session.text(left))
+        return (
+            found is not None
+            and key.kind == "time_function"
+            and ((key.name, key.order) == (found[1] or found[2], int(bool(found[1]))))
         )
 
     def near(self, made: Any, value: Value) -> bool:
@@ -267,6 +280,7 @@ class _Comparison:
         return len(frames[0]) == len(frames[1]) and all(map(self.equal, *map(self.plain, frames)))
 
 
+_INITIAL = re.compile(r"(?:D\((\w+)\)|(\w+))\([-\d./]+\)")
 _EXPRESSIONS = (symbol("expr"),)
 _HELD = (Matrix, list, tuple, Frame, Point, Vector, Body, Force, Torque)
 """The types of right sides of equations whose left side is a name, as in ``P = POINT(..)``."""
