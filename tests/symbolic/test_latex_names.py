@@ -130,6 +130,9 @@ def test_a_rate_keeps_its_dot() -> None:
     theta, theta_dot = functions_of_time("theta"), symbol("theta_dot")
     assert latex(theta_dot * time_derivative(theta)) == r"\mathtt{theta\_dot} \, \dot{\theta}"
     assert latex(time_derivative(functions_of_time("theta_dot"))) == r"\ddot{\theta}"
+    assert latex(theta_dot + theta) == r"\theta + \mathtt{theta\_dot}"
+    assert latex([2 * theta_dot, theta]) == r"\left[2 \, \mathtt{theta\_dot}, \theta\right]"
+    assert latex(2 * theta_dot) == r"2 \dot{\theta}"
 
 
 def test_names_give_way_to_what_they_look_like() -> None:

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 from contextvars import ContextVar
 
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 from symbody.symbolic.expression.latex_layout import with_definitions
 
-__all__ = ["latex_listing", "latex_of", "one_naming"]
+__all__ = ["latex_listing", "latex_of", "naming_of", "one_naming"]
 
+_DOT = "dot"
+"""What is in each name that is typeset with dots."""
 _RATES = 3
 """The derivatives that have dots: `x_dot` could be read as one of them."""
 _BESIDE: ContextVar[tuple[Expr, ...]] = ContextVar("names beside those of a formula", default=())
@@ -52,11 +54,19 @@ def latex_listing(
 
 
 def latex_of(expression: Expr) -> str:
-    """Return one expression in LaTeX, with the names of the document."""
-    if not _BESIDE.get():
-        return expression.latex()
-    definitions, (text,) = latex_listing((expression,))
-    return with_definitions(definitions, text)
+    """Return one expression in LaTeX, with the names of the document; a name gives way to a rate of its leaves."""
+    with naming_of((expression,)):
+        if not _BESIDE.get():
+            return expression.latex()
+        definitions, (text,) = latex_listing((expression,))
+        return with_definitions(definitions, text)
+
+
+def naming_of(expressions: Iterable[Expr]) -> AbstractContextManager[None]:
+    """Return a context in which the names of expressions and the rates of their functions of time are told apart."""
+    leaves = {leaf for each in expressions for leaf in each.free_symbols}
+    has_dots = any(_DOT in leaf.name for leaf in leaves if leaf.kind in {"symbol", "time_function"})
+    return one_naming(sorted(leaves, key=str)) if has_dots else nullcontext()
 
 
 def _with_rates(name: Expr) -> tuple[Expr, ...]:

@@ -8,9 +8,9 @@ from typing import Any
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 from symbody.symbolic.calculus.shown_form import shown_form
-from symbody.symbolic.expression.container import Typeset, in_latex, is_container
+from symbody.symbolic.expression.container import Typeset, expressions_in, in_latex, is_container
 from symbody.symbolic.expression.leaves import ExprLike
-from symbody.symbolic.expression.naming import latex_listing, latex_of
+from symbody.symbolic.expression.naming import latex_listing, latex_of, naming_of
 from symbody.symbolic.given.arguments import expression_or_container
 
 __all__ = ["latex", "listing", "listing_of_equations", "maple"]
@@ -21,8 +21,8 @@ def latex(expression: Any) -> str:
 
     Names are typeset as in a textbook: ``m_1`` is m with the index 1, ``omega0``, ``I__xx`` and ``theta_dot`` have
     Greek letters, indices and dots. Different names in one formula are typeset differently: beside ``m1``, the name
-    ``m_1`` is written as it is. A form with symbols on which the value doesn't depend is not shown: another one takes
-    its place.
+    ``m_1`` is written as it is, and so is ``theta_dot`` beside a function of time ``theta``. A form with symbols on
+    which the value doesn't depend is not shown: another one takes its place.
 
     >>> from symbody import functions_of_time, latex, sin, symbols, time_derivative
     >>> theta = functions_of_time("theta")
@@ -32,7 +32,8 @@ def latex(expression: Any) -> str:
     \left(m_{1}, I_{xx}, \omega_{0}, \mathrm{load}\right)
     """
     if is_container(expression):
-        return in_latex(expression, "latex", shown_form)
+        with naming_of(expressions_in(expression, "latex")):
+            return in_latex(expression, "latex", shown_form)
     if isinstance(expression, Typeset) and not isinstance(expression, type | Expr):
         return expression.latex()
     return latex_of(shown_form(expression_or_container(expression, "latex")))
