@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
+from symbody.errors import ExpressionError
 from symbody.symbolic._core import Expr, number, product_of
 from symbody.symbolic.expression.functions import Abs, sign
 
@@ -21,7 +22,7 @@ from .squares import squared_sums, with_squares
 from .standard_names import AS_GIVEN, StandardNames
 from .summands import summands
 from .sums_of_angles import in_sums_of_angles
-from .terms import number_of_terms
+from .terms import MOST, number_of_terms
 
 _LARGE = 100
 """Operations from which on an expression stays as it is: nobody reads it."""
@@ -208,7 +209,11 @@ def _form_with_sums(expression: Expr) -> Expr:
     form = textbook_form(expression)
     if all(angle.is_variable for angle in angles_in(form)) or cost(expression).total > _LARGE:
         return form
-    opened = [expand_trig(expression)] if number_of_terms(expression) <= _OPENED else []
+    try:
+        opened = [expand_trig(expression)] if number_of_terms(expression) <= _OPENED else []
+    except ExpressionError:  # too many terms
+        opened = []
+    opened = [each for each in opened if number_of_terms(each) <= MOST]
     others = (with_squares(textbook_form(simplify(each))) for each in (expression, *opened))
     return _best((form, *(other for other in others if not _has_fractions_inside(other))), expression)
 
