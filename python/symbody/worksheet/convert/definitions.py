@@ -28,6 +28,16 @@ _EIGENVALUES = '''def eigenvalues(A, B=None):
     return [each[s] for each in sb.solutions([(s*B - A).det()], [s])]
 '''
 
+_TIRE_FRAME = '''def tire_frame(wheel, road):
+    """Return the frame of a tyre on a road with z downwards: x is ahead along the road, y the axis of the wheel."""
+    surface = road*sb.rotate("X", sb.pi)
+    x = sb.tire_kinematics(sb.Body(wheel, 0), 1, road=surface, spin_axis="-Y").longitudinal
+    y = sb.Vector(wheel, 0, 1, 0)
+    axes = [sb.project(each, road.ancestor).components for each in (x, y, sb.cross(x, y))]
+    place = sb.project(sb.origin(wheel), road.ancestor).coordinates
+    return road.ancestor*sb.Frame([*zip(*axes, place), (0, 0, 0, 1)])
+'''
+
 _CIRCLE = '''def circle(center, radius=1):
     """Return points of a circle."""
     x, y = map(float, center)
@@ -72,6 +82,7 @@ DEFINITIONS: dict[str, str] = {
     "state_at": _STATE_AT,
     "indexed": _INDEXED,
     "eigenvalues": _EIGENVALUES,
+    "tire_frame": _TIRE_FRAME,
     "circle": _CIRCLE,
     "rectangle": _RECTANGLE,
     "lines_in": _LINES_IN,

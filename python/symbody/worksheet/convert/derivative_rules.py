@@ -24,12 +24,33 @@ def rule_lines(text: Writer, statement: syntax.Statement) -> list[str] | None:
             function = name.removeprefix(PREFIX)
             if function not in text.names.functions:
                 raise NoText(name)
-            variable = text.names.text(function)
-            rate = _text_of_rate(text, _rate(value))
-            begin = [] if text.names.rules else [f"{text.names.own('rates_of_time')} = {{}}"]
-            text.names.root().rules = text.names.rules = text.names.own("rates_of_time")
-            return [*begin, f"{text.names.rules}[sb.diff({variable}, sb.t)] = {rate}"]
+            return _entered(text, function, _rate(value))
+        case syntax.Assignment(targets=(target,), value=value):
+            given = _function_of_rate(target)
+            return _entered(text, given, value) if given in text.names.functions else None
     return None
+
+
+def _function_of_rate(target: syntax.Expression) -> str:
+    """Return the function of ``diff(x(t), t)``; nothing for another target."""
+    match target:
+        case syntax.Call(
+            function=syntax.Name(name="diff"),
+            arguments=(
+                syntax.Call(function=syntax.Name(name=function), arguments=(syntax.Name(name="t"),)),
+                syntax.Name(name="t"),
+            ),
+        ):
+            return function
+    return ""
+
+
+def _entered(text: Writer, function: str, rate: syntax.Expression) -> list[str]:
+    """Return the lines that enter the rate of a function of time in the dictionary of rates."""
+    variable, written = text.names.text(function), _text_of_rate(text, rate)
+    begin = [] if text.names.rules else [f"{text.names.own('rates_of_time')} = {{}}"]
+    text.names.root().rules = text.names.rules = text.names.own("rates_of_time")
+    return [*begin, f"{text.names.rules}[sb.diff({variable}, sb.t)] = {written}"]
 
 
 def _text_of_rate(text: Writer, rate: syntax.Expression) -> str:

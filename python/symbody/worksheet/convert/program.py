@@ -178,8 +178,17 @@ def _add(program: Draft, statement: syntax.Statement, *, keeps: bool) -> bool:
     note_files(program, statement, first)
     entries = syntax.Selection | syntax.Call
     is_entry = isinstance(statement, syntax.Assignment) and isinstance(statement.targets[0], entries)
-    update(program, changed, is_entry=is_entry)
+    update(program, [*changed, *_functions_given(statement)], is_entry=is_entry)
     return True
+
+
+def _functions_given(statement: syntax.Statement) -> Iterator[str]:
+    """Return functions of time that are given: ``x(t) := V*t``."""
+    match statement:
+        case syntax.Assignment(
+            targets=(syntax.Call(function=syntax.Name(name=name), arguments=(syntax.Name(name="t"),)),)
+        ) if name != "diff":
+            yield name
 
 
 def _restart(program: Draft) -> None:

@@ -13,7 +13,7 @@ from symbody.worksheet.convert.scalar_text import scalar_text
 from symbody.worksheet.convert.writer import Writer
 from symbody.worksheet.sheet import syntax
 
-__all__ = ["small_lines"]
+__all__ = ["on_the_master", "small_lines"]
 
 _MARKED = (Expr, Matrix, Frame, Point, Vector, Body, Force, Torque, list, dict)
 
@@ -30,7 +30,7 @@ def small_lines(text: Writer, sets: tuple[syntax.Expression, ...]) -> list[str]:
     leaving = {name: mark for name, mark in leaving.items() if name not in deviating}
     changes = {names.values[name]: _deviation(names, name, about) for name, about in entering.items()}
     changes |= {mark: names.small[mark] for mark in leaving.values()}
-    again = _on_the_master(names, changes)
+    again = on_the_master(names, changes)
     older = [name for name in _made_before(names, changes) if name not in again]
     texts = {name: _marked(name, about) for name, about in entering.items()}
     texts |= {name: names.declared(name) for name in leaving}
@@ -48,8 +48,8 @@ def _keep(names: Names, entering: Mapping[str, str], leaving: Sequence[Expr]) ->
         del names.small[mark]
 
 
-def _on_the_master(names: Names, changes: Mapping[Expr, Expr]) -> list[str]:
-    """Return the names that are made again: the master frame with small velocities, and what hangs on it."""
+def on_the_master(names: Names, changes: Mapping[Expr, Expr]) -> list[str]:
+    """Return the names that are made again: the master frame, if its velocities change, and what hangs on it."""
     master = names.values.get(names.master)
     if not isinstance(master, Frame):
         return []

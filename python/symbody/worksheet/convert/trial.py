@@ -102,7 +102,8 @@ def _of_simple_equations(code: Sequence[str]) -> Iterator[list[str]]:
 def _to_first_order(program: Draft, code: Sequence[str], changed: Sequence[str]) -> Iterator[list[str]]:
     """Cut an assigned expression behind the first order in the small variables, as the worksheet has it."""
     head, sign, value = code[0].partition(" = ") if len(code) == 1 else ("", "", "")
-    if program.names.small and sign and len(changed) == 1 and head.isidentifier():
+    is_plain = sign and len(changed) == 1 and head.isidentifier() and not value.startswith("sb.taylor(")
+    if program.names.small and is_plain:
         yield [f"{head} = sb.taylor({value})"]
 
 

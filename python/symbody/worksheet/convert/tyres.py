@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -34,7 +35,12 @@ def tyre_lines(text: Writer, variable: str, arguments: Arguments) -> list[str]:
     y, z, spin, y_def, z_def, *loads = written
     body = text.text(wheel)
     road = frame(text, arguments[12]) if len(arguments) > 12 else text.names.master or "sb.ground"
-    axes = _axes(text, body, road)
+    carrier = _carrier(text, body, road)
+    axes = carrier or text.names.own(f"{_bare(variable)}_axes")
+    begin = []
+    if not carrier:
+        begin = [f"{axes} = tire_frame({grouped(body)}.frame, {road})"]
+        exec(begin[0], text.names.values)
     contact = f"sb.Point({axes}, 0, {_sum(y, y_def)}, {_sum(z, z_def)})"
     more = {"spin_deformation": _minus(spin), "y_deformation": _minus(y_def), "z_deformation": z_def}
     shape = ", ".join([_minus(y), z, *(f"{name}={value}" for name, value in more.items() if value != "0")])
@@ -42,28 +48,34 @@ def tyre_lines(text: Writer, variable: str, arguments: Arguments) -> list[str]:
     surface = f'{road}*sb.translate(0, 0, {depth})*sb.rotate("X", sb.pi)'
     text.names.tyres[variable] = Tyre(variable, body, axes, contact, tuple(loads))
     return [
+        *begin,
         f"{variable} = sb.tire_kinematics(",
         f"    {body},",
         f"    sb.tire_shape({shape}),",
         f"    road={surface},",
-        f"    carrier={axes},",
+        *([f"    carrier={carrier},"] if carrier else []),
         '    spin_axis="-Y",',
         ")",
     ]
 
 
-def _axes(text: Writer, body: str, road: str) -> str:
-    """Return the frame of the wheel without its spin."""
+def _carrier(text: Writer, body: str, road: str) -> str:
+    """Return the frame of the wheel without its spin, if x is along the road there; nothing otherwise."""
     wheel, on = text.value(body), text.value(road)
     if not isinstance(wheel, Body) or not isinstance(on, Frame):
         raise NoText("make_TIRE")
     frame, is_carrier = tyre_axes(wheel.frame, on)
     if not is_carrier:
-        raise NoText("make_TIRE")
+        return ""
     path = f"{grouped(body)}.frame"
     while isinstance(text.value(path), Frame) and text.value(path).matrix != frame.matrix:
         path = f"{path}.parent"
     return path
+
+
+def _bare(variable: str) -> str:
+    """Return a name for what belongs to a variable, which may be the entry of a table."""
+    return re.sub(r"\W+", "_", variable).strip("_")
 
 
 def _sum(a: str, b: str) -> str:
@@ -88,25 +100,26 @@ def _found(text: Writer, arguments: Arguments) -> Tyre:
 def tyre_motion(text: Writer, arguments: Arguments) -> str:
     """Return the contact, and the speeds VS, VN and VR with the signs of the add-on."""
     tyre = _found(text, arguments)
-    name = tyre.variable
-    return f"({tyre.contact}, sb.simplify({name}.VS), sb.simplify(-{name}.VN), sb.simplify({name}.VR))"
+    name, short = tyre.variable, "sb.taylor" if text.names.small else "sb.simplify"
+    return f"({tyre.contact}, {short}({name}.VS), {short}(-{name}.VN), {short}({name}.VR))"
 
 
 def tyre_forces(text: Writer, arguments: Arguments) -> str:
     """Return the force at the centre of the wheel, and the torque with the moment of the contact force."""
-    return f"({', '.join(_loads(_found(text, arguments), ''))})"
+    return f"({', '.join(_loads(text, _found(text, arguments), ''))})"
 
 
 def tyre_load_lines(text: Writer, targets: Sequence[str], arguments: Arguments) -> list[str]:
     """Return the lines that make the force and the torque of a tyre, which needs the force."""
-    loads = _loads(_found(text, arguments), f"{targets[0]}.vector")
+    loads = _loads(text, _found(text, arguments), f"{targets[0]}.vector")
     return [f"{target} = {load}" for target, load in zip(targets, loads, strict=True)]
 
 
-def _loads(tyre: Tyre, pushed_before: str) -> tuple[str, str]:
+def _loads(text: Writer, tyre: Tyre, pushed_before: str) -> tuple[str, str]:
     """Return the force and the torque of a tyre.
 
     Args:
+        text: writes the statement; in linear models, loads keep the first order.
         tyre: the tyre.
         pushed_before: the vector of the force where it has a name.
     """
@@ -114,9 +127,13 @@ def _loads(tyre: Tyre, pushed_before: str) -> tuple[str, str]:
     center = f"{grouped(tyre.wheel)}.center_of_mass"
     lever = f"sb.project({tyre.contact} - {center}, {tyre.axes})"
     pushed = f"sb.project({force}, {tyre.axes})" if force else "0"
+    if force and text.names.small:
+        pushed = f"sb.taylor({pushed})"
     torque = f"sb.cross({lever}, {pushed_before or pushed})"
     if moment:
         torque = f"sb.project({moment}, {tyre.axes}) + {torque}"
+    if text.names.small:
+        torque = f"sb.taylor({torque})"
     return (
         f"sb.Force({pushed}, at={center}, on={tyre.wheel})",
         f"sb.Torque({torque}, on={tyre.wheel})",

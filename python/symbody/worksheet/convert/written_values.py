@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 from symbody.errors import SymbodyError
@@ -11,6 +11,7 @@ from symbody.worksheet.convert.draft import Draft, has
 from symbody.worksheet.convert.names import NoText, identifier
 from symbody.worksheet.convert.printed_values import shown_items
 from symbody.worksheet.convert.same import same
+from symbody.worksheet.convert.small_variables import on_the_master
 from symbody.worksheet.convert.statement_kinds import acts
 from symbody.worksheet.convert.value_text import literal
 from symbody.worksheet.sheet import syntax
@@ -107,6 +108,7 @@ def update(program: Draft, changed: Sequence[str], *, is_entry: bool) -> None:
     session, values = program.interpreter.session, program.names.values
     symbols = {identifier(name) for name in changed} & set(program.names.symbols)
     again = program.known.keys() & set(changed)
+    _renew_master(program, symbols)
     for name in list(program.known) if symbols or is_entry or again else ():
         text = identifier(name)
         if name in changed or name not in session.names or has(program, name):
@@ -126,6 +128,16 @@ def update(program: Draft, changed: Sequence[str], *, is_entry: bool) -> None:
         values[text] = before
         if not write_value(program, name):
             del program.known[name]
+
+
+def _renew_master(program: Draft, symbols: Iterable[str]) -> None:
+    """Make the moving frame again, and what hangs on it, if its velocities contain symbols that have a value now."""
+    names = program.names
+    changes = {names.plain(each): names.values[each] for each in symbols if each in names.values}
+    lines = [names.made[name] for name in on_the_master(names, changes)] if changes else []
+    with contextlib.suppress(Exception):
+        exec("\n".join(lines), names.values)
+        program.lines += lines
 
 
 def _made_again(program: Draft, name: str) -> bool:
