@@ -6,8 +6,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from symbody.multibody import Action, System, Variables
-from symbody.symbolic import Expr, Matrix, diff, number
+from symbody.symbolic import Expr, Matrix, diff, expand, number
 from symbody.symbolic.calculus.reader import Reader
+from symbody.symbolic.calculus.reading import is_divisor, nodes_of
+from symbody.symbolic.calculus.summands import summands
 
 from .causes import generalized_forces
 from .degree import Degrees, by_christoffel, degrees, is_defined_without, part_of, without
@@ -259,12 +261,21 @@ def _without_pairs(
     part: _Parts, gravity: tuple[Expr, ...], reader: Reader
 ) -> tuple[tuple[Expr, ...], tuple[Expr, ...]]:
     """Return the terms of weight and of given forces; those that are on both sides, as of a preload, are on none."""
-    applied = _terms(part.given, reader)
+    applied = _given(part.given, reader)
     if gravity and applied:
-        rest = _terms(part.given - part.gravity, reader)
+        rest = _given(part.given - part.gravity, reader)
         if sum(map(reader.length, rest)) < sum(map(reader.length, applied)):
             return (), rest
     return gravity, applied
+
+
+def _given(force: Expr, reader: Reader) -> tuple[Expr, ...]:
+    """Return the term of given forces; the force of a motor is flat, ``F - F*x'/v``, rather than ``-F*(x' - v)/v``."""
+    terms = _terms(force, reader)
+    if terms and any(map(is_divisor, nodes_of(terms[0]))) and str(terms[0]).startswith("-"):
+        flat = tuple(summands(expand(force)))
+        return flat if sum(map(reader.length, flat)) <= reader.length(terms[0]) else terms
+    return terms
 
 
 def _given_accelerations(constant: Expr, reader: Reader) -> tuple[Expr, ...]:

@@ -5,7 +5,7 @@ The generalised force of a force F whose point has the velocity v is ``Q_i = F .
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from symbody.geometry import Vector
@@ -16,15 +16,14 @@ from symbody.symbolic import (
     MOTION,
     Expr,
     derivation,
-    free_symbols,
     jacobian,
     number,
     scale3,
-    t,
     truncated,
 )
 
 from .degree import without
+from .given_load import split
 
 
 @dataclass(frozen=True)
@@ -44,12 +43,11 @@ class GeneralizedForces:
 
 def generalized_forces(system: System, actions: Iterable[Action]) -> GeneralizedForces:
     """Return the generalised forces of a system by their causes; actions are those of its loads."""
-    unknown = frozenset(each.name for each in (*system.coordinates, *system.speeds, *system.eliminated))
     moving, given = list[Action](), list[Action]()
     for action in actions:
-        free, rest = _split(action.vector, unknown)
-        given.append(Action(action.body, free, action.point))
-        moving.append(Action(action.body, rest, action.point))
+        parts = split(action.vector, system)
+        given.append(Action(action.body, parts.given, action.point))
+        moving.append(Action(action.body, parts.moving, action.point))
     return GeneralizedForces(*(_forces(system, actions) for actions in (_weights(system), moving, given)))
 
 
@@ -73,20 +71,3 @@ def _forces(system: System, actions: Iterable[Action]) -> tuple[Expr, ...]:
             for k, column in enumerate(zip(*slopes.tolist(), strict=True)):
                 total[k] += sum((a * b for a, b in zip(force, column, strict=True)), start=number(0))
         return truncated([without(each, system.accelerations) for each in total], MOTION)
-
-
-def _split(vector: Vector, unknown: frozenset[str]) -> tuple[Vector, Vector]:
-    """Return the part of a force that doesn't depend on the motion, and the rest: F and -b*x' of ``F - b*x'``.
-
-    The parts share no symbol, so that a spring's ``k*(x - l)`` stays whole.
-    """
-    motion = [leaf for leaf in free_symbols(vector.components) if leaf.name in unknown]
-    free = tuple(without(component, motion) for component in vector.components)
-    rest = tuple(whole - part for whole, part in zip(vector.components, free, strict=True))
-    if _names(free) & (_names(rest) | unknown):
-        free, rest = tuple(number(0) for _ in free), vector.components
-    return Vector(vector.frame, *free), Vector(vector.frame, *rest)
-
-
-def _names(expressions: Sequence[Expr]) -> frozenset[str]:
-    return frozenset(leaf.name for leaf in free_symbols(tuple(expressions)) - {t})

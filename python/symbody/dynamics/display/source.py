@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from symbody.geometry import Frame
 from symbody.multibody import Action, System, Variables
-from symbody.symbolic import Expr, Matrix, diff, free_symbols, t
+from symbody.symbolic import Expr, Matrix, free_symbols, t
+
+from .given_load import split
 
 
 @dataclass(frozen=True)
@@ -40,10 +42,9 @@ def sources(system: Variables, mass_matrix: Matrix, actions: Iterable[Action]) -
         found = _leaves(action.vector.components)
         place = () if action.point is None else action.point.coordinates
         loads |= {*found, *_leaves(place)}
-        depends = any(leaf.name in motion for leaf in found if leaf.kind == "time_function")
-        alone = _added(found, action.vector.components, motion) if depends else found
-        (moving if found & (inertia | weight) else given).update(alone)
-        moving |= found - alone
+        parts = split(action.vector, system)
+        given |= parts.symbols
+        moving |= _leaves(parts.moving.components)
     return Sources(
         gravity=weight,
         loads=frozenset(leaf for leaf in loads if leaf.kind == "symbol") - inertia - weight,
@@ -56,15 +57,6 @@ def _inputs(variables: Variables) -> frozenset[Expr]:
     unknown = _names((*variables.coordinates, *variables.speeds, *variables.multipliers))
     return frozenset(
         leaf for leaf in variables.leaves if leaf.kind == "time_function" and leaf.name not in unknown
-    )
-
-
-def _added(leaves: Iterable[Expr], components: Sequence[Expr], motion: frozenset[str]) -> frozenset[Expr]:
-    """Return the symbols that are added to what depends on the motion, as F in ``F - b*x'``."""
-    return frozenset(
-        leaf
-        for leaf in leaves
-        if leaf.name not in motion and all(diff(each, leaf).is_number for each in components)
     )
 
 
