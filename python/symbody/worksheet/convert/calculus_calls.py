@@ -11,23 +11,30 @@ from symbody.worksheet.convert.operations import grouped
 from symbody.worksheet.convert.writer import Arguments, Writer
 from symbody.worksheet.sheet import syntax
 
-__all__ = ["CALCULUS", "for_sympy"]
+__all__ = ["CALCULUS", "for_sympy", "infinity"]
 
 Call: TypeAlias = Callable[[Writer, Arguments], str]
 
 
 def for_sympy(text: Writer, node: syntax.Expression) -> str:
     """Return an expression as one of SymPy."""
-    match node:
-        case syntax.Name(name="infinity"):
-            return "sympy.oo"
-        case syntax.Prefix(operator="-", operand=syntax.Name(name="infinity")):
-            return "-sympy.oo"
+    if infinity(node):
+        return infinity(node)
     written = text.text(node)
     found = text.value(written)
     if not isinstance(found, Expr | int):
         raise NoText("int")
     return written if isinstance(found, int) else f"sb.to_sympy({written})"
+
+
+def infinity(node: syntax.Expression) -> str:
+    """Return infinity as SymPy has it; nothing for another expression."""
+    match node:
+        case syntax.Name(name="infinity"):
+            return "sympy.oo"
+        case syntax.Prefix(operator="-", operand=syntax.Name(name="infinity")):
+            return "-sympy.oo"
+    return ""
 
 
 def _span(text: Writer, node: syntax.Expression) -> str:

@@ -25,6 +25,7 @@ from symbody.worksheet.convert.numbers_calls import NUMBERS
 from symbody.worksheet.convert.operations import grouped
 from symbody.worksheet.convert.picture_calls import PICTURES
 from symbody.worksheet.convert.polynomial_calls import POLYNOMIALS
+from symbody.worksheet.convert.quadrature_calls import QUADRATURE
 from symbody.worksheet.convert.selections import indexed
 from symbody.worksheet.convert.sequences import item
 from symbody.worksheet.convert.spectrum_calls import SPECTRUM
@@ -40,6 +41,7 @@ _TABLES = (
     JOINTS,
     MAPLE,
     CALCULUS,
+    QUADRATURE,
     POLYNOMIALS,
     CONDITIONS,
     CONSTRUCTORS,

@@ -15,6 +15,7 @@ from symbody.symbolic import Expr, Matrix
 from symbody.worksheet.convert.motion_values import component, function_at, is_motion
 from symbody.worksheet.convert.names import NoText, identifier
 from symbody.worksheet.convert.operations import SUM, grouped
+from symbody.worksheet.convert.quadrature_calls import by_quadrature
 from symbody.worksheet.convert.scalar_text import scalar_text
 from symbody.worksheet.convert.selections import key
 from symbody.worksheet.convert.sequences import comprehension, items
@@ -252,7 +253,7 @@ def _evaluated(text: Writer, arguments: Arguments) -> str:
 
 def _in_decimals(text: Writer, arguments: Arguments) -> str:
     """Return ``evalf(e)`` of a constant, or of what holds constants."""
-    whole = text.text(arguments[0])
+    whole = by_quadrature(text, arguments[0]) or text.text(arguments[0])
     found = text.value(whole)
     if isinstance(found, int | float | complex | np.ndarray):
         return whole

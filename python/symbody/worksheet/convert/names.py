@@ -22,6 +22,7 @@ from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
+import scipy.integrate
 import scipy.optimize
 from matplotlib.animation import ArtistAnimation
 

@@ -213,7 +213,8 @@ def _imports(body: str) -> str:
         "Path(": "from pathlib import Path\n",
         "plt.": "import matplotlib.pyplot as plt\n",
         "np.": "import numpy as np\n",
-        "scipy.": "import scipy.optimize\n",
+        "scipy.integrate.": "import scipy.integrate\n",
+        "scipy.optimize.": "import scipy.optimize\n",
         "ArtistAnimation(": "from matplotlib.animation import ArtistAnimation\n",
         "sympy.": "import sympy\n",
     }

@@ -8,6 +8,7 @@ from typing import Any
 
 from symbody.errors import SymbodyError
 from symbody.worksheet.convert.draft import Draft, has
+from symbody.worksheet.convert.item_values import item_lines
 from symbody.worksheet.convert.names import NoText, identifier
 from symbody.worksheet.convert.printed_values import shown_items
 from symbody.worksheet.convert.same import same
@@ -23,6 +24,14 @@ def as_values(program: Draft, statement: syntax.Statement, changed: Sequence[str
     """Write the values that a statement has given to names."""
     program.last = ""
     place = len(program.lines)
+    lines, is_mostly_code = (
+        ([], False) if changed else item_lines(program, statement, _value_text, source_of(program, statement))
+    )
+    if lines:
+        program.lines += lines
+        program.written += is_mostly_code
+        program.values += not is_mostly_code
+        return
     written = [name for name in changed if write_value(program, name)]
     if isinstance(statement, syntax.Evaluation) and not changed and _shown_value(program, statement):
         written = ["last"]
@@ -44,13 +53,19 @@ def _shown_value(program: Draft, statement: syntax.Evaluation) -> bool:
     if acts(statement.expression):
         return False
     has_value = session.last and session.last != program.before  # NULL leaves the last value alone
-    text = _literal(program, session.last[0]) if has_value else ""
-    if not text or not _is_value(program, text, session.last[0]):
+    text = _value_text(program, session.last[0]) if has_value else ""
+    if not text:
         return False
     program.names.values["last"], program.last = program.names.value(text), "last"
     program.lines += [f"last = {text}"] if program.keeps else []
     program.lines += [f"print({'last' if program.keeps else text})"] if statement.shown else []
     return statement.shown or program.keeps
+
+
+def _value_text(program: Draft, value: Any) -> str:
+    """Return a value as text that gives it; nothing if Python has none like it."""
+    text = _literal(program, value)
+    return text if text and _is_value(program, text, value) else ""
 
 
 def _acts(statement: syntax.Statement) -> bool:
@@ -73,8 +88,8 @@ def _printed_values(program: Draft) -> bool:
 def write_value(program: Draft, name: str) -> bool:
     """Write the value of a name; return whether it has a text that gives it."""
     session = program.interpreter.session
-    text = _literal(program, session.names[name])
-    if not text or not _is_value(program, text, session.names[name]):
+    text = _value_text(program, session.names[name])
+    if not text:
         program.names.values.pop(identifier(name), None)
         return False
     program.names.values[identifier(name)] = program.names.value(text)
