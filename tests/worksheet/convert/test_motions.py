@@ -88,3 +88,24 @@ def test_values_of_a_motion_at_times_are_integrated_up_to_them() -> None:
     assert found["fv"](0.7) == pytest.approx(-2 * np.sin(1.4), abs=1e-8)  # type: ignore[operator]
     assert [str(each) for each in found["names"]] == ["t", "x", "x'"]  # type: ignore[attr-defined]
     assert [row[1] for row in found["rows"]] == pytest.approx(np.cos([0, 1, 2, 3]), abs=1e-8)  # type: ignore[attr-defined]
+
+
+def test_sequences_of_initial_values_and_unknowns_with_indices() -> None:
+    found = values(
+        "n := 2: eqs := [seq(m[i]*diff(q[i](t),t,t) = -k*q[i](t), i=1..n)]: num := {seq(m[i]=2, i=1..n), k=8}: "
+        "ics := {seq(q[i](0)=0.1*i, i=1..n), seq(D(q[i])(0)=0, i=1..n)}: "
+        "s := dsolve(subs(num, {op(eqs)}) union ics, numeric, range=0..1.5):"
+    )
+    assert found["s"][found["q_2"]][-1] == pytest.approx(0.2 * COSINE, abs=1e-5)  # type: ignore[index]
+
+
+def test_integrals_of_numbers_are_those_of_scipy() -> None:
+    found = values(
+        "a := evalf(2*Int(sin(x)*exp(-x), x = 0..infinity)): f := n -> evalf(Int(cos(n*t)^2, t = 0..Pi)): b := f(2):"
+    )
+    assert (found["a"], found["b"]) == pytest.approx((1, np.pi / 2))
+
+
+def test_only_the_item_that_has_no_text_is_a_value(capsys: pytest.CaptureFixture[str]) -> None:
+    values('a := 3*x: a + 1, diff(a, x), length("abc"), a - x;')
+    assert capsys.readouterr().out == "3*x + 1 3 3 2*x\n"

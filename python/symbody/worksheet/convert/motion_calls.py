@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 
@@ -10,6 +11,7 @@ from symbody.worksheet.convert.names import NoText
 from symbody.worksheet.convert.numbers_calls import Call, number_text, residual_text
 from symbody.worksheet.convert.operations import SUM, grouped
 from symbody.worksheet.convert.substitutions import differences
+from symbody.worksheet.convert.unrolled import at_values
 from symbody.worksheet.convert.writer import Arguments, Writer
 from symbody.worksheet.sheet import syntax
 
@@ -89,6 +91,19 @@ def _items(text: Writer, node: syntax.Expression) -> Iterator[syntax.Expression]
         ):
             for each in items:
                 yield from _items(text, each)
+        case syntax.Call(
+            function=syntax.Name(name="seq"),
+            arguments=(
+                each,
+                syntax.Infix(
+                    operator="=",
+                    left=syntax.Name(name=variable),
+                    right=syntax.Infix(operator="..", left=first, right=last),
+                ),
+            ),
+        ):
+            for one in at_values(text, each, variable, first, last):
+                yield from _items(text, one)
         case syntax.Infix(operator="union", left=left, right=right):
             yield from _items(text, left)
             yield from _items(text, right)
@@ -180,8 +195,13 @@ def initial_values(text: Writer, node: syntax.Expression) -> str:
     """Return a set that holds initial values only, ``{x(0) = 1, D(x)(0) = 0}``, as a dictionary; or nothing."""
     if not isinstance(node, syntax.SetDisplay | syntax.ListDisplay | syntax.SequenceDisplay):
         return ""
-    entries = [_initial(text, each, text.text) for each in node.items]
-    return f"{{{', '.join(entries)}}}" if entries and all(entries) else ""
+    with contextlib.suppress(NoText):
+        items = list(_items(text, node))
+        entries = [
+            _initial(text, each, text.text) if _starts(getattr(each, "left", each)) else "" for each in items
+        ]
+        return f"{{{', '.join(entries)}}}" if entries and all(entries) else ""
+    return ""
 
 
 def _initial(
@@ -199,7 +219,8 @@ def _initial(
         case syntax.Infix(
             operator="=",
             left=syntax.Call(
-                function=syntax.Name() as name, arguments=(syntax.Integer() | syntax.Decimal(),)
+                function=syntax.Name() | syntax.Selection() as name,
+                arguments=(syntax.Integer() | syntax.Decimal(),),
             ),
             right=right,
         ):
@@ -207,7 +228,9 @@ def _initial(
         case syntax.Infix(
             operator="=",
             left=syntax.Call(
-                function=syntax.Call(function=syntax.Name(name="D"), arguments=(syntax.Name() as name,)),
+                function=syntax.Call(
+                    function=syntax.Name(name="D"), arguments=(syntax.Name() | syntax.Selection() as name,)
+                ),
                 arguments=(syntax.Integer() | syntax.Decimal(),),
             ),
             right=right,
@@ -216,7 +239,7 @@ def _initial(
     return ""
 
 
-def _of_time(name: syntax.Name) -> syntax.Call:
+def _of_time(name: syntax.Name | syntax.Selection) -> syntax.Call:
     return syntax.Call(name, (_TIME,), place=name.place)
 
 

@@ -20,15 +20,13 @@ import math
 import pickle
 from pathlib import Path
 
-import matplotlib.pyplot as plt
 import numpy as np
-import scipy.integrate
-import scipy.optimize
-from matplotlib.animation import ArtistAnimation
 
 import symbody as sb
 """
 """What a program may import: only what it needs."""
+_DEFERRED = {"plt": "matplotlib.pyplot", "scipy": "scipy", "sympy": "sympy"}
+"""What takes long to import, or is optional, by its names in programs: loaded where a statement needs it."""
 
 _TAKEN = frozenset(
     {
@@ -85,7 +83,7 @@ def _imported() -> dict[str, Any]:
     """Return what the first lines of a program import."""
     values: dict[str, Any] = {}
     exec("\n".join([_MODULES, *DEFINITIONS.values()]), values)
-    values["sympy"] = Deferred("sympy")  # optional, and only for what it finds
+    values |= {name: Deferred(module) for name, module in _DEFERRED.items()}
     values["draw"] = values["animate"] = list  # nothing is drawn while the program is written
     return values
 

@@ -181,8 +181,8 @@ class _Comparison:
         sides = self.session.current(left), self.session.current(right)
         if not all(isinstance(side, Expr) for side in sides):
             named = self.named_object(left) if isinstance(right, Unevaluated) else None
-            if named is not None:
-                return self.object(made, named)  # ``P = POINT(..)``, where show may leave out the frame
+            if named is not None and self.object(made, named):
+                return True  # ``P = POINT(..)``, where show may leave out the frame
             return isinstance(made, _HELD) and self.same(made, right)
         return isinstance(made, Expr) and self.equal(made, sides[0] - sides[1])  # type: ignore[operator]
 
@@ -280,7 +280,7 @@ class _Comparison:
         return len(frames[0]) == len(frames[1]) and all(map(self.equal, *map(self.plain, frames)))
 
 
-_INITIAL = re.compile(r"(?:D\((\w+)\)|(\w+))\([-\d./]+\)")
+_INITIAL = re.compile(r"(?:D\(([\w\[\],]+)\)|([\w\[\],]+))\([-\d./]+\)")
 _EXPRESSIONS = (symbol("expr"),)
 _HELD = (Matrix, list, tuple, Frame, Point, Vector, Body, Force, Torque)
 """The types of right sides of equations whose left side is a name, as in ``P = POINT(..)``."""

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 from symbody.errors import SymbodyError
+from symbody.symbolic import Expr
 from symbody.worksheet.convert.draft import Draft, has
 from symbody.worksheet.convert.item_values import item_lines
 from symbody.worksheet.convert.names import NoText, identifier
@@ -148,7 +149,8 @@ def update(program: Draft, changed: Sequence[str], *, is_entry: bool) -> None:
 def _renew_master(program: Draft, symbols: Iterable[str]) -> None:
     """Make the moving frame again, and what hangs on it, if its velocities contain symbols that have a value now."""
     names = program.names
-    changes = {names.plain(each): names.values[each] for each in symbols if each in names.values}
+    given = {each: names.values.get(each) for each in symbols}
+    changes = {names.plain(each): value for each, value in given.items() if isinstance(value, Expr)}
     lines = [names.made[name] for name in on_the_master(names, changes)] if changes else []
     with contextlib.suppress(Exception):
         exec("\n".join(lines), names.values)
