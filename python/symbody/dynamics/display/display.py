@@ -12,7 +12,7 @@ from typing import Protocol
 from symbody.deferred import cached_property
 from symbody.errors import ModelError
 from symbody.multibody import System, Variables
-from symbody.symbolic import Expr, Matrix, cost, readable
+from symbody.symbolic import Expr, Matrix, cost, readable, substitute
 from symbody.symbolic.expression.html_table import scrolled
 from symbody.symbolic.expression.latex_layout import displayed, in_pages, one_formula
 from symbody.symbolic.given.arguments import brief, counted
@@ -20,6 +20,7 @@ from symbody.symbolic.given.arguments import brief, counted
 from .abridged import PAGES, abridged, pages_of
 from .balance import Balance, balances
 from .equation_page import EquationPage
+from .given_motion import given_motions, with_given_motions
 from .line_page import row_with_lines_if_shorter, with_lines_if_shorter
 from .long_entries import are_long
 from .matrix_form import MatrixForm, matrix_form, with_names
@@ -41,6 +42,8 @@ _AT_ONCE = 500
 
 _WITHIN_PAGES = 200
 """Equations with more operations, and long entries of the mass matrix, certainly fill pages."""
+_OF_MOTIONS = 120
+"""Operations from which on equations have names for motions that are functions of time; others are read at a glance."""
 
 
 class Shown(Protocol):
@@ -81,6 +84,9 @@ class Shown(Protocol):
     @property
     def display(self) -> Display:
         """Their display."""
+
+    def of(self, system: System) -> Shown:
+        """Return the equations of another system."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,10 +129,23 @@ class Display:
         return page_of_ratios(shown.system, shown.residuals, shown.state_rates, page)
 
     @cached_property
+    def _page_with_motions(self) -> Page:
+        """The page, with names for motions that are functions of time if the equations are long."""
+        shown, system = self.shown, self.system
+        if not isinstance(system, System) or shown.whole or cost(shown.residuals).total <= _OF_MOTIONS:
+            return self.page_with_lines
+        if not (names := given_motions(system)):
+            return self.page_with_lines
+        page = shown.of(with_given_motions(system, names)).display.page_with_lines
+        motions = {name: motion for motion, name in names.items()}
+        is_same = substitute([row.residual for row in page.balances], motions) == shown.residuals
+        return replace(page, named=(*motions.items(), *page.named)) if is_same else self.page_with_lines
+
+    @cached_property
     def _printed_page(self) -> Page:
         """The one that reads better."""
         if self._page_of_ratios is None:
-            return self.page_with_lines
+            return self._page_with_motions
         if not is_readable(self.shown.residuals):
             return self._page_of_ratios
         return better_page(self.page_with_lines, self._page_of_ratios)

@@ -13,7 +13,7 @@ from symbody.dynamics.display.matrix_form import MatrixForm
 from symbody.errors import ModelError
 from symbody.geometry import Scalar
 from symbody.geometry.given.argument import checked
-from symbody.multibody import Variables
+from symbody.multibody import System, Variables
 from symbody.symbolic import (
     MOTION,
     Expr,
@@ -311,6 +311,10 @@ class Equations:
     def display(self) -> Display:
         """How the equations are shown."""
         return Display(self)
+
+    def of(self, system: System) -> Equations:
+        """Return the equations of another system by the same formalism."""
+        return replace(self, system=system)
 
     @property
     def is_readable(self) -> bool:
