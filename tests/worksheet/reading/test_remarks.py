@@ -81,6 +81,14 @@ CASES = [
     ("F := f(T, 0, -m*g  weight,\n 0, P, b);", ["Assignment"], ["weight"]),
     ("S := {b1,  the arm\n  b2  the link\n}:", ["Assignment"], ["the arm", "the link"]),
     ("S := {b1, b2 the link\n}: b2 := 2:", ["Assignment"] * 2, ["the link"]),
+    ("e := m*a + inertia\n c*v;", ["SyntaxMistake"], []),
+    (
+        "e := m*a +   inertia\n c*v +  damping\n k*x;  stiffness",
+        ["Assignment"],
+        ["inertia", "damping", "stiffness"],
+    ),
+    ("e := m*a -   inertia\n F(t)   drive force\n + k*x;", ["Assignment"], ["inertia", "drive force"]),
+    ("e := x +   y\n z*y;", ["SyntaxMistake"], []),
     ("V := K/2*(x^2 + 2 y\n + z^2);", ["SyntaxMistake"], []),
     ("V := K/2*(x^2 + y\n z^2);", ["SyntaxMistake"], []),
     ("e := [a, b^2  the force\n c];", ["SyntaxMistake"], []),
@@ -119,6 +127,30 @@ CASES = [
 @pytest.mark.parametrize(("text", "kinds", "remarks"), CASES, ids=[text for text, _, _ in CASES])
 def test_remarks(text: str, kinds: list[str], remarks: list[str]) -> None:
     assert read(text) == (kinds, remarks)
+
+
+EXPORTS = [
+    ("> e := m*a +   inertia\n  c*v;  damping\n> e;", ["Assignment", "Evaluation"], ["inertia", "damping"]),
+    (
+        "> e := m*a +   inertia\n\n  c*v;  damping\n\n> e;",
+        ["Assignment", "Evaluation"],
+        ["inertia", "damping"],
+    ),
+    (
+        "> e := m*a + inertia\n  c*v +  damping\n  k*x; stiff\n> e;",
+        ["SyntaxMistake", "Evaluation"],
+        ["damping", "stiff"],
+    ),
+    ("> e := x^2\n\ne := x^2\n\nThe result: 3*k; none\n\n> e;", ["Assignment", "Evaluation"], []),
+]
+
+
+@pytest.mark.parametrize(("text", "kinds", "remarks"), EXPORTS, ids=[text for text, _, _ in EXPORTS])
+def test_no_line_with_a_terminator_is_lost(text: str, kinds: list[str], remarks: list[str]) -> None:
+    cells = text_export_cells(text)
+    found = [one for cell in cells for one in statements(cell, names_in_code(cells))]
+    assert [type(one).__name__ for one in found if not isinstance(one, Remark)] == kinds
+    assert [one.text for one in found if isinstance(one, Remark)] == remarks
 
 
 def test_a_mark_undoes_it() -> None:

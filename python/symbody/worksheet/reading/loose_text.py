@@ -1,8 +1,9 @@
 """Text that a line shows to be no code, before any statement is read.
 
 It stands behind the last terminator of a line (``m := 5; mass [kg]``), on a line of its own between statements, or it
-is a unit apart at the end of a line (``x0  [m]``), or a word behind a comma before a bracket. It is a remark where no
-statement can be: if two of its words stand side by side, if none of its names occurs in code, or if it is a unit.
+is a unit apart at the end of a line (``x0  [m]``), a word behind a comma before a bracket, or a word far behind an
+operator before an operand (``m*a +   inertia`` above ``c*v;``). It is a remark where no statement can be: if two of its
+words stand side by side, if none of its names occurs in code, or if it is a unit.
 """
 
 from __future__ import annotations
@@ -37,6 +38,8 @@ _OPERATOR_NAMES = """PLUS MINUS TIMES OVER DOT AMPERSAND POWER EQUAL UNEQUAL LES
 WITHOUT INTERSECT COMMA"""
 _OPERATORS = frozenset(_OPERATOR_NAMES.split())
 _GOES_ON = _OPERATORS | CLOSING | TERMINATORS | {"DO", "THEN", "CLAUSE", "IN"}
+_CALCULATES = frozenset({"PLUS", "MINUS", "TIMES", "OVER", "DOT", "EQUAL"})
+_OPERANDS = OPENING | LITERALS | {"NAME", "BACKQUOTED", "QUOTE"}
 _BEGINS_NOTHING = _OPERATORS - {"PLUS", "MINUS"} | {"_ARROW"}
 
 _UNIT_NAMES = """m mm cm km kg g t N kN Nm Nmm s ms min h rad mrad deg grad rpm Hz kHz J kJ W kW Pa kPa MPa GPa bar K V
@@ -127,12 +130,22 @@ def _unit_apart(line: Sequence[Token], following: Sequence[Token]) -> int | None
     if begin is None or not any(token.type == "NAME" for token in line[begin:]):
         return None
     before = line[begin - 1]
+    if _is_between_operator_and_operand(line, begin, following):
+        return begin
     if before.type == "COMMA":
         kinds = OPENING if line[begin].type == "NAME" else OPENING | {"NAME"}
         return begin if following and following[0].type in kinds else None
     is_operand = before.type in CLOSING | LITERALS | {"NAME"} and line[begin].type in OPENING
     is_index = before.type not in LITERALS or line[begin].type != "LSQB"
     return begin if is_operand and (not is_index or stands_far(before, line[begin])) else None
+
+
+def _is_between_operator_and_operand(line: Sequence[Token], begin: int, following: Sequence[Token]) -> bool:
+    """Whether a word ends a line far behind an operator, whose operand begins the next line."""
+    before, word = line[begin - 1], line[begin]
+    is_operator = before.type in _CALCULATES or before == ":="
+    is_before_operand = bool(following) and following[0].type in _OPERANDS
+    return word.type == "NAME" and is_operator and is_before_operand and stands_far(before, word)
 
 
 def _last_operand(line: Sequence[Token]) -> int | None:

@@ -13,7 +13,14 @@ from dataclasses import dataclass, field
 from lark import Token
 
 from symbody.worksheet.reading.interrupted import begins_block, with_whole_blocks
-from symbody.worksheet.reading.parse import TERMINATORS, Failure, next_statement, terminator_after, tokens_of
+from symbody.worksheet.reading.parse import (
+    TERMINATORS,
+    Failure,
+    is_statement,
+    next_statement,
+    terminator_after,
+    tokens_of,
+)
 from symbody.worksheet.reading.prompts import (
     has_words,
     inputs,
@@ -33,6 +40,8 @@ from symbody.worksheet.sheet.source import Cell, Line, Remark, SyntaxMistake
 __all__ = ["text_export_cells"]
 
 _TRUTHS = frozenset({"true", "false", "FAIL"})
+
+_CALCULATIONS = frozenset({"PLUS", "MINUS", "TIMES", "OVER", "POWER"})
 
 #: How many lines without a prompt can stand in an open bracket.
 _HELD = 20
@@ -97,6 +106,11 @@ class _Cells:
     def goes_on(self) -> bool:
         """Whether the last statement needs more, and nothing was printed behind it."""
         return bool(self.input) and not self.printed and is_open(self.input)
+
+    def ends_below(self, lines: Sequence[Line]) -> bool:
+        """Whether the last statement has no terminator, and lines below it have one behind terms."""
+        is_last = bool(self.input) and not (self.printed or self.prose or _ends_statement(self.input[-1]))
+        return is_last and any(_ends_calculation(line) for line in lines)
 
 
 def text_export_cells(text: str) -> tuple[Cell, ...]:
@@ -206,8 +220,17 @@ def _goes_on(code: Sequence[Line], lines: Sequence[Line]) -> bool:
         return True
     if _ends_statement(code[-1]):
         return False
+    if any(map(_ends_calculation, lines)):  # no output has a terminator
+        return True
     found = list(statements(Cell((*code, *lines))))  # one statement on several lines
     return _ends_statement(lines[-1]) and not any(isinstance(one, SyntaxMistake) for one in found)
+
+
+def _ends_calculation(line: Line) -> bool:
+    """Whether a line begins with the last terms of a statement, whatever follows: ``+ k*x;  stiffness``."""
+    tokens = tokens_of(line)
+    end = next((index for index, token in enumerate(tokens) if token.type in TERMINATORS), 0)
+    return any(token.type in _CALCULATIONS for token in tokens[:end]) and is_statement(tokens[:end])
 
 
 def _ends_statement(line: Line) -> bool:
@@ -226,6 +249,9 @@ def _read_without_prompt(cells: _Cells, lines: Sequence[Line]) -> None:
             cells.input, cells.held = code, []
             return
     _release(cells)
+    if cells.ends_below(lines):
+        cells.input += lines
+        return
     _read_text(cells, lines)
 
 
