@@ -22,13 +22,13 @@ from symbody import (
 )
 
 
-def rods(axes: str, *, is_absolute: bool = False) -> Equations:
+def rods(axes: str, *, is_absolute: bool = False, are_equal: bool = False) -> Equations:
     """A chain of rods with pins, whose angles are relative or absolute."""
     names = range(1, len(axes) + 1)
     q, g, frame, bodies = functions_of_time([f"q{k}" for k in names]), symbols("g"), ground, []
     before = [0, *q[:-1]] if is_absolute else [0] * len(q)
     for k, axis, angle, other in zip(names, axes, q, before, strict=True):
-        m, l = symbols(f"m{k} l{k}")
+        m, l = symbols("m l" if are_equal else f"m{k} l{k}")
         frame = frame * rotate(axis, angle - other)
         bodies.append(Body(frame * translate(l / 2, 0, 0), m, 0, m * l**2 / 12, m * l**2 / 12))
         frame = frame * translate(l, 0, 0)
@@ -57,3 +57,17 @@ def test_a_double_pendulum_of_rods_has_the_terms_of_the_book() -> None:
     book = "m1*l1**2/4 + m2*(l1**2 + l2**2/4 + l1*l2*cos(q2)) + m1*l1**2/12 + m2*l2**2/12"
     q1, q2 = functions_of_time("q1 q2")
     assert parse(book, names={"q1": q1, "q2": q2}) == rods("ZZ").mass_matrix[0, 0]
+
+
+def test_equal_rods_have_a_fraction_for_each_term_where_denominators_differ() -> None:
+    equations = rods("ZZ", are_equal=True)
+    assert equations.matrix_form().description().splitlines()[1:] == [
+        "    M11 = 5/3*m*l**2 + m*l**2*cos(q2)",
+        "    M12 = M21 = 1/3*m*l**2 + 1/2*m*l**2*cos(q2)",
+        "    M22 = 1/3*m*l**2",
+        "    c1 = -1/2*m*l**2*sin(q2)*(2*q1'*q2' + q2'**2)",
+        "    c2 = 1/2*m*l**2*sin(q2)*q1'**2",
+        "    g1 = 1/2*g*l*m*(3*cos(q1) + cos(q1 + q2))",
+        "    g2 = 1/2*g*l*m*cos(q1 + q2)",
+    ]
+    assert equations.matrix_form().mass_matrix == equations.mass_matrix

@@ -47,7 +47,7 @@ def by_products(expression: Expr, masses: Collection[Expr]) -> Expr | None:
 
 
 def has_common_fraction(form: Expr) -> bool:
-    """Return whether a fraction stands before a sum with lengths in it: ``1/6*(2*l2 + 3*l1*cos(q))``.
+    """Return whether a fraction stands before a sum of several kinds of terms: ``1/6*(2*l2 + 3*l1*cos(q))``.
 
     >>> from symbody import functions_of_time, sin, symbols
     >>> q, (m, M, l) = functions_of_time("q"), symbols("m M l")
@@ -59,12 +59,22 @@ def has_common_fraction(form: Expr) -> bool:
 
 def _is_common_fraction(node: Expr) -> bool:
     factors = parts_of(node, "product")
-    has_fraction = any(part.is_number and not part.is_decimal and part.ratio[1] > 1 for part in factors)
-    return has_fraction and any(part.kind == "sum" and not _is_coefficient(part) for part in factors)
+    fractions = [part for part in factors if part.is_number and not part.is_decimal and part.ratio[1] > 1]
+    return any(
+        part.kind == "sum" and not _is_coefficient(part, fractions[0]) for part in factors if fractions
+    )
 
 
-def _is_coefficient(total: Expr) -> bool:
-    """Return whether a sum is of parameters, each to the first power, or of numbers and functions alone."""
-    terms = [[part for part in parts_of(term, "product") if not part.is_number] for term in summands(total)]
-    is_linear = all(len(parts) <= 1 and all(part.kind == "symbol" for part in parts) for parts in terms)
-    return is_linear or not any(leaf.kind == "symbol" for leaf in total.free_symbols)
+def _is_coefficient(total: Expr, fraction: Expr) -> bool:
+    """Return whether a sum is of parameters, each to the first power, or of functions with equal denominators.
+
+    So is ``3*cos(q) + cos(p)`` behind 1/2, but ``2 + 3*cos(q)`` isn't behind 1/6, of which it leaves 1/3 and 1/2.
+    """
+    terms = [parts_of(term, "product") for term in summands(total)]
+    others = [[part for part in parts if not part.is_number] for parts in terms]
+    if all(len(parts) <= 1 and all(part.kind == "symbol" for part in parts) for parts in others):
+        return True
+    if any(leaf.kind == "symbol" for leaf in total.free_symbols):
+        return False
+    numbers = [next((part for part in parts if part.is_number), _core.number(1)) for parts in terms]
+    return len({(fraction * each).ratio[1] for each in numbers if not each.is_decimal}) == 1
