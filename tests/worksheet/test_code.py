@@ -136,3 +136,37 @@ def test_an_index_before_the_first_is_refused() -> None:
 
 def test_only_functions_of_python_are_those_of_its_module() -> None:
     assert printed("CodeGeneration[Python](f(x)*sin(x));") == ["cg = f(x) * math.sin(x)"]
+
+
+@pytest.mark.parametrize(
+    ("expression", "message"),
+    [
+        (
+            "piecewise(x < 0, -x, x)",
+            "codegen: piecewise has no counterpart in an expression; expected the cases one by one, "
+            + "or max, min, abs and signum",
+        ),
+        (
+            "x < y",
+            "codegen: x < y is a condition; expected an expression, or an equation name = e",
+        ),
+        *(
+            (
+                expression,
+                f"codegen: {text} has no counterpart in this language; expected numbers, names, +, -, *, /, ^ "
+                + "and elementary functions",
+            )
+            for expression, text in (("k*floor(x)", "floor(x)"), ("D(f)(x)", "diff(f(x),x)"), ("I*x", "I"))
+        ),
+    ],
+)
+def test_what_a_language_has_no_words_for_is_no_code(expression: str, message: str) -> None:
+    assert failures(f"CodeGeneration[C]({expression});") == [message]
+
+
+def test_constants_and_extrema_have_the_words_of_their_languages() -> None:
+    assert printed("with(CodeGeneration): Matlab(I*x): C(max(a, b)): Python(infinity):") == [
+        "cg = 1i * x;",
+        "cg = fmax(a, b);",
+        "cg = math.inf",
+    ]

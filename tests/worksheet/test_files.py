@@ -176,3 +176,12 @@ def test_the_description_of_a_procedure_is_saved(tmp_path: Path) -> None:
     text = 'p := proc (a) local b; description "twice", "a"; b := 2*a; b end proc;\n'
     assert (tmp_path / "p.mpl").read_text() == text
     assert printed('read "p.mpl": p(3);', tmp_path) == ["6"]
+
+
+def test_saved_procedures_keep_the_backquotes_of_their_names(tmp_path: Path) -> None:
+    printed(
+        "f := proc(a) local `my x`; `my x` := `if`(a > 2, a, -a); `union`({`my x`}, {1}) end: "
+        'r := x -> round(x): save f, r, "f.txt":',
+        tmp_path,
+    )
+    assert printed('read "f.txt": f(1), f(3), r(z), r(2.5);', tmp_path) == ["{-1, 1}, {1, 3}, round(z), 3"]

@@ -25,3 +25,18 @@ def test_velocities_of_the_moving_frame_become_small() -> None:
     rate, by = sb.time_derivative, sheets[0].session
     assert by.current(by.names["x"]) == 0
     assert by.current(by.names["y"]) == m * (rate(v) + V * r + a * rate(r) + h * rate(phi, 2))
+
+
+def test_rates_are_small_where_their_functions_are_not() -> None:
+    """By hand: a point at a from the centre of a turn by psi, whose rate is small, has no centripetal acceleration."""
+    text = (
+        "with(MBSymba_r6): linear_modeling({diff(psi(t),t), y(t)}): B := make_BODY(make_POINT("
+        "translate(0,y(t),0)*rotate('Z',psi(t)),a,0,0),m): N := newton_equations({B}): comp_X(N), comp_Y(N), "
+        "linearize(b*diff(psi(t),t) + diff(psi(t),t)^2*sin(psi(t)) + diff(psi(t),t)*y(t));"
+    )
+    turn, rise = "diff(psi(t),`$`(t,2))", "diff(y(t),`$`(t,2))"
+    by_hand = f"-a*m*sin(psi(t))*{turn}, m*(a*cos(psi(t))*{turn}+{rise}), b*diff(psi(t),t)"
+    assert printed(text)[-1] == by_hand
+    assert printed("linearize(diff(psi(t),t)^2, {diff(psi(t),t) = Omega});") == [
+        "Omega^2+2*Omega*(diff(psi(t),t)-Omega)"
+    ]

@@ -43,6 +43,15 @@ _COUNTED = ("multiplications", "additions", "subscripts", "divisions", "function
 """The order in which counts are printed."""
 
 
+def _right_side(session: Session, relation: Relation) -> Expr:
+    """Return the value that an equation gives its left side; an inequality gives none."""
+    if relation.operator != "=":
+        raise WorksheetError(
+            f"codegen: {session.text(relation)[:60]} is a condition; expected an expression, or an equation name = e"
+        )
+    return scalar(session, session.current(relation.right))
+
+
 def _scalars(session: Session, value: Value) -> list[Expr]:
     found = session.resolve(value)
     if isinstance(found, Relation):
@@ -186,7 +195,7 @@ def _lines(session: Session, value: Value, name: str, *, shares: bool) -> list[s
 
 def _assignment_lines(session: Session, equations: list[Relation], *, shares: bool) -> list[str]:
     lefts = [code_name(unparsed(session, each.left), MATLAB) for each in equations]
-    rights = [scalar(session, session.current(each.right)) for each in equations]
+    rights = [_right_side(session, each) for each in equations]
     if not shares:
         return [f"{left} = {code_text(right)};" for left, right in zip(lefts, rights, strict=True)]
     results = iter(lefts)
@@ -261,10 +270,8 @@ def _named_results(
 ) -> Iterator[tuple[str, Expr]]:
     """Return what a program computes: equations by their left sides, entries of arrays, an expression."""
     if isinstance(value, Relation):
-        yield (
-            code_name(unparsed(session, value.left), language),
-            scalar(session, session.current(value.right)),
-        )
+        right = _right_side(session, value)
+        yield code_name(unparsed(session, value.left), language), right
     elif isinstance(value, Array):
         for place, entry in enumerate(value.entries):
             row, column = divmod(place, value.columns)

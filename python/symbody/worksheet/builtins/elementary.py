@@ -125,14 +125,14 @@ def _extremum(function: Callable[..., Expr], choose: Callable[..., float]) -> Co
     return command
 
 
-def _rounded(function: Callable[[float | Fraction], int]) -> Command:
+def _rounded(name: str, function: Callable[[float | Fraction], int]) -> Command:
     def command(session: Session, x: Value) -> Value:
         argument = scalar(session, x)
         if argument.is_number:
             return number(function(Fraction(*argument.ratio)))
         found = as_float(argument)
         if found is None:
-            return Unevaluated(symbol(function.__name__), (x,))
+            return Unevaluated(symbol(name), (x,))
         return number(function(found))
 
     return command
@@ -400,10 +400,10 @@ COMMANDS: dict[str, Command] = {
     "csgn": _of_one(sign),
     "min": _extremum(Min, min),
     "max": _extremum(Max, max),
-    "floor": _rounded(math.floor),
-    "ceil": _rounded(math.ceil),
-    "trunc": _rounded(math.trunc),
-    "round": _rounded(_half_away),
+    "floor": _rounded("floor", math.floor),
+    "ceil": _rounded("ceil", math.ceil),
+    "trunc": _rounded("trunc", math.trunc),
+    "round": _rounded("round", _half_away),
     "factorial": factorial,
     "frac": fractional_part,
     "binomial": binomial,

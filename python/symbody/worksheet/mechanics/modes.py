@@ -20,12 +20,14 @@ class Mechanics:
         moving: the moving master frame on which all frames are hung, if there is one.
         speeds: the velocities of the moving frame as the sheet writes them, along its axes and about them.
         small: the variables that are small, and the values from which they deviate; zero for most.
+        small_rates: derivatives that are small although their functions are not, with such values.
     """
 
     release: int = 6
     moving: Frame | None = None
     speeds: tuple[Expr, ...] = ()
     small: dict[Expr, Expr] = field(default_factory=dict)
+    small_rates: dict[Expr, Expr] = field(default_factory=dict)
 
     @property
     def matrix_kind(self) -> str:

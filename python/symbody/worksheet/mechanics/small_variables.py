@@ -2,6 +2,9 @@
 
 A variable x that is small, or the small deviation of x from a value a, is ``a + d`` in a computation, with a d that is
 marked by `small`. What comes back keeps the terms up to an order in all d together, with ``d = x - a``.
+
+The rate of a variable may be small although the variable isn't, as that of the yaw of a car. It becomes a small
+variable where results come back: before, no term is lost, as only those of higher orders in marked ones are left out.
 """
 
 from __future__ import annotations
@@ -13,7 +16,17 @@ from typing import TypeVar
 
 from symbody.errors import ModelNotice, WorksheetError
 from symbody.geometry import Frame, moving_frame
-from symbody.symbolic import Expr, number, small, substitute, symbol, taylor, time_derivative, truncated
+from symbody.symbolic import (
+    Expr,
+    number,
+    small,
+    substitute,
+    symbol,
+    taylor,
+    time_derivative,
+    time_function,
+    truncated,
+)
 from symbody.worksheet.evaluation.session import Session
 from symbody.worksheet.mechanics.modes import Mechanics, mechanics
 from symbody.worksheet.mechanics.shortest import shortest
@@ -43,8 +56,10 @@ def entered(modes: Mechanics, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
 
 def left(modes: Mechanics, expressions: Sequence[Expr], order: int = 1) -> tuple[Expr, ...]:
     """Return expressions up to an order in the small variables, without marks."""
-    if not modes.small:
+    if not modes.small and not modes.small_rates:
         return tuple(expressions)
+    if modes.small_rates:
+        expressions = _quietly(lambda: substitute(tuple(expressions), _rates_in(modes)))
     return _quietly(lambda: substitute(truncated(tuple(expressions), order), _out(modes)))
 
 
@@ -75,7 +90,17 @@ def _in(modes: Mechanics) -> dict[Expr, Expr]:
 
 
 def _out(modes: Mechanics) -> dict[Expr, Expr]:
-    return {small(x): x - value for x, value in modes.small.items()}
+    variables = {small(x): x - value for x, value in modes.small.items()}
+    return variables | {small(_variable_of(rate)): rate - value for rate, value in modes.small_rates.items()}
+
+
+def _rates_in(modes: Mechanics) -> dict[Expr, Expr]:
+    return {rate: value + small(_variable_of(rate)) for rate, value in modes.small_rates.items()}
+
+
+def _variable_of(rate: Expr) -> Expr:
+    """Return a function of time that stands for a rate; derivatives of the rate are those of the function."""
+    return time_function(f"_small_{rate.name}")
 
 
 def linear_modeling(session: Session, *sets: Value) -> Value:
@@ -85,15 +110,19 @@ def linear_modeling(session: Session, *sets: Value) -> Value:
     An empty set ends the mode.
     """
     modes = mechanics(session)
-    modes.small = {x: value for each in sets for x, value in _deviations(session, each, "linear_modeling")}
+    given = {x: value for each in sets for x, value in _deviations(session, each, "linear_modeling")}
+    modes.small = {x: value for x, value in given.items() if not _is_rate(x)}
+    functions = {x.name for x in modes.small if x.kind == "time_function"}
+    modes.small_rates = {x: a for x, a in given.items() if _is_rate(x) and x.name not in functions}
     if modes.moving is not None:
         modes.moving = moving_master(modes)
-    if not modes.small:
+    if not modes.small and not modes.small_rates:
         session.lines.append("Warning, Non-Linear Modeling option has been choosen")
         session.assign("small_vars", MapleSet(()))
         return NULL
     session.lines.append("Warning, Linear Modeling option has been choosen for the following variables:")
-    names = [*modes.small, *(time_derivative(x) for x in modes.small if x.kind == "time_function"), number(0)]
+    variables = [*modes.small, *modes.small_rates]
+    names = [*variables, *(time_derivative(x) for x in variables if x.kind == "time_function"), number(0)]
     found = MapleSet(tuple(names))
     session.assign("small_vars", found)
     return Relation("=", symbol("small_vars"), found)
@@ -108,7 +137,9 @@ def linearize(session: Session, value: Value, about: Value | None = None) -> Val
     """linearize(e [, {x(t), ...}]): the first-order terms of an expression, an equation, a list, a set or a matrix."""
     modes = mechanics(session)
     kinds = ("symbol", "time_function", "application")
-    places = dict(_deviations(session, about, "linearize", kinds)) if about is not None else modes.small
+    places = modes.small | modes.small_rates
+    if about is not None:
+        places = dict(_deviations(session, about, "linearize", kinds))
     return _linear(session, session.current(value), places)
 
 
@@ -129,23 +160,31 @@ def _linear(session: Session, value: Value, places: dict[Expr, Expr]) -> Value:
 
 
 def _first_order(value: Expr, places: dict[Expr, Expr]) -> Expr:
-    """Return the terms of first order; a function of another variable, ``phi(q)``, is a variable here."""
+    """Return the terms of first order; a function of another variable, ``phi(q)``, is a variable here, as rates are."""
+    functions = {x.name for x in places if x.kind == "time_function" and not x.order}
+    places = {x: a for x, a in places.items() if not _is_rate(x) or x.name not in functions}
     names = {x: symbol(f"_small{i}") for i, x in enumerate(places) if x.kind == "application"}
+    names |= {x: _variable_of(x) for x in places if _is_rate(x)}
     back = {name: x for x, name in names.items()}
     at = {names.get(x, x): a for x, a in places.items()}
     return taylor(value.subs(names), at).subs(back) if names else taylor(value, places)
 
 
+def _is_rate(x: Expr) -> bool:
+    """Whether a variable is the derivative of a function of time, which is small with the function."""
+    return x.kind == "time_function" and x.order > 0
+
+
 def _deviations(
     session: Session, value: Value, where: str, kinds: Collection[str] = ("symbol", "time_function")
 ) -> Iterable[tuple[Expr, Expr]]:
-    """Return variables and the values from which they deviate; derivatives of functions are small with them."""
+    """Return variables and rates, and the values from which they deviate."""
     items = value.items if isinstance(value, Listed | MapleSet | Several) else (value,)
     for item in items:
         variable, at = (item.left, item.right) if isinstance(item, Relation) else (item, number(0))
         if not isinstance(variable, Expr) or not isinstance(at, Expr):
             raise WorksheetError(f"{where}: expected variables, such as {{x(t), psi}}, or equations x(t) = a")
-        if variable.is_number or (variable.kind == "time_function" and variable.order):
+        if variable.is_number:
             continue
         if variable.kind not in kinds:
             raise WorksheetError(

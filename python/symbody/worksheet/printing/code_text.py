@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr
@@ -32,6 +32,7 @@ class Language:
         end: ends a statement.
         first: the first index of an array.
         brackets: what stands around, and between, indices.
+        constants: its words for I, infinity and undefined.
     """
 
     functions: Mapping[str, str]
@@ -42,6 +43,7 @@ class Language:
     end: str = ";"
     first: int = 1
     brackets: tuple[str, str, str] = ("(", ", ", ")")
+    constants: Mapping[str, str] = field(default_factory=dict)
 
 
 _WORDS = {"arctan": "atan", "arcsin": "asin", "arccos": "acos", "ln": "log", "signum": "sign"}
@@ -55,9 +57,9 @@ def _fortran_decimal(text: str) -> str:
     return text.replace("e", "d") if "e" in text else f"{text}d0"
 
 
-MATLAB = Language(_WORDS, _raised("^"))
+MATLAB = Language(_WORDS, _raised("^"), constants={"I": "1i", "infinity": "Inf", "undefined": "NaN"})
 _C = Language(
-    _WORDS | {"abs": "fabs"},
+    _WORDS | {"abs": "fabs", "max": "fmax", "min": "fmin"},
     lambda base, exponent: (
         f"pow({base.removeprefix('(').removesuffix(')') if _is_whole(base) else base}, {exponent})"
     ),
@@ -69,7 +71,13 @@ _FORTRAN = Language(
     _WORDS, _raised("**"), integer=lambda text: f"{text}.0d0", decimal=_fortran_decimal, end=""
 )
 _PYTHON = Language(
-    _WORDS | {"abs": "fabs"}, _raised("**"), prefix="math.", end="", first=0, brackets=("[", ", ", "]")
+    _WORDS | {"abs": "fabs"},
+    _raised("**"),
+    prefix="math.",
+    end="",
+    first=0,
+    brackets=("[", ", ", "]"),
+    constants={"I": "1j", "infinity": "math.inf", "undefined": "math.nan"},
 )
 LANGUAGES = {"C": _C, "Fortran": _FORTRAN, "Python": _PYTHON}
 """Languages by the names of Maple's commands; MATLAB has rows of matrices of its own."""
@@ -153,7 +161,7 @@ def _node(language: Language, node: Tree, parts: list[_Text]) -> _Text:
     if node.kind == "number":
         return _number(language, node)
     if node.kind == "name":
-        return (_pi(language) if node.name == "Pi" else code_name(node.name, language)), _ATOM
+        return _word(language, node), _ATOM
     if node.kind == "sum":
         pieces = [part if part.startswith("-") else f"+{part}" for part, _ in parts]
         text = "".join(f" {piece[0]} {piece[1:]}" for piece in pieces).removeprefix(" + ").removeprefix(" ")
@@ -164,7 +172,33 @@ def _node(language: Language, node: Tree, parts: list[_Text]) -> _Text:
         return _power(language, node, parts)
     if node.kind == "derivative":
         return _rate(language, node), _ATOM
+    if node.name == "piecewise":
+        raise WorksheetError(
+            "codegen: piecewise has no counterpart in an expression; expected the cases one by one, or max, min, abs "
+            "and signum"
+        )
     return _call(language, node, parts)
+
+
+def _word(language: Language, node: Tree) -> str:
+    """Return a name or a constant."""
+    if node.name == "Pi":
+        return _pi(language)
+    if node.name in _CONSTANTS:
+        return language.constants.get(node.name) or _refused(node.name)
+    if "(" in node.name.partition("[")[0]:  # an unknown call within an expression, floor(x) + 1
+        return _refused(node.name)
+    return code_name(node.name, language)
+
+
+_CONSTANTS = frozenset({"I", "infinity", "undefined"})
+
+
+def _refused(text: str) -> str:
+    raise WorksheetError(
+        f"codegen: {text[:60]} has no counterpart in this language; expected numbers, names, +, -, *, /, ^ and "
+        "elementary functions"
+    )
 
 
 def _pi(language: Language) -> str:
@@ -222,6 +256,8 @@ def _power(language: Language, node: Tree, parts: list[_Text]) -> _Text:
 
 
 def _rate(language: Language, node: Tree) -> str:
+    if node.value.kind != "time_function":
+        return _refused(node.key)
     order, inner = 1, node.parts[0]
     while inner.kind == "derivative":
         order, inner = order + 1, inner.parts[0]

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
 from symbody.symbolic import Expr, number
 from symbody.symbolic.expression.traverse import post_order
+from symbody.worksheet.printing.name_text import name_text
 from symbody.worksheet.printing.source_text import procedure_text, source_text
 from symbody.worksheet.sheet.greek_letters import GREEK
 from symbody.worksheet.values.decimals import decimal_text
@@ -74,62 +74,6 @@ PLAIN = Style()
 _SUM, _NEGATIVE, _PRODUCT, _POWER, _ATOM = range(5)
 
 _Text = tuple[str, int]
-
-_PLAIN_NAME = re.compile(r"[A-Za-z_~?][A-Za-z0-9_~]*(\[[^\[\]]*\])*")
-_KEYWORDS = frozenset(
-    [
-        "and",
-        "break",
-        "by",
-        "catch",
-        "do",
-        "done",
-        "elif",
-        "else",
-        "end",
-        "error",
-        "fi",
-        "finally",
-        "for",
-        "from",
-        "if",
-        "implies",
-        "in",
-        "intersect",
-        "local",
-        "minus",
-        "mod",
-        "module",
-        "next",
-        "not",
-        "od",
-        "option",
-        "or",
-        "proc",
-        "quit",
-        "read",
-        "return",
-        "save",
-        "stop",
-        "subset",
-        "then",
-        "to",
-        "try",
-        "union",
-        "use",
-        "uses",
-        "while",
-        "xor",
-    ]
-)
-
-
-def name_text(name: str, raw: frozenset[str] = frozenset()) -> str:
-    """Return a name, in backquotes if it needs them."""
-    if name in raw or (_PLAIN_NAME.fullmatch(name) and name not in _KEYWORDS):
-        return name
-    escaped = name.replace("`", "``")
-    return f"`{escaped}`"
 
 
 # --- scalars ----------------------------------------------------------------------------------------------------------

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Any
 
+from symbody.worksheet.printing.name_text import name_text
 from symbody.worksheet.sheet import syntax
 
 __all__ = ["procedure_text", "source_text", "statement_text"]
@@ -68,14 +69,7 @@ def _inside(node: Any, strength: int) -> str:
 
 
 def _name(node: syntax.Name) -> tuple[str, int]:
-    return _quoted(node.name), _ATOM
-
-
-def _quoted(name: str) -> str:
-    """Return a name, in backquotes if it needs them."""
-    plain = name.replace("_", "a").replace("~", "a")
-    simple = plain.isalnum() and plain.isascii() and not plain[0].isdigit()
-    return name if simple else f"`{name}`"
+    return name_text(node.name), _ATOM
 
 
 def _text(node: syntax.Text) -> tuple[str, int]:
@@ -106,7 +100,7 @@ def _postfix(node: syntax.Postfix) -> tuple[str, int]:
 def _parameter(node: syntax.Parameter) -> str:
     if node.rest:
         return "$"
-    text = node.name
+    text = name_text(node.name)
     if node.type is not None:
         text += f"::{source_text(node.type)}"
     if node.default is not None:
@@ -138,10 +132,10 @@ def procedure_text(node: syntax.Procedure | syntax.Arrow) -> str:
 def _procedure(node: syntax.Procedure) -> tuple[str, int]:
     heads = [f"proc ({_parameters(node.parameters)})"]
     for word, names in (
-        ("local", node.local),
-        ("global", node.shared),
+        ("local", tuple(map(name_text, node.local))),
+        ("global", tuple(map(name_text, node.shared))),
         ("option", node.options),
-        ("uses", node.uses),
+        ("uses", tuple(map(name_text, node.uses))),
         ("description", tuple(_text(syntax.Text(each, place=node.place))[0] for each in node.description)),
     ):
         if names:
@@ -174,7 +168,7 @@ _WRITERS: dict[type, Callable[[Any], tuple[str, int]]] = {
     syntax.Concatenation: lambda node: (f"{_inside(node.left, 15)}||{_inside(node.right, 15)}", 15),
     syntax.Call: lambda node: (f"{_inside(node.function, 15)}({_arguments(node.arguments)})", _ATOM),
     syntax.Selection: lambda node: (f"{_inside(node.whole, 15)}[{_arguments(node.indices)}]", _ATOM),
-    syntax.Member: lambda node: (f"{source_text(node.package)}:-{_quoted(node.name)}", _ATOM),
+    syntax.Member: lambda node: (f"{source_text(node.package)}:-{name_text(node.name)}", _ATOM),
     syntax.Elementwise: lambda node: (f"{source_text(node.function)}~", _ATOM),
     syntax.Arrow: _arrow,
     syntax.Procedure: _procedure,
@@ -201,7 +195,7 @@ def _if(node: syntax.If) -> str:
 
 
 def _for(node: syntax.For) -> str:
-    heads = [f"for {node.variable}"] if node.variable else []
+    heads = [f"for {name_text(node.variable)}"] if node.variable else []
     clauses = (
         ("from", node.start),
         ("by", node.step),
@@ -240,7 +234,7 @@ _STATEMENTS: dict[type, Callable[[Any], str]] = {
     syntax.Break: lambda node: "break",
     syntax.Read: lambda node: f"read {source_text(node.file)}",
     syntax.Save: lambda node: f"save {_listed(node.arguments)}",
-    syntax.Declaration: lambda node: f"{node.kind} {', '.join(node.names)}",
+    syntax.Declaration: lambda node: f"{node.kind} {', '.join(map(name_text, node.names))}",
     syntax.Quit: lambda node: "quit",
     syntax.Empty: lambda node: "",
 }
