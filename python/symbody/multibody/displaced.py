@@ -98,6 +98,7 @@ def _element(element: Element, actions: Sequence[Action]) -> Element:
         "positive": element.positive,
         "is_along_freedom": element.is_along_freedom,
         "expected": element.expected,
+        "far_end": element.far_end,
     }
     moved = Element(element.kind, actions, **more)
     keeps_power = power(moved) == power(element)

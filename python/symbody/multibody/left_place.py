@@ -13,7 +13,7 @@ from .body import Body
 from .constant_form import constant_form
 from .load import Force, Load
 
-__all__ = ["left_place_notice", "left_places"]
+__all__ = ["are_joined", "left_place_notice", "left_places"]
 
 
 def left_places(bodies: Collection[Body], loads: Iterable[Load]) -> Iterator[tuple[Force, str]]:
@@ -37,11 +37,12 @@ def left_places(bodies: Collection[Body], loads: Iterable[Load]) -> Iterator[tup
 def _is_held(force: Force) -> bool:
     """Whether the point of a force is fixed in the body on which it acts, or in that which reacts."""
     return any(
-        body is not None and _are_joined(force.at.frame, body.frame) for body in (force.on, force.reaction)
+        body is not None and are_joined(force.at.frame, body.frame) for body in (force.on, force.reaction)
     )
 
 
-def _are_joined(one: Frame, other: Frame) -> bool:
+def are_joined(one: Frame, other: Frame) -> bool:
+    """Return whether two frames are fixed in each other."""
     return one.ancestor == other.ancestor and all(
         motion.is_constant for motions in path(one, other) for motion in motions
     )
@@ -54,7 +55,7 @@ def _carrier(force: Force, bodies: Iterable[Body]) -> str | None:
         return None
     if all(motion.is_constant for motion in point.frame.motions) and point.frame.ancestor.carrier is None:
         return "a place at rest"
-    other = next((body for body in bodies if _are_joined(point.frame, body.frame)), None)
+    other = next((body for body in bodies if are_joined(point.frame, body.frame)), None)
     return None if other is None else f"a place on {other}"
 
 

@@ -108,6 +108,8 @@ class Load(ABC):
     """The potential energy whose loss is in the power of the load; None if there is none, or it is unknown."""
     states: Mapping[Expr, Expr] = MappingProxyType({})
     """The functions of time beside the mechanics that the load brings along, and their rates."""
+    far_end: Point | Frame | None = None
+    """The place at the other end where no body reacts; None if one does, or the place is unknown."""
 
     @property
     @abstractmethod

@@ -12,6 +12,7 @@ from symbody.symbolic.given.namesake import namesake_note
 from .body import Body
 from .left_place import left_place_notice, left_places
 from .load import Load
+from .lost_reaction import lost_reactions
 
 __all__ = ["notices", "unlisted_speeds"]
 
@@ -23,6 +24,7 @@ def notices(
     known: Collection[Expr],
     rates: Iterable[Expr] = (),
     unknown: Collection[Expr] = (),
+    inputs: Collection[Expr] = (),
 ) -> Iterator[str]:
     """Return notices for a user to check: loads on other bodies, reactions, motions that are not given, namesakes.
 
@@ -33,10 +35,11 @@ def notices(
         known: the functions of time that are listed as unknown or given.
         rates: the rates of coordinates that were given.
         unknown: the coordinates and speeds among those that are known.
+        inputs: the functions of time that are given, likewise.
     """
     yield from _foreign_loads({*bodies}, loads)
     yield from unlisted_speeds(rates, known)
-    yield from _lost_reactions(loads, {*known})
+    yield from lost_reactions(bodies, loads, {*known} - {*inputs})
     yield from (left_place_notice(force, where) for force, where in left_places(bodies, loads))
     yield from _constant_namesakes(bodies, loads, unknown)
     yield from _given_motions(bodies, constraints, {*known})
@@ -77,20 +80,6 @@ def _foreign_loads(members: Set[Body], loads: Iterable[Load]) -> Iterator[str]:
             else "add what is missing to bodies"
         )
         yield f"{load} {what} on {named}, {outside}{left}; {way_out}"
-
-
-def _lost_reactions(loads: Iterable[Load], known: Set[Expr]) -> Iterator[str]:
-    """Return the loads whose potential energy or length holds an unknown that moves none of their bodies."""
-    for load in loads:
-        bodies = dict.fromkeys(action.body for action in load.actions)
-        moved = {leaf for body in bodies for motion in body.frame.motions for leaf in motion.leaves}
-        held = {leaf for each in load.between_ends for leaf in each.free_symbols}
-        lost = sorted(str(leaf) for leaf in (held & known) - moved - {*load.states})
-        if lost:
-            yield (
-                f"{load} is stretched by {lost[0]}, which moves none of its bodies, so that its reaction is lost; give "
-                "reaction=body, the body at its other end, which may be massless: Body(frame, 0)"
-            )
 
 
 def _given_motions(bodies: Iterable[Body], constraints: Iterable[Expr], known: Set[Expr]) -> Iterator[str]:

@@ -193,7 +193,7 @@ class System(Variables):
         known = (*self.coordinates, *self.quasi_velocities, *self.inputs, *self.states)
         rates = [self.coordinate_rates[q] for q in self.chosen]
         unknown = (*self.coordinates, *self.quasi_velocities)
-        for notice in notices(self.bodies, self.loads, self.constraints, known, rates, unknown):
+        for notice in notices(self.bodies, self.loads, self.constraints, known, rates, unknown, self.inputs):
             warnings.warn(f"System: {notice}", ModelNotice, stacklevel=4)
 
     def _check_states(self) -> None:

@@ -357,8 +357,8 @@ def test_an_element_whose_other_end_moves_without_a_body_is_told(make: Callable[
     rope = make(center, other.center_of_mass, block)
     assert notices_of_call(lambda: sb.System([block, other], [rope], [x, y])) == [
         (
-            "System: rope is stretched by y, which moves none of its bodies, so that its reaction is lost; give "
-            "reaction=body, the body at its other end, which may be massless: Body(frame, 0)"
+            "System: the other end of rope is on other, which moves with y, so that its reaction is lost; give "
+            "reaction=other"
         )
     ]
 

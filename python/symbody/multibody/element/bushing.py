@@ -94,7 +94,15 @@ def bushing(
         actions = [*forces(force, origin(frame), on, reaction), *torques(torque, on, reaction)]
         quantities = dict(zip(_NAMES, place.values, strict=True))
         stored = stored_energy(potential, *(entry for row in K for entry in row))
-        return Element(_WHERE, actions, potential=stored, quantities=quantities, name=name, sizes=sizes)
+        return Element(
+            _WHERE,
+            actions,
+            potential=stored,
+            quantities=quantities,
+            name=name,
+            sizes=sizes,
+            far_end=to if reaction is None else None,
+        )
 
 
 class _Place(NamedTuple):

@@ -106,6 +106,7 @@ def contact(
             sizes=sizes,
             positive=("stiffness", "creep_speed"),
             expected=[_expected_exponent(n)],
+            far_end=plane if reaction is None else None,
         )
 
 

@@ -7,7 +7,7 @@ from functools import cached_property
 from typing import Any, NamedTuple, TypeGuard, final
 
 from symbody.errors import LoadError
-from symbody.geometry import Point
+from symbody.geometry import Frame, Point
 from symbody.multibody.data_sheet import DataSheet, Row
 from symbody.multibody.load import Action, Load
 from symbody.symbolic import Expr, number, time_derivative, time_function
@@ -52,6 +52,7 @@ class Element(Load):
         law: of a force along a line, the terms of ``F = k (l - l0) + c l'`` by the names of the arguments "stiffness",
             "free_length" and "damping", or "force", F itself; of an effort along a coordinate of a joint, likewise.
         ends: of a force along a line, the points between which it acts.
+        far_end: where no body reacts, the place at the other end, such as the road of a tyre.
 
     >>> from symbody import Body, functions_of_time, ground, origin, spring, symbols, translate
     >>> x, k = functions_of_time("x"), symbols("k")
@@ -78,6 +79,7 @@ class Element(Load):
         expected: Iterable[Expectation] = (),
         law: Mapping[str, Expr] | None = None,
         ends: Sequence[Point] = (),
+        far_end: Point | Frame | None = None,
     ) -> None:
         self.kind, self.name, self.potential = kind, name, potential
         self.undefined, self.jumping = undefined, jumping
@@ -89,6 +91,7 @@ class Element(Load):
         self.expected = tuple(expected)
         self.law = dict(law or {})
         self.ends = tuple(ends)
+        self.far_end = far_end
         self._actions = tuple(actions)
 
     @cached_property
@@ -181,7 +184,7 @@ def is_along_line(load: object) -> TypeGuard[Element]:
 
 _BETWEEN_ENDS = ("length", "gap", "x", "y", "z", "rotation x", "rotation y", "rotation z")
 """Quantities that tell how the two ends of an element lie: of springs and line forces, contacts and bushings."""
-_OPTIONAL = ("potential", "jumping")
+_OPTIONAL = ("potential", "jumping", "far_end")
 
 
 def _parts(element: Element) -> tuple[Any, ...]:

@@ -89,6 +89,7 @@ def friction(
             positive=("creep_speed", "stribeck_speed"),
             expected=expected,
             law={argument: expression(value) for argument, value in law.items() if value is not None},
+            far_end=joint.far_end,
         )
 
 

@@ -35,6 +35,7 @@ class JointMotion(NamedTuple):
         rate: its rate, which is the power of the unit wrench.
         on: the body that moves.
         reaction: the other body; None for the ground, or the moving master frame.
+        far_end: without a reaction, the frame of the other side.
     """
 
     force: Vector
@@ -44,6 +45,7 @@ class JointMotion(NamedTuple):
     rate: Expr
     on: Body
     reaction: Body | None
+    far_end: Frame | None = None
 
     def actions(self, effort: Expr) -> list[Action]:
         """Return the torques and forces whose power is the effort times the rate of the coordinate."""
@@ -97,8 +99,13 @@ def joint_motion(coordinate: Along, on: Body, reaction: Body | None, where: str)
 
 def _moving_side(freedom: Freedom) -> Frame | None:
     """Return the side of a joint that is on a frame with a given motion, such as the deck of a ship, or None."""
-    sides = (side for name, side in zip(freedom.ends, freedom.sides, strict=True) if not name)
-    return next((side for side in sides if not all(motion.is_constant for motion in side.motions)), None)
+    moving = (side for side in _frames(freedom) if not all(motion.is_constant for motion in side.motions))
+    return next(moving, None)
+
+
+def _frames(freedom: Freedom) -> list[Frame]:
+    """Return the sides of a joint that are on frames, not on links."""
+    return [side for name, side in zip(freedom.ends, freedom.sides, strict=True) if not name]
 
 
 def _check_coordinate(coordinate: Expr, where: str) -> None:
@@ -119,7 +126,7 @@ def _check_coordinate(coordinate: Expr, where: str) -> None:
 
 def _check_ends(freedom: Freedom, on: Body, reaction: Body | None, where: str) -> None:
     """Raise an error for other bodies than those that the joint connects."""
-    given = {on.name, "" if reaction is None else reaction.name}
+    given = {on.name, "" if reaction is None or _carries(reaction, freedom) else reaction.name}
     if given != {*freedom.ends}:
         wanted = " and ".join(name or "a frame" for name in freedom.ends)
         raise LoadError(
@@ -134,14 +141,20 @@ def _check_ends(freedom: Freedom, on: Body, reaction: Body | None, where: str) -
             )
 
 
+def _carries(body: Body, freedom: Freedom) -> bool:
+    """Whether the joint is on a frame, which is fixed in a body."""
+    return any(is_fixed(side, body) for side in _frames(freedom))
+
+
 def _along(freedom: Freedom, on: Body, reaction: Body | None) -> JointMotion:
     """Return the motion along a freedom, by the axis and the place of the joint."""
     assert freedom.travel is not None
     axis, at, rate = freedom.travel.axis, freedom.point, freedom.rate
     unit = axis if on.name == freedom.ends[1] else -axis
     none = axis * 0
+    far = None if reaction else next(iter(_frames(freedom)), None)
     force, moment = (none, unit) if freedom.travel.is_rotation else (unit, none)
-    return JointMotion(force, moment, at, freedom.value, rate, on, reaction)
+    return JointMotion(force, moment, at, freedom.value, rate, on, reaction, far)
 
 
 class _Twist(NamedTuple):
@@ -202,7 +215,9 @@ def _by_coordinate(
         force, moment = (Vector(on.frame, *each) for each in wrench)
         power = dot3(wrench[0], twist.linear) + dot3(wrench[1], twist.angular)
         if power == rate:
-            return JointMotion(force, moment, on.center_of_mass, coordinate, rate, on, reaction)
+            return JointMotion(
+                force, moment, on.center_of_mass, coordinate, rate, on, reaction, None if reaction else base
+            )
     return None
 
 

@@ -56,4 +56,5 @@ def line_force(
         undefined=line.undefined,
         law={"force": size},
         ends=(at, to),
+        far_end=to if reaction is None else None,
     )

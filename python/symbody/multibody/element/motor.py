@@ -78,6 +78,7 @@ def motor(
             name=name,
             sizes=sizes,
             law={"effort": expression(effort)} | ({} if bounds is None else _limits(bounds)),
+            far_end=joint.far_end,
         )
 
 

@@ -81,6 +81,7 @@ def spring(
         sizes=sizes,
         law={"stiffness": k, "free_length": l0, "damping": c},
         ends=(at, to),
+        far_end=to if reaction is None else None,
     )
 
 

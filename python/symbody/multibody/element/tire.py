@@ -156,6 +156,7 @@ def tire(
         undefined=None if has_slips_at_rest else Undefined(contact.VS, _STANDS),
         sizes=sizes | _sizes(law, radius, rolling_radius, relaxation),
         positive=_POSITIVE,
+        far_end=road if reaction is None else None,
     )
 
 

@@ -77,6 +77,7 @@ def torsion_spring(
             is_along_freedom=isinstance(angle, Freedom),
             law={"stiffness": k, "free_angle": expression(free_angle), "damping": c},
             jumping=twist if turned.jumps else None,
+            far_end=joint.far_end,
         )
 
 
