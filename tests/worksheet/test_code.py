@@ -143,8 +143,10 @@ def test_only_functions_of_python_are_those_of_its_module() -> None:
     [
         (
             "piecewise(x < 0, -x, x)",
-            "codegen: piecewise has no counterpart in an expression; expected the cases one by one, "
-            + "or max, min, abs and signum",
+            (
+                "codegen: piecewise has no counterpart in an expression; expected the cases one by one, or max, min, "
+                "abs and signum"
+            ),
         ),
         (
             "x < y",
@@ -153,8 +155,10 @@ def test_only_functions_of_python_are_those_of_its_module() -> None:
         *(
             (
                 expression,
-                f"codegen: {text} has no counterpart in this language; expected numbers, names, +, -, *, /, ^ "
-                + "and elementary functions",
+                (
+                    f"codegen: {text} has no counterpart in this language; expected numbers, names, +, -, *, /, ^ and "
+                    "elementary functions"
+                ),
             )
             for expression, text in (("k*floor(x)", "floor(x)"), ("D(f)(x)", "diff(f(x),x)"), ("I*x", "I"))
         ),
