@@ -71,3 +71,8 @@ def test_equal_rods_have_a_fraction_for_each_term_where_denominators_differ() ->
         "    g2 = 1/2*g*l*m*cos(q1 + q2)",
     ]
     assert equations.matrix_form().mass_matrix == equations.mass_matrix
+
+
+def test_functions_with_the_same_factors_are_added() -> None:
+    form = rods("ZZZ", are_equal=True).matrix_form()
+    assert "M13 = M31 = 1/3*m*l**2 + 1/2*m*l**2*(cos(q2 + q3) + cos(q3))" in form.description()

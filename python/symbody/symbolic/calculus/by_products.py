@@ -20,6 +20,8 @@ _MOST = 60
 def by_products(expression: Expr, masses: Collection[Expr]) -> Expr | None:
     """Return the sum of products of lengths and functions, each with its masses; None if it has too many terms.
 
+    Functions with the same factors are added, as in ``1/2*m*l**2*(cos(p) + cos(q))``.
+
     Args:
         expression: the expression.
         masses: the parameters that are masses and moments of inertia.
@@ -40,10 +42,27 @@ def by_products(expression: Expr, masses: Collection[Expr]) -> Expr | None:
             else:
                 others *= part
         factors[others] = factors.get(others, _core.number(0)) + numbers_and_masses
-    terms = (with_number_outside(total) for total in factors.values())
-    products = zip(factors, terms, strict=True)
-    found = _core.sum_of([part if others.is_number else others * part for others, part in products])
+    joined = dict[tuple[Expr, Expr, bool], Expr]()
+    for others, total in factors.items():
+        lengths, functions = _lengths_and_functions(others)
+        key = (total, lengths, functions.is_number)
+        joined[key] = joined.get(key, _core.number(0)) + functions
+    terms = (
+        (with_number_outside(total), lengths * functions) for (total, lengths, _), functions in joined.items()
+    )
+    found = _core.sum_of([part if others.is_number else others * part for part, others in terms])
     return found if found == expression else None
+
+
+def _lengths_and_functions(product: Expr) -> tuple[Expr, Expr]:
+    """Return the factors of a product that are constant, and those that depend on time."""
+    lengths, functions = _core.number(1), _core.number(1)
+    for part in parts_of(product, "product"):
+        if any(leaf.kind == "time_function" for leaf in part.free_symbols):
+            functions *= part
+        else:
+            lengths *= part
+    return lengths, functions
 
 
 def has_common_fraction(form: Expr) -> bool:
