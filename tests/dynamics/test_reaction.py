@@ -26,6 +26,7 @@ from symbody import (
     newton_euler,
     prismatic,
     project,
+    rack,
     reaction,
     revolute,
     rolling,
@@ -164,6 +165,49 @@ def test_the_force_of_gears():
     euler = moment + np.cross([-0.3, 0, -0.2], tooth)
     np.testing.assert_allclose(euler, [0, 0, -0.5 * alpha / 3], rtol=1e-9, atol=1e-12)
     assert reaction(equations, A).moment.components == (0, 0, 0)
+
+
+@pytest.mark.parametrize("drive", [F * t**2, sin(F * t), F * t + F * t**2], ids=str)
+def test_the_force_of_driven_gears_and_racks(drive):
+    """A wheel that is driven by any expression of time drives a wheel and a bar: J q'' = b f, m s'' = f."""
+    pinion = revolute("A", ground, Link("pinion", Iz=I), coordinate=drive)
+    wheel = revolute("B", ground, Link("wheel", Iz=J), at=(a + b, 0, 0))
+    bar = prismatic("C", ground, Link("bar", m), at=(0, -a, 0))
+    mesh, teeth = gear("G", pinion, wheel, a, b), rack("R", pinion, bar, a)
+    equations = newton_euler(assemble([pinion, wheel, bar, mesh, teeth]).system())
+    alpha = time_derivative(drive, 2)
+    on_wheel, on_bar = (reaction(equations, each, frame=ground).force.components for each in (mesh, teeth))
+    moment = reaction(equations, pinion).moment.components[2]
+    numbers = {I: 0.2, J: 0.5, m: 1.3, a: 0.1, b: 0.3, F: 2.0}
+    motion = simulate(equations, numbers, {}, t=(0, 1))
+    told = [on_wheel[1], on_bar[0], moment]
+    expected = [J * a / b**2 * alpha, m * a * alpha, (I + J * (a / b) ** 2 + m * a**2) * alpha]
+    found, wanted = motion.evaluate(told), motion.evaluate([subs(each, numbers) for each in expected])
+    np.testing.assert_allclose(found, wanted, rtol=1e-8, atol=1e-9)
+
+
+@pytest.mark.parametrize("driven", ["sun", "planet", "carrier"])
+def test_one_wheel_of_a_planetary_train_is_driven(driven):
+    """Euler's equations of the wheels, whose teeth have one force, and of the whole train about its axis."""
+    given = dict.fromkeys(("sun", "planet", "carrier"))
+    given[driven] = sin(F * t)
+    C = revolute("C", ground, Link("carrier", m, Iz=I), coordinate=given["carrier"])
+    S = revolute("S", C.child, Link("sun", m, Iz=I), coordinate=given["sun"])
+    P = revolute("P", C.child, Link("planet", m, Iz=J), at=(a + b, 0, 0), coordinate=given["planet"])
+    mesh = gear("G", S, P, a, b)
+    mechanism = assemble([C, S, P, mesh])
+    twisting = Torque(ground, 0, 0, T, on=mechanism.body("sun"))
+    equations = newton_euler(mechanism.system([twisting]))
+    numbers = {I: 0.2, J: 0.5, m: 1.3, a: 0.1, b: 0.3, F: 2.0, T: 4.0}
+    motion = simulate(equations, numbers, {}, t=(0, 1), rtol=1e-9, atol=1e-11)
+    turned = [mechanism.joint(joint).freedom().value for joint in (C, S, P)]
+    carried, sun, planet = (motion.evaluate([time_derivative(each, 2)])[0] for each in turned)
+    drives = [motion.evaluate([reaction(equations, each).moment.components[2]])[0] for each in (C, S, P)]
+    tooth = motion.evaluate(reaction(equations, mesh, frame=mechanism.frame("carrier")).force.components)[1]
+    np.testing.assert_allclose(0.2 * (carried + sun), 4 + drives[1] - 0.1 * tooth, atol=1e-6)
+    np.testing.assert_allclose(0.5 * (carried + planet), drives[2] - 0.3 * tooth, atol=1e-6)
+    whole = 0.2 * (2 * carried + sun) + 0.5 * (carried + planet) + 1.3 * 0.4**2 * carried
+    np.testing.assert_allclose(whole, 4 + drives[0], atol=1e-6)
 
 
 def test_a_disc_needs_grip():

@@ -453,3 +453,16 @@ def test_an_angle_that_counts_all_turns_begins_with_a_sum_of_turns(
         assert constant == atan2(sin(pi + pi / 7 + a), cos(pi + pi / 7 + a))
     else:
         assert constant.same_form(number(1) * angle)
+
+
+@pytest.mark.parametrize("drive", [a * t, 3 * t**2 + 1, sin(a * t)], ids=str)
+def test_an_angle_that_counts_all_turns_holds_drives(drive: Expr) -> None:
+    """The crank of a four-bar is driven: its angle is part of the one of the pin that closes the loop."""
+    crank, rod, rocker = (Link(name, m) for name in ("crank", "rod", "rocker"))
+    A = revolute("A", ground, crank, coordinate=drive)
+    B = revolute("B", crank, rod, at=(0.2, 0, 0))
+    D = revolute("D", ground, rocker, at=(0.6, 0, 0), to=translate(0.3, 0, 0) * rotate("Z", 0.1))
+    C = revolute("C", rod, rocker, at=(0.5, 0, 0), loop=True)
+    pin = assemble([A, B, D, C]).joint(C).freedom()
+    assert pin.value == D.coordinate - B.coordinate - drive - number("0.1")
+    assert not pin.jumps

@@ -153,16 +153,24 @@ def largest_value(condition: Expr) -> float:
     return max(_values(condition))
 
 
+def typical_value(value: Expr) -> float:
+    """Return the largest size of a value at some positions, and for some values of its symbols."""
+    return max(_samples(value))
+
+
 def _values(condition: Expr) -> Iterator[float]:
     """Yield the sizes of a condition at some positions; infinity if they depend on symbols and are not zero."""
-    leaves = sorted(condition.free_symbols, key=str)
-    if condition.is_zero or any(not leaf.depends_on_time for leaf in leaves):
+    if condition.is_zero or any(not leaf.depends_on_time for leaf in condition.free_symbols):
         yield 0.0 if condition.is_zero else inf
-        return
+    else:
+        yield from _samples(condition)
+
+
+def _samples(value: Expr) -> Iterator[float]:
+    """Yield the sizes of a value for some values of all its variables."""
+    leaves = sorted(value.free_symbols, key=str)
     for turn in range(1, _POSITIONS + 1):
-        yield abs(
-            condition.evaluate({leaf: 0.3 + (turn * k * _GOLDEN) % 1 for k, leaf in enumerate(leaves, 1)})
-        )
+        yield abs(value.evaluate({leaf: 0.3 + (turn * k * _GOLDEN) % 1 for k, leaf in enumerate(leaves, 1)}))
 
 
 _POSITIONS = 5

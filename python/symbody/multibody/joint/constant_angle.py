@@ -12,7 +12,7 @@ from symbody.symbolic import Expr, atan2, cos, number, pi, sin, substitute
 
 from .closure import Sides
 
-__all__ = ["constant_angle"]
+__all__ = ["constant_angle", "driven_angle"]
 
 
 def constant_angle(sides: Sides, axis: int, sine: Expr, cosine: Expr) -> Expr:
@@ -39,6 +39,19 @@ def constant_angle(sides: Sides, axis: int, sine: Expr, cosine: Expr) -> Expr:
     return atan2(sine, cosine)
 
 
+def driven_angle(sides: Sides, axis: int) -> Expr:
+    """Return the angle by which expressions of time alone turn one side against the other; zero at time zero.
+
+    Args:
+        sides: P and C, which share an axis.
+        axis: the one that they share.
+    """
+    start, shared = _Start(frozenset(_scalar_parts(sides.parent, sides.child))), sides.of_parent(axis)
+    turns = [start.driven(turn, shared) for turn in _turns(sides.child)]
+    back = [start.driven(turn, shared) for turn in _turns(sides.parent)]
+    return sum(turns, start=number(0)) - sum(back, start=number(0))
+
+
 class _Turn(NamedTuple):
     axis: Vector
     angle: Expr
@@ -56,8 +69,20 @@ class _Start(NamedTuple):
 
     def along(self, turn: _Turn, shared: Vector) -> Expr:
         """Return the angle of a turn, with the sense in which it is about an axis; zero about any other axis."""
+        return self.of(turn.angle) * self._sense(turn, shared)
+
+    def driven(self, turn: _Turn, shared: Vector) -> Expr:
+        """Return the part of the same angle that is an expression of time, beyond its value at time zero."""
+        moving = [each for each in turn.angle.free_symbols if each.kind == "time_function"]
+        by_time = substitute([turn.angle], dict.fromkeys(moving, number(0)))[0]
+        return (
+            (by_time - self.of(by_time)) * self._sense(turn, shared) if by_time.depends_on_time else number(0)
+        )
+
+    def _sense(self, turn: _Turn, shared: Vector) -> Expr:
+        """Return 1 or -1 for a turn about an axis, and zero for one about any other."""
         cosine = self.of(dot(shared, turn.axis))
-        return self.of(turn.angle) * cosine if (cosine**2 - 1).is_zero else number(0)
+        return cosine if (cosine**2 - 1).is_zero else number(0)
 
 
 def _scalar_parts(*frames: Frame) -> Iterator[Expr]:

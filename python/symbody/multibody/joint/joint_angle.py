@@ -26,7 +26,7 @@ from symbody.symbolic import (
 )
 
 from .closure import AXES, Sides
-from .constant_angle import constant_angle
+from .constant_angle import constant_angle, driven_angle
 
 Entry: TypeAlias = Callable[[int, int], Expr]
 
@@ -90,7 +90,8 @@ def turning_axis(sides: Sides, turns: str, which: int) -> Vector:
 def over_all_turns(sides: Sides, axis: int) -> Expr | None:
     """Return the angle about an axis that both sides share at every position, as a sum of coordinates.
 
-    It is smooth over any number of turns, as in a plane mechanism. None if the angular velocity is no sum of rates.
+    It is smooth over any number of turns, as in a plane mechanism. None if the angular velocity is no sum of rates, of
+    coordinates and of expressions of time.
 
     Args:
         sides: P and C, whose axes are parallel by themselves.
@@ -100,7 +101,8 @@ def over_all_turns(sides: Sides, axis: int) -> Expr | None:
         w = angular_velocity(sides.child).projected(sides.parent) - angular_velocity(sides.parent)
         rate = dot(sides.of_parent(axis), w)
         total = number(0)
-        for leaf in sorted(rate.free_symbols, key=str):
+        moving = (leaf for leaf in rate.free_symbols if leaf.kind == "time_function")
+        for leaf in sorted(moving, key=str):
             slope = diff(rate, leaf)
             if slope.is_zero:  # its terms cancel, as those of the motion of a carrier do
                 continue
@@ -109,9 +111,10 @@ def over_all_turns(sides: Sides, axis: int) -> Expr | None:
                 return None
             total += slope * coordinate
         rest = rate - time_derivative(total)
-        if not rest.is_number:
+        driven = rest * t if rest.is_number else driven_angle(sides, axis)
+        if not (rest - time_derivative(driven)).is_zero:
             return None
-        total += rest * t
+        total += driven
         i, j = (axis + 1) % 3, (axis + 2) % 3
         return total + constant_angle(sides, axis, sides.entry(j, i), sides.entry(i, i))
 

@@ -163,6 +163,8 @@ class PlacedJoint(WithSheet):
                 f"{self}: it closes a loop, where the motion along {chosen} isn't known; {others}let another joint "
                 "close the loop by loop=True"
             )
+        if self.opens and travel is not None:
+            travel = travel._replace(jumps=False)  # the coordinate is the angle with all its turns
         (parent, one), (child, other) = self.ends
         value, ends, sides = self.measured[chosen], (parent, child), (one, other)
         is_driven = not any(leaf.kind == "time_function" for leaf in value.free_symbols)

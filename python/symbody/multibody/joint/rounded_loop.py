@@ -9,7 +9,7 @@ from math import ceil, hypot, log10
 from symbody.errors import notify
 from symbody.geometry import origin
 
-from .closure import NEARLY, Closure, largest_value
+from .closure import NEARLY, Closure, largest_value, typical_value
 from .placed_joint import PlacedJoint
 
 __all__ = ["report_nearly_held", "within_tolerance"]
@@ -49,4 +49,4 @@ def _reach(joint: PlacedJoint, closure: Closure) -> float:
     if all(component.is_zero for component in closure.force.components):
         return 1.0
     at = (closure.at - origin(joint.parent_side.ancestor)).projected(joint.parent_side.ancestor)
-    return min(hypot(*map(largest_value, at.components)), 1e300)
+    return hypot(*map(typical_value, at.components))
