@@ -145,3 +145,18 @@ def test_sets_have_no_repeated_items() -> None:
     )
     assert (program.values, program.left_out) == (0, 0)
     assert (found["n"], found["m"]) == (3, 3)
+
+
+def test_procedures_are_called_for_what_they_change(capsys: pytest.CaptureFixture[str]) -> None:
+    """Tables are passed as such, and names of the sheet are global; a value that nobody sees is not computed."""
+    made = converted(
+        source_cells(
+            "init := proc(tab) tab[k] := 4; NULL end: par := table(): init(par): par[k]; "
+            "count := 0: step := proc() global count; count := count + 1; NULL end: step(): step(); count; "
+            "g := proc(x) x^2 end: g(3): alias(c = cos): H := -c*v:"
+        ),
+        "tables",
+    )
+    assert (made.values, made.left_out) == (1, 0)  # of the bare name of the function
+    exec(made.text, {})
+    assert capsys.readouterr().out == "4\n2\n"

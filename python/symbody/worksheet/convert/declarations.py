@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from symbody.worksheet.convert.names import Names
+from symbody.worksheet.convert.names import Names, is_plain
 
 __all__ = ["declarations"]
 
@@ -24,11 +24,11 @@ def _declared(names: Names, maker: str) -> Iterator[str]:
         for text, name in names.symbols.items()
         if names.is_function(text) == (maker == "sb.functions_of_time")
     ]
-    plain = [name for text, name in pairs if text == name]
+    plain = [name for text, name in pairs if text == name and is_plain(name)]
     for begin in range(0, len(plain), _PER_LINE):
         line = plain[begin : begin + _PER_LINE]
         yield f'{", ".join(line)} = {maker}("{" ".join(line)}")'
-    yield from _indexed(names, [(text, name) for text, name in pairs if text != name])
+    yield from _indexed(names, [pair for pair in pairs if pair[1] not in plain])
 
 
 def _indexed(names: Names, pairs: Sequence[tuple[str, str]]) -> Iterator[str]:

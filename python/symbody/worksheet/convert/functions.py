@@ -39,7 +39,7 @@ def definition(
     parameters = [each for each in procedure.parameters if not each.rest]
     heads = list(_parameters(parameters, text))
     for parameter, value in zip((each for each in parameters if not each.keyword), values, strict=False):
-        inner.values[identifier(parameter.name)] = value
+        inner.values[identifier(parameter.name)] = _copy(value)
     for parameter in parameters:
         given = keywords.get(parameter.name)
         if (
@@ -65,7 +65,15 @@ def definition(
     remembers = isinstance(procedure, syntax.Procedure) and "remember" in procedure.options
     decorators = ["@functools.cache"] if remembers else []
     tests = [f"{INDENT}{line}" for line in type_tests(name, parameters, inner)]
-    return [*decorators, f"def {identifier(name)}({', '.join(heads)}):", *tests, *_body(body, writer)]
+    shared = [identifier(each) for each in getattr(procedure, "shared", ())]
+    outer = [f"{INDENT}global {', '.join(shared)}"] if shared else []
+    head = f"def {identifier(name)}({', '.join(heads)}):"
+    return [*decorators, head, *outer, *tests, *_body(body, writer)]
+
+
+def _copy(value: Any) -> Any:
+    """Return a table or a list that the statements may change while they are tried out."""
+    return value.copy() if isinstance(value, dict | list) else value
 
 
 def _recursion(*values: Any) -> None:
@@ -95,6 +103,8 @@ def _body(statements: tuple[syntax.Statement, ...], text: PythonText) -> list[st
 
 def _returned(statement: syntax.Statement, text: PythonText) -> list[str]:
     match statement:
+        case syntax.Evaluation(expression=syntax.Name(name="NULL") | syntax.SequenceDisplay(items=())):
+            return [f"{INDENT}return None"]
         case syntax.Evaluation(expression=syntax.Call(function=syntax.Name(name="print" | "printf"))):
             return block((statement,), text)
         case syntax.Evaluation(expression=expression):

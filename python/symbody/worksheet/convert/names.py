@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import keyword
 import re
+import warnings
 from dataclasses import dataclass, field
 from typing import Any
 
 from symbody.deferred import Deferred
-from symbody.symbolic import Expr, symbol, time_function
+from symbody.errors import ExpressionError, ModelNotice
+from symbody.symbolic import Expr, symbol, symbols, time_function
 from symbody.worksheet.convert.definitions import DEFINITIONS
 from symbody.worksheet.sheet import syntax
 
-__all__ = ["Names", "NoText", "identifier"]
+__all__ = ["Names", "NoText", "identifier", "is_plain"]
 
 _MODULES = """import functools
 import itertools
@@ -72,9 +74,20 @@ def identifier(name: str) -> str:
     return f"{text}_" if keyword.iskeyword(text) or text in _TAKEN else text
 
 
+def is_plain(name: str) -> bool:
+    """Whether `symbols` makes a symbol of a name; cos, which an alias may leave bare, stands for the function."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ModelNotice)
+        try:
+            symbols(name)
+        except ExpressionError:
+            return False
+    return name.isidentifier()
+
+
 def _maker(name: str, *, is_function: bool) -> str:
     """Return what makes a symbol, or a function of time; some names of Maple are none in Python."""
-    if not name.isidentifier():
+    if not is_plain(name):
         return f'sb.symbolic.{"time_function" if is_function else "symbol"}("{name}")'
     return f'sb.functions_of_time("{name}")' if is_function else f'sb.symbols("{name}")'
 
@@ -115,6 +128,7 @@ class Names:
         sets: the sets and lists of names that the sheet assigns once, as it writes them.
         called: names that the sheet calls, or whose procedures it asks for.
         motions: the equations of motions, by their variables.
+        acting: procedures that change tables or other names of the sheet, or print: they are called for that.
         bare: identifiers of symbols that have the name of a function of time, as V in ``V(t) = V``.
     """
 
@@ -141,6 +155,7 @@ class Names:
     sets: dict[str, syntax.Expression] = field(default_factory=dict)
     called: frozenset[str] = frozenset()
     motions: dict[str, str] = field(default_factory=dict)
+    acting: set[str] = field(default_factory=set)
 
     def own(self, name: str) -> str:
         """Return an identifier for what only the program has a name for."""

@@ -11,6 +11,7 @@ from symbody.worksheet.convert.functions import definition
 from symbody.worksheet.convert.names import Names, NoText, identifier
 from symbody.worksheet.convert.writer import Writer
 from symbody.worksheet.sheet import syntax
+from symbody.worksheet.sheet.within import nodes_in
 
 __all__ = ["Procedures"]
 
@@ -41,6 +42,8 @@ class Procedures:
             ):
                 mark = f"{_MARK}{name} {len(self._open) + len(self._lines)}"
                 self._open[name] = mark, made
+                self.names.acting -= {name}
+                self.names.acting |= {name} if isinstance(made, syntax.Procedure) and _acts(made) else set()
                 self.names.forget(name)
                 return [mark]
         return None
@@ -112,6 +115,25 @@ class Procedures:
             self._write(name, values, {})
         except Exception:  # whatever is wrong with symbols in the place of what is expected
             return
+
+
+def _acts(procedure: syntax.Procedure) -> bool:
+    """Whether a procedure changes entries of a table or names outside, or prints."""
+    changed = (
+        target
+        for node in nodes_in(procedure.body)
+        if isinstance(node, syntax.Assignment)
+        for target in node.targets
+    )
+    prints = (
+        node for node in nodes_in(procedure.body) if isinstance(node, syntax.Name) and node.name in _PRINTING
+    )
+    return (
+        bool(procedure.shared) or any(isinstance(each, syntax.Selection) for each in changed) or any(prints)
+    )
+
+
+_PRINTING = frozenset({"print", "printf", "lprint"})
 
 
 def _is_keyword(node: syntax.Expression) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import io
 import re
 from collections.abc import Sequence
 from itertools import chain
@@ -77,7 +78,7 @@ def _shown_item(text: PythonText, item: syntax.Expression, *, shown: bool, keeps
     try:
         written = text.text(item)
     except NoText:
-        if shown or keeps or acts(item):
+        if shown or keeps or acts(item) or _is_acting(text, item):
             raise
         return []  # without an effect, nobody sees the value
     return _value_lines(text, item, written, shown=shown, keeps=keeps)
@@ -99,10 +100,32 @@ def _value_lines(
         return [f"print({written})"]
     if acts(item):
         return [shown_picture(text, written)] if not keeps else [f"last = {written}"]
+    if _is_acting(text, item) and not keeps and (not shown or _gives_nothing(text, item)):
+        return [written]
     text.shown.append(written)
     if not keeps:
         return [f"print({written})"] if shown else []
     return [f"last = {written}", *(["print(last)"] if shown else [])]
+
+
+def _is_acting(text: PythonText, item: syntax.Expression) -> bool:
+    """Whether an item calls a procedure that is there for what it does."""
+    match item:
+        case syntax.Call(function=syntax.Name(name=name)):
+            return name in text.names.root().acting
+    return False
+
+
+def _gives_nothing(text: PythonText, item: syntax.Expression) -> bool:
+    """Whether a call gives NULL; what it changes is put back."""
+    names = text.names.root()
+    before = dict(names.values)
+    names.values |= {name: value.copy() for name, value in before.items() if type(value) is dict}
+    with contextlib.redirect_stdout(io.StringIO()):
+        found = text.value(f"[{text.text(item)}]")
+    names.values.clear()
+    names.values.update(before)
+    return isinstance(found, list) and found == [None]
 
 
 def _show(text: PythonText, what: syntax.Expression, *, synthetic: bool, keeps: bool) -> list[str]:
