@@ -48,3 +48,15 @@ def test_a_velocity_of_the_moving_frame_that_is_given_later_is_that_of_what_was_
     r, v = sb.functions_of_time("r v")
     assert (values["slip"], values["half"]) == (k, k / 2)
     assert values["N"].components[1] == m * (sb.diff(v, sb.t) + V * r)
+
+
+def test_values_in_linear_models_contain_the_small_variables_of_the_program() -> None:
+    program = converted(
+        source_cells(
+            "with(MBSymba_r6): linear_modeling({q(t) = a}): w := subsop(1 = b, sin(q(t)) + q(t)*k):"
+        ),
+        "model",
+    )
+    assert program.values == 1
+    assert "q = a + sb.small(q)  # results print the deviation as q\n" in program.text
+    assert "functions_of_time" not in program.text.partition("small")[2]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from symbody.symbolic import Expr, number
+from symbody.symbolic import Expr, number, substitute
 from symbody.worksheet.convert.names import Names, identifier
 
 __all__ = ["scalar_text"]
@@ -17,9 +17,14 @@ def scalar_text(value: Expr, names: Names) -> str:
     """Return an expression as Python writes it, with names that the program has."""
     for text in (_written(value, names), f"sb.parse({str(value)!r})"):
         found = names.value(text)
-        if isinstance(found, Expr | int) and bool(number(found) == value):
+        if isinstance(found, Expr | int) and _plain(number(found), names) == value:
             return text
     return f"sb.parse({str(value)!r})"
+
+
+def _plain(value: Expr, names: Names) -> Expr:
+    """Return an expression without marks of small variables, which the session's don't have."""
+    return substitute((value,), names.small)[0] if names.small else value
 
 
 def _written(value: Expr, names: Names) -> str:
@@ -54,7 +59,8 @@ def _name(name: str, names: Names, *, is_called: bool) -> str:
     if name in {"True", "False"}:  # conditions of Piecewise
         return name
     found = names.values.get(identifier(name))
-    if found is None or (isinstance(found, Expr) and str(found) == name):
+    is_small = any(mark.name == name for mark in names.small)
+    if found is None or (isinstance(found, Expr) and (str(found) == name or is_small)):
         return names.text(name)
     return names.declaration(name)
 

@@ -133,7 +133,11 @@ def _named(entering: Mapping[str, str], texts: Mapping[str, str]) -> list[str]:
     """Return the lines that give variables their marks, or take these from them."""
     plain = [name for name, about in entering.items() if not about]
     marked = [f"{', '.join(plain)} = sb.small({', '.join(plain)})"] if plain else []
-    return [*marked, *(f"{name} = {made}" for name, made in texts.items() if name not in plain)]
+    remarks = {
+        name: f"  # results print the deviation as {name}" for name, about in entering.items() if about
+    }
+    others = [f"{name} = {made}{remarks.get(name, '')}" for name, made in texts.items() if name not in plain]
+    return [*marked, *others]
 
 
 def _changed(marks: str, texts: Mapping[str, str], older: Sequence[str]) -> list[str]:

@@ -83,6 +83,7 @@ def _versions(program: Draft, changed: Sequence[str]) -> Iterator[list[str]]:
     if program.reason.startswith("differs in"):
         yield from _of_simple_equations(code)
         yield from _to_first_order(program, code, changed)
+        yield from _shown_to_first_order(program, code)
         yield from by_rules(program.names, code)
         for shown, lines in shown_by_rules(program.names, program.text.shown, code):
             program.text.shown = shown
@@ -105,6 +106,18 @@ def _to_first_order(program: Draft, code: Sequence[str], changed: Sequence[str])
     is_plain = sign and len(changed) == 1 and head.isidentifier() and not value.startswith("sb.taylor(")
     if program.names.small and is_plain:
         yield [f"{head} = sb.taylor({value})"]
+
+
+def _shown_to_first_order(program: Draft, code: Sequence[str]) -> Iterator[list[str]]:
+    """Cut the only expression that is shown behind the first order in the small variables."""
+    before = program.text.shown
+    if not program.names.small or len(before) != 1 or before[0].startswith("*"):
+        return
+    (shown,) = before
+    if sum(line.count(shown) for line in code) == 1:
+        program.text.shown = [f"sb.taylor({shown})"]
+        yield [line.replace(shown, f"sb.taylor({shown})") for line in code]
+        program.text.shown = before
 
 
 def _runs(program: Draft, statement: syntax.Statement, changed: Sequence[str]) -> bool:
