@@ -29,6 +29,13 @@ EQUAL = [
     ),
     ("x := .3333333333*F(a)+1.414213562*y(t)", "x := 1/3*F(a)+sqrt(2)*y(t)"),
     ("x := 1..3", "x := 1 .. 3"),
+    (".3333333333*x(t)*cos(q(t))*sin(q(t))", "1/6*x(t)*sin(2*q(t))"),
+    ("1.5*x/(y+z)-.2e-9*y", "3/2*x/(y+z)"),
+    ("-.2e-9*x", "0"),
+    ("D[1](f)(x,y)+D[2,2](f)(x,0)", "diff(f(x,y),x)+D[2$2](f)(x,0)"),
+    ("cos(f(x))*D(f)(x)+(D@@2)(g)(x)+D(sin)(x)", "diff(sin(f(x)),x)+diff(g(x),x,x)+cos(x)"),
+    ("P = POINT(frame = master_frame,coords = [0])", "P = POINT(coords = [0],frame = ground)"),
+    ("P = POINT(coords = [0])", "P = POINT(coords = [0],frame = ground)"),
     ('"a b"', '"a b"'),
     ("g := (x, y) -> x^2*y", "g := (a, b) -> b*a^2"),
     ("x-1/6*x^3+O(x^4)", "x-x^3/6+O(x^4)"),
@@ -75,6 +82,31 @@ DIFFERENT = [
         "M := Matrix([[1, 4]])",
         "[1] [2] the file has 5, the run 4",
     ),
+    (
+        "2.1e11*x+7800.*y",
+        "2.1e11*x+7200.*y",
+        "the file has .21e12*x+7800.*y, the run .21e12*x+7200.*y",
+    ),
+    ("2.1e11*x+.3*z", "2.1e11*x-.3*z", "the file has .21e12*x+.3*z, the run .21e12*x-.3*z"),
+    ("3e-10*x", ".7e-9*x", "the file has .3e-9*x, the run .7e-9*x"),
+    (
+        "1e9*sin(2*x)+7.*y",
+        "2e9*sin(x)*cos(x)+8.*y",
+        "the file has 1000000000.*sin(2*x)+7.*y, the run 2000000000.*cos(x)*sin(x)+8.*y",
+    ),
+    ("D[1](f)(x,y)", "diff(f(x,y),y)", "the file has diff(f(x,y),x), the run diff(f(x,y),y)"),
+    (
+        "P = POINT(frame = ground,a = 0)",
+        "P = POINT(frame = matrix([[1,2],[0,1]]),a = 0)",
+        "frame: the file has ground, the run a matrix that isn't the identity",
+    ),
+    (
+        "P = POINT(frame = matrix([[1,2],[0,1]]),a = 0)",
+        "P = POINT(frame = ground,a = 0)",
+        "frame: the file has a matrix that isn't the identity, the run ground",
+    ),
+    ("P = POINT(a = 0)", "P = POINT(frame = T,a = 0)", "the file has no field frame"),
+    ("P = POINT(frame = T)", "P = POINT(frame = TT)", "frame: the file has T, the run TT"),
     ("abs(x)", "x^2/2", "the file has abs(x), the run 1/2*x^2"),
     ("g := x -> x^3", "g := x -> x^2", "the file has x^3, the run x^2"),
     ("g := (u,v) -> u*v + u", "g := (x,y) -> x*y", "the file has u*v+u, the run x*y"),
@@ -94,6 +126,13 @@ DIFFERENT = [
 @pytest.mark.parametrize(("theirs", "ours", "where"), DIFFERENT, ids=[theirs for theirs, _, _ in DIFFERENT])
 def test_different(theirs: str, ours: str, where: str) -> None:
     assert difference(theirs, ours) == where
+
+
+def test_long_sums() -> None:
+    terms = "+".join(f"{k + 2}*a{k}" for k in range(900))
+    assert not difference(terms, terms)
+    assert not difference(terms, f"1+{terms}-1")
+    assert difference(terms, f"{terms}+1").startswith("the file has 2*a0+3*a1+")
 
 
 REASONS = [

@@ -78,6 +78,23 @@ def test_counts_depend_on_the_form() -> None:
     )
 
 
+@pytest.mark.parametrize("values", [(1, 4), (1, 4, 9, 16)])
+def test_a_loop_prints_as_many_values_as_the_file_has(values: tuple[int, ...]) -> None:
+    text = "> for i to 3 do i^2 od;\n\n" + "".join(f"{each}\n\n" for each in values)
+    assert check(text) == [Verdict(1, "differs", f"the file has {len(values)} outputs, the run 3")]
+    assert check(text.replace("4", "5"))[0].reason.startswith("the file has 5, the run 4; the file has")
+
+
+def test_a_picture_may_be_a_value_of_a_loop() -> None:
+    text = "> for i to 3 do i^2 od;\n\n1\n\n[Maple Plot]\n"
+    assert [verdict.kind for verdict in check(text)] == ["equal", "not comparable"]
+
+
+def test_rows_with_gaps_are_in_two_dimensions() -> None:
+    text = "> v := <a,b>;\n      [a]\n v := [ ]\n      [b]\n> <a,b>;\n[a]\n[ ]\n[b]\n"
+    assert [verdict.reason for verdict in check(text)] == ["printed in two dimensions"] * 2
+
+
 def test_centred_outputs_below_each_other_are_compared() -> None:
     """As Maple exports them: each in the middle of the page, without empty lines."""
     text = "> v := [1,2,3]; v[2];\n" + "\n".join(each.center(78) for each in ("v := [1, 2, 3]", "3"))

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import random
+import sys
 from collections.abc import Iterable, Mapping
-from fractions import Fraction
 
-from symbody.errors import SymbodyError
-from symbody.symbolic import Expr, free_symbols, number, subs
-from symbody.symbolic.expression.traverse import post_order
+from symbody.symbolic import Expr, number, subs, symbol
 from symbody.worksheet.check.printed import NotComparable, functions_in, place_of, printed, value_of
+from symbody.worksheet.check.rounded import nearly_equal
 from symbody.worksheet.printing.print import text_of
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.values.value import (
@@ -25,8 +23,11 @@ from symbody.worksheet.values.value import (
 
 __all__ = ["difference", "same_value"]
 
-#: Decimals are printed with some 10 digits, fewer if ``Digits`` says so.
-_TOLERANCE = 1e-6
+#: The frames that are the identity.
+_GROUND = frozenset(symbol(name) for name in ("ground", "master_frame", "moving_frame"))
+_IDENTITY = Listed(tuple(Listed(tuple(number(int(i == k)) for k in range(4))) for i in range(4)))
+
+_FRAMES = 20_000
 
 _OPERATORS = frozenset({"->", "proc"})
 _COUNTED = frozenset({"additions", "multiplications", "divisions", "functions", "assignments", "subscripts"})
@@ -43,6 +44,17 @@ def difference(theirs: str, ours: str, *, in_any_order: bool = False) -> str:
     Raises:
         NotComparable: one can't be read, or was cut before anything complete.
     """
+    frames = sys.getrecursionlimit()
+    sys.setrecursionlimit(max(frames, _FRAMES))  # a sum is as deep as it has terms
+    try:
+        return _difference(theirs, ours, in_any_order=in_any_order)
+    except RecursionError:
+        raise NotComparable("it has too many terms") from None
+    finally:
+        sys.setrecursionlimit(frames)
+
+
+def _difference(theirs: str, ours: str, *, in_any_order: bool) -> str:
     file, run = printed(theirs), printed(ours)
     names = functions_in(file.expression) | functions_in(run.expression)
     if file.name != run.name:
@@ -61,7 +73,7 @@ def difference(theirs: str, ours: str, *, in_any_order: bool = False) -> str:
 
 def same_value(left: Expr, right: Expr) -> bool:
     """Whether two expressions have one value, decimals to the digits that are printed."""
-    return left == right or _nearly_equal(left, right)
+    return left == right or nearly_equal(left, right)
 
 
 def _counts(expression: syntax.Expression) -> bool:
@@ -138,7 +150,7 @@ class _Comparison:
         raise NotComparable(f"the file has {_kind(file)}, the run {_kind(run)}")
 
     def _scalars(self, file: Expr, run: Expr) -> str:
-        if file == run or (self.has_decimals and _nearly_equal(file, run)):
+        if file == run or (self.has_decimals and nearly_equal(file, run)):
             return ""
         return f"the file has {_short(file)}, the run {_short(run)}"
 
@@ -202,13 +214,27 @@ class _Comparison:
         for index, (name, value) in enumerate(left.items(), start=1):
             if name not in right:
                 return f"the run has no field {name}"
-            if name == "frame" and (_is_symbol(value) or _is_symbol(right[name])):
-                continue
-            found = self.values(value, right[name], cut=cut and index == len(left))
+            compare = self._frames if name == "frame" else self.values
+            found = compare(value, right[name], cut=cut and index == len(left))
             if found:
                 return f"{name}: {found}"
-        more = [] if cut else [name for name in right if name not in left and name != "frame"]
+        more = [] if cut else [name for name in right if name not in left and right[name] not in _GROUND]
         return f"the file has no field {more[0]}" if more else ""
+
+    def _frames(self, file: Value, run: Value, *, cut: bool) -> str:
+        """Compare frames: what a name stands for is known only of the ground; two names are compared as such."""
+        if _is_symbol(file) and _is_symbol(run):
+            return "" if {file, run} <= _GROUND else self.values(file, run, cut=cut)
+        if not (_is_symbol(file) or _is_symbol(run)):
+            return self.values(file, run, cut=cut)
+        ground, other = (file, run) if _is_symbol(file) else (run, file)
+        if ground not in _GROUND or not self.values(other, _IDENTITY, cut=cut and other is file):
+            return ""
+        return f"the file has {_frame_name(file)}, the run {_frame_name(run)}"
+
+
+def _frame_name(value: Value) -> str:
+    return _short(value) if _is_symbol(value) else "a matrix that isn't the identity"
 
 
 def _by_name(fields: tuple[Value, ...]) -> Mapping[str, Value] | None:
@@ -235,22 +261,6 @@ def _flat(items: tuple[Value, ...]) -> tuple[Value, ...]:
     return tuple(
         item.items[0] if isinstance(item, Listed) and len(item.items) == 1 else item for item in items
     )
-
-
-def _nearly_equal(file: Expr, run: Expr) -> bool:
-    """Whether two expressions with rounded decimals agree at random points."""
-    chance = random.Random(7)
-    nodes = post_order([file, run], lambda node: node.args, lambda node: node.id)
-    names = {*free_symbols([file, run]), *(node for node in nodes if node.kind == "application")}
-    try:
-        for _ in range(3):
-            point = {name: number(Fraction(chance.randint(100, 999), 500)) for name in sorted(names, key=str)}
-            left, right = float(subs(file, point)), float(subs(run, point))
-            if abs(left - right) > _TOLERANCE * max(1e-3, abs(left), abs(right)):
-                return False
-    except (SymbodyError, TypeError, ValueError, OverflowError):
-        return False
-    return True
 
 
 def _kind(value: Value) -> str:

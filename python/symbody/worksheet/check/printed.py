@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from itertools import pairwise
@@ -19,6 +19,7 @@ from lark import Token
 import symbody.symbolic as sb
 from symbody.errors import SymbodyError
 from symbody.symbolic import Expr, UndefinedFunction, number, pi, symbol, t
+from symbody.worksheet.check.derivative_operator import HIGHEST_ORDER, derived_function
 from symbody.worksheet.reading.parse import Failure, next_statement, terminator_after, tokens_of
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.sheet.greek_letters import SMALL
@@ -303,10 +304,10 @@ class _Values:
         match node:
             case syntax.Call(function=syntax.Name(name="diff" | "Diff"), arguments=(of, *variables)):
                 return self._derivative(of, variables)
-            case syntax.Call(
-                function=syntax.Call(function=operator, arguments=(name,)), arguments=(syntax.Name(name="t"),)
-            ):
-                return self._function_of_time(_name(name), _order(operator))
+            case syntax.Call(function=syntax.Call() as derived, arguments=arguments) if derived_function(
+                derived
+            )[1]:
+                return self._derived(*derived_function(derived), arguments)
             case syntax.Call(
                 function=syntax.Selection(whole=syntax.Name(name="Vector"), indices=(kind,)),
                 arguments=arguments,
@@ -317,6 +318,19 @@ class _Values:
             case syntax.Call(function=function, arguments=arguments):
                 return self._named_call(_name(function), arguments)
 
+    def _derived(
+        self, function: syntax.Expression, places: tuple[int, ...], arguments: tuple[syntax.Expression, ...]
+    ) -> Value:
+        """Return derivatives of a function by its arguments at some places, at some values: ``D[1](f)(x, 0)``."""
+        values = [self._scalar(argument) for argument in arguments]
+        if max(places) > len(values) or min(places) < 1:
+            raise NotComparable("an operator in it can't be read")
+        variables = [symbol(f"_argument{place}") for place in range(len(values))]
+        found = _applied(_name(function), variables)
+        for place in places:
+            found = sb.diff(found, variables[place - 1])
+        return sb.subs(found, dict(zip(variables, values, strict=True)))
+
     def _named_call(self, name: str, arguments: tuple[syntax.Expression, ...]) -> Value:
         if name in _MATRICES:
             return self._entries(arguments)
@@ -326,7 +340,7 @@ class _Values:
         scalars = [value for value in values if isinstance(value, Expr)]
         if len(scalars) != len(values) or not values:
             return Unevaluated(symbol(name), values)
-        return _SCALARS[name](*scalars) if name in _SCALARS else UndefinedFunction(name)(*scalars)
+        return _applied(name, scalars)
 
     def _entries(self, arguments: tuple[syntax.Expression, ...]) -> Value:
         entries = [one for one in arguments if isinstance(one, syntax.ListDisplay)]
@@ -370,7 +384,7 @@ class _Values:
                     pass
                 case _:
                     name, times = variable, 1
-            for _ in range(min(times, 9)):
+            for _ in range(min(times, HIGHEST_ORDER)):
                 value = sb.diff(value, self._scalar(name))
         return value
 
@@ -408,14 +422,9 @@ _ARITHMETIC: Mapping[str, Callable[[Any, Any], Expr]] = {
 }
 
 
-def _order(operator: syntax.Expression) -> int:
-    """Return the order of ``D`` and ``D@@2``."""
-    match operator:
-        case syntax.Name(name="D"):
-            return 1
-        case syntax.Infix(operator="@@", left=syntax.Name(name="D"), right=syntax.Integer(value=order)):
-            return min(order, 9)
-    raise NotComparable("an operator in it can't be read")
+def _applied(name: str, arguments: Iterable[Expr]) -> Expr:
+    """Return the value of a function of Maple, or of an unknown one."""
+    return _SCALARS[name](*arguments) if name in _SCALARS else UndefinedFunction(name)(*arguments)
 
 
 def _decimal(text: str) -> Expr:

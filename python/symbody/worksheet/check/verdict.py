@@ -54,16 +54,22 @@ def verdicts(cells: Sequence[Cell], outcomes: Sequence[Outcome]) -> list[Verdict
         outputs = [output for output in outputs if output not in of_run]
     partners = dict(zip(blocks, aligned(blocks, outputs), strict=True))
     groups: dict[tuple[int, int], list[Verdict]] = {}  # by statement, else by cell and line
+    miscounted = dict(_miscounted_loops(cells, blocks, outputs))
     for block in blocks:
         partner = partners.get(block)
         if partner is not None:
             groups.setdefault((-1, partner.number), []).append(_verdict(block, partner, outputs))
+            continue
+        if block.cell in miscounted:
             continue
         reason = (
             "a picture, or in Maple's own encoding" if is_picture(block.text) else _unmatched(block, outcomes)
         )
         verdict = Verdict(_line(cells, block), "not comparable", reason)
         groups.setdefault((block.cell, verdict.line), []).append(verdict)
+    for loop in miscounted.values():
+        others = [verdict for verdict in groups.get((-1, loop.number), ()) if verdict.kind == "differs"]
+        groups[-1, loop.number] = [*others, _miscounted(loop, blocks, outputs)]
     found = [*(verdict for verdict, _, _ in programs), *(_together(group) for group in groups.values())]
     judged = {partner.number for partner in partners.values() if partner is not None}
     doubted = list(_doubted(cells, [output for output in outputs if output.number not in judged]))
@@ -72,6 +78,40 @@ def verdicts(cells: Sequence[Cell], outcomes: Sequence[Outcome]) -> list[Verdict
     ]
     more = [*doubted, *failed]
     return sorted([*found, *more], key=lambda verdict: verdict.line) if programs or more else found
+
+
+def _miscounted_loops(
+    cells: Sequence[Cell], blocks: Sequence[Block], outputs: Sequence[Output]
+) -> Iterator[tuple[int, Output]]:
+    """Return an output of each loop that printed another number of values than the file has, with its cell.
+
+    Nothing else prints in its cell, and all that the file has there can be compared.
+    """
+    for number, cell in enumerate(cells):
+        ours = [output for output in outputs if output.cell == number]
+        theirs = [block for block in blocks if block.cell == number]
+        if not ours or not theirs or len(ours) == len(theirs) or len({output.number for output in ours}) > 1:
+            continue
+        is_counted = _counts_passes(ours[0].statement) and not prints_text(ours[0].statement)
+        is_whole = not cell.doubtful and not any(_is_drawn(block.text) for block in theirs)
+        goes_on = len(ours) > len(theirs) and number + 1 < len(cells) and bool(cells[number + 1].prose)
+        if is_counted and is_whole and not goes_on:
+            yield number, ours[0]
+
+
+def _counts_passes(statement: syntax.Statement | None) -> bool:
+    """Whether a statement is a loop over numbers; a set may have fewer items here, because equal ones are one."""
+    return isinstance(statement, syntax.For) and statement.items is None
+
+
+def _is_drawn(text: str) -> bool:
+    return is_picture(text) or is_layout(text) or is_cut(text)
+
+
+def _miscounted(loop: Output, blocks: Sequence[Block], outputs: Sequence[Output]) -> Verdict:
+    theirs = sum(block.cell == loop.cell for block in blocks)
+    ours = sum(output.number == loop.number for output in outputs)
+    return Verdict(loop.line, "differs", f"the file has {theirs} outputs, the run {ours}")
 
 
 def _doubted(cells: Sequence[Cell], outputs: Sequence[Output]) -> Iterator[Verdict]:

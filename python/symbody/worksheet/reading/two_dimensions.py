@@ -11,17 +11,20 @@ from symbody.worksheet.sheet.source import Line
 __all__ = ["has_bar", "is_indented", "is_layout"]
 
 _LAYOUT = re.compile(r"\s{8,}\S")
+_GAP_OF_ROWS = re.compile(r"(?:.*:=)?\s*\[\s+\]\s*$")
 _BAR = re.compile(r"-{4,}")
 
 
 def is_layout(block: str) -> bool:
-    """Whether a block is a formula in two dimensions: lines of which one has a bar, or all are indented.
+    """Whether a block is a formula in two dimensions: one line has a bar or is a gap between rows, or all are indented.
 
     Outputs below each other are none: each line is a value, and all are centred, or begin in one column.
     """
     lines = block.split("\n")
     return len(lines) > 1 and (
-        any(map(has_bar, lines)) or (all(map(is_indented, lines)) and not _are_outputs(lines))
+        any(map(has_bar, lines))
+        or any(map(_GAP_OF_ROWS.match, lines))
+        or (all(map(is_indented, lines)) and not _are_outputs(lines))
     )
 
 
