@@ -557,7 +557,7 @@ def test_each_value_of_a_statement_is_compared() -> None:
     [
         'fprintf(fd, "%s", convert(x^2 + 1, string))',
         'fprintf(fd, "%s", convert(x^2 + 1, string));',
-        'fprintf(fd, "%s", Matlab(<x, x^2>, resultname="V", optimize, output=string))',
+        'fprintf(fd, "%s", C(Matrix([[x, 1], [1, x]]), optimize, output=string))',
         'fprintf(fd, "a\\n"): fprintf(fd, "y = %a;", x^2 + 1)',
         'for i to 2 do fprintf(fd, "%a", x^i + 1) od',
         'wr := proc(e) fprintf(fd, "%s", convert(e, string)) end:\nwr(x^2)',

@@ -160,3 +160,21 @@ def test_procedures_are_called_for_what_they_change(capsys: pytest.CaptureFixtur
     assert (made.values, made.left_out) == (1, 0)  # of the bare name of the function
     exec(made.text, {})
     assert capsys.readouterr().out == "4\n2\n"
+
+
+def test_code_has_the_names_and_the_brackets_of_its_language(capsys: pytest.CaptureFixture[str]) -> None:
+    pytest.importorskip("sympy")
+    made = converted(
+        source_cells(
+            "CodeGeneration[Matlab]([s1 = a*b, y[3] = a^2]): with(CodeGeneration): Matlab(<x, x*y>, resultname = "
+            '"V"): C([a, b]): C([u[1] = a*b]): Fortran([a, 2*b]):'
+        ),
+        "code",
+    )
+    assert (made.values, made.left_out) == (0, 0)
+    exec(made.text, {})
+    lines = [line.strip() for line in capsys.readouterr().out.splitlines()]
+    assert lines == [
+        *("s1 = a.*b;", "y(3) = a.^2;", "V = [x; x.*y];", "cg[0] = a;", "cg[1] = b;", "u[0] = a*b;"),
+        *("cg(1) = a", "cg(2) = 2*b"),
+    ]

@@ -58,6 +58,7 @@ class Draft:
         is_code: whether the statement at hand is written as code.
         openings: the places at which the names of files were last opened.
         uses: the statements of each file, by its name and the place at which it is opened.
+        loads_code: whether the commands of CodeGeneration are called by their own names.
         unwritten: files to which a statement writes that is not code.
     """
 
@@ -82,6 +83,7 @@ class Draft:
     is_code: bool = False
     openings: dict[str, tuple[int, int]] = field(default_factory=dict)
     uses: dict[tuple[str, int, int], list[FileUse]] = field(default_factory=dict)
+    loads_code: bool = False
     unwritten: set[tuple[str, int, int]] = field(default_factory=set)
 
 

@@ -14,6 +14,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from symbody.errors import ModelNotice, WorksheetError
+from symbody.worksheet.convert.code_calls import loads_code, qualified
 from symbody.worksheet.convert.declarations import declarations
 from symbody.worksheet.convert.definitions import needed_definitions
 from symbody.worksheet.convert.draft import Draft
@@ -150,6 +151,8 @@ def _text(program: Draft, title: str) -> str:
 
 def _add(program: Draft, statement: syntax.Statement, *, keeps: bool) -> bool:
     """Add a statement; return whether the sheet goes on."""
+    program.loads_code = (program.loads_code or loads_code(statement)) and not is_restart(statement)
+    statement = qualified(statement) if program.loads_code else statement
     before = dict(program.interpreter.session.assigned)
     program.before = list(program.interpreter.session.last)
     loads = is_loading(statement)

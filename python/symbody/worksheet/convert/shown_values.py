@@ -78,7 +78,7 @@ def _shown_item(text: PythonText, item: syntax.Expression, *, shown: bool, keeps
     try:
         written = text.text(item)
     except NoText:
-        if shown or keeps or acts(item) or _is_acting(text, item):
+        if shown or keeps or acts(item) or is_code(item) or _is_acting(text, item):
             raise
         return []  # without an effect, nobody sees the value
     return _value_lines(text, item, written, shown=shown, keeps=keeps)

@@ -62,7 +62,8 @@ def as_code(program: Draft, statement: syntax.Statement, changed: Sequence[str])
         program.names.made.pop(identifier(name), None)
     if len(changed) == 1 and len(program.code) == 1:
         program.names.made[identifier(changed[0])] = program.code[0]
-    program.known |= dict.fromkeys(changed, program.code if len(changed) == 1 else [])
+    if not is_code(getattr(statement, "value", None)):  # texts of code are not compared
+        program.known |= dict.fromkeys(changed, program.code if len(changed) == 1 else [])
     program.lines += [*program.names.late, *program.code]
     if statement.__class__ is not syntax.Empty and not program.procedures.is_definition(statement):
         values = program.names.values

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import fields, is_dataclass, replace
 from typing import Any
 
 from symbody.worksheet.sheet import syntax
 
-__all__ = ["mentions", "nodes_in", "replaced"]
+__all__ = ["mentions", "nodes_in", "replaced", "rewritten"]
 
 
 def nodes_in(node: object) -> Iterator[object]:
@@ -45,3 +45,14 @@ def replaced(node: Any, name: str, value: syntax.Expression) -> Any:
         and (new := replaced(getattr(node, each.name), name, value)) is not getattr(node, each.name)
     }
     return replace(node, **changes) if changes else node  # type: ignore[type-var]
+
+
+def rewritten(node: Any, change: Callable[[Any], Any]) -> Any:
+    """Return syntax in which each node is what a function makes of it, after those within."""
+    if isinstance(node, tuple):
+        return tuple(rewritten(each, change) for each in node)
+    if not is_dataclass(node) or isinstance(node, syntax.Place | type):
+        return node
+    parts = {each.name: getattr(node, each.name) for each in fields(node) if each.name != "place"}
+    changes = {name: new for name, part in parts.items() if (new := rewritten(part, change)) is not part}
+    return change(replace(node, **changes) if changes else node)
