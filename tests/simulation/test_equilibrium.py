@@ -10,11 +10,13 @@ from symbody import (
     Equations,
     Expr,
     Force,
+    Link,
     ModelNotice,
     Point,
     System,
     Torque,
     Vector,
+    assemble,
     cos,
     functions_of_time,
     gravitational_energy,
@@ -22,7 +24,9 @@ from symbody import (
     lagrange_equations,
     lambdify,
     newton_euler,
+    prismatic,
     project,
+    revolute,
     rotate,
     sin,
     symbols,
@@ -124,7 +128,10 @@ def test_a_box_on_a_ball_joint_hangs_below_it():
 def test_dependent_constraints_share_their_force():
     # rod and 3 rod: the least multipliers are in proportion 1 : 3, and together they carry the weight.
     linkage = pendulum_on_rail(twice=True)
-    first, second = of(linkage, guess={"y": -1.0}, t=0.0).multipliers.values()
+    with pytest.warns(
+        ModelNotice, match=r"equilibrium: lambda1 of .* are not determined, as these constraints"
+    ):
+        first, second = of(linkage, guess={"y": -1.0}, t=0.0).multipliers.values()
     assert np.isclose(second, 3 * first)
     assert np.isclose(2 * 2.0 * (first + 3 * second), -1.2 * 9.81)
 
@@ -237,6 +244,26 @@ def parallelogram() -> tuple[Equations, dict[str, Expr], dict[Expr, float]]:
     gap = project(Point(coupler, l, 0, 0) - Point(right, l, 0, 0), ground)
     system = System(bars, (), [a, b, c], gap.components[:2], Vector(ground, 0, -g, 0))
     return newton_euler(system), {"a": a, "b": b, "c": c}, {m: 1, l: 1, g: 9.81}
+
+
+@pytest.mark.filterwarnings("ignore:System. 1 independent constraint on 1 coordinate")
+def test_reactions_of_an_indeterminate_beam_are_told_to_be_undetermined() -> None:
+    """A beam on a pin and in a guide that holds its angle as well: force and moment share the weight in any ratio."""
+    beam = Link("beam", 2.0, Iz=1, center=(0.5, 0, 0))
+    guide = prismatic("p2", ground, beam, at=(1, 0, 0), to=(1, 0, 0))
+    mechanism = assemble([revolute("p1", ground, beam), guide])
+    equations = newton_euler(mechanism.system(gravity=Vector(ground, 0, -10, 0)))
+    with pytest.warns(ModelNotice) as reported:
+        found = equilibrium(equations, {})
+    assert [str(each.message) for each in reported] == [
+        (
+            "equilibrium: lambda1 of constraint 1 (p2.y, sin(phi_p1) = 0) and lambda2 of constraint 2 (p2.about z, "
+            "sin(phi_p1) = 0) are not determined, as these constraints depend on each other wherever the mechanism "
+            "moves: other values balance as well; those of minimum norm are given, and reactions follow from them; "
+            "leave out a constraint, or put a bushing in the place of a joint"
+        )
+    ]
+    assert sum(found.multipliers.values()) == pytest.approx(2 * 10 * 0.5)
 
 
 @pytest.mark.parametrize("guess", [{"b": 0, "c": 0}, {"b": 1.2, "c": 1.3}])

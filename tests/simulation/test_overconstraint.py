@@ -607,7 +607,7 @@ def test_choices_are_those_apart_from_singular_positions() -> None:
         assert ratio / 3 < flat.ratios[row] < 3 * ratio
 
 
-@pytest.mark.filterwarnings("ignore:System. constraint .* follows from 1:")
+@pytest.mark.filterwarnings("ignore:System. constraint .* (depends on|follows from) 1:")
 @pytest.mark.parametrize("place", [(0.1, 0, 0), (0, 0.1, 0)])
 def test_conditions_whose_gradients_vanish_are_left_out(place: tuple[float, ...]) -> None:
     """A nut on a differential screw is guided beside its axis: one of two offsets is least where it is closed.

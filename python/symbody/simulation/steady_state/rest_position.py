@@ -103,8 +103,9 @@ class RestPosition:
                 f"{moved.rstrip(',')} depends on the time: forces are in balance at {now}, but the system does not "
                 f"stay at rest; pass {now} if this instant is meant, or give loads, inputs and frames that are constant"
             )
-        if self.undetermined.groups:
-            yield self.undetermined.notice()
+        undetermined = self.undetermined.notice()
+        if undetermined:
+            yield undetermined
         if self.is_singular or self.is_singular_held:
             what = "the constraints" if self.is_singular else "the constraints and what is held"
             whose = "eigenvalues" if self.is_singular else "held_eigenvalues"

@@ -86,8 +86,9 @@ def steady(
         x = without_whole_turns(problem, x, forces)
         undetermined = UndeterminedForces(problem.balance, x, forces)
         found = SteadyMotion(problem, x, undetermined.least_forces)
-    if undetermined.groups:
-        notify(f"{_WHERE}: {undetermined.notice()}")
+    text = undetermined.notice()
+    if text:
+        notify(f"{_WHERE}: {text}")
     values = {**found.parameters, **found.known, time: found.t}
     tell_passed_limits(eqs.system, values, problem.inputs, _WHERE)
     return found

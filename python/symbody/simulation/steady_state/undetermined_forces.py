@@ -46,8 +46,16 @@ class UndeterminedForces:
     @cached_property
     def groups(self) -> list[NDArray[np.intp]]:
         """The groups of forces that are not determined, except those of constraints that are redundant everywhere."""
-        groups = [np.flatnonzero(combination) for combination in self.idle]
-        return [rows for rows in groups if not self._is_redundant(rows)]
+        return [rows for rows in self._all_groups if not self._is_redundant(rows)]
+
+    @cached_property
+    def redundant_groups(self) -> list[NDArray[np.intp]]:
+        """The groups of multipliers of constraints that are redundant everywhere."""
+        return [rows for rows in self._all_groups if self._is_redundant(rows)]
+
+    @cached_property
+    def _all_groups(self) -> list[NDArray[np.intp]]:
+        return [np.flatnonzero(combination) for combination in self.idle]
 
     def is_of_constraints(self, rows: NDArray[np.intp]) -> bool:
         """Return whether a group of forces are multipliers."""
@@ -62,13 +70,20 @@ class UndeterminedForces:
 
     def notice(self) -> str:
         """Return which forces are not determined; the empty text if all are."""
-        if not self.groups:
+        described = [*map(self._described, self.groups), *map(self._redundant, self.redundant_groups)]
+        if not described:
             return ""
-        shown = "; ".join(self._described(rows) for rows in self.groups[:_SHOWN])
-        more = f"; and {len(self.groups) - _SHOWN} more groups" if len(self.groups) > _SHOWN else ""
-        return f"{shown}{more}; those of minimum norm are given"
+        more = f"; and {len(described) - _SHOWN} more groups" if len(described) > _SHOWN else ""
+        way_out = _WAY_OUT if self.redundant_groups else ""
+        return f"{'; '.join(described[:_SHOWN])}{more}; those of minimum norm are given{way_out}"
 
-    def _described(self, rows: NDArray[np.intp]) -> str:
+    def _redundant(self, rows: NDArray[np.intp]) -> str:
+        return (
+            f"{joined_by_and(self._names(rows))} are not determined, as these constraints depend on each other "
+            "wherever the mechanism moves: other values balance as well"
+        )
+
+    def _names(self, rows: NDArray[np.intp]) -> list[str]:
         eqs, m = self.problem.equations, len(self.problem.equations.constraints)
         multipliers = [
             f"{eqs.multipliers[row]} of constraint {name}"
@@ -76,10 +91,13 @@ class UndeterminedForces:
                 rows[rows < m], named_constraints(eqs.system.conditions, rows[rows < m]), strict=True
             )
         ]
-        names = [
+        return [
             *multipliers,
             *(f"the force that holds {self.problem.order[row - m]}" for row in rows[rows >= m]),
         ]
+
+    def _described(self, rows: NDArray[np.intp]) -> str:
+        names = self._names(rows)
         if len(names) == 1:
             return f"{names[0]} is not determined here: it moves nothing at this position"
         return (
@@ -89,3 +107,6 @@ class UndeterminedForces:
 
 
 _SHOWN = 4
+_WAY_OUT = (
+    ", and reactions follow from them; leave out a constraint, or put a bushing in the place of a joint"
+)
