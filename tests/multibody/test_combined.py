@@ -34,6 +34,7 @@ from symbody import (
     rotate,
     simulate,
     spring,
+    subs,
     symbols,
     time_derivative,
     torsion_spring,
@@ -63,6 +64,24 @@ def test_a_combined_body_moves_as_its_parts() -> None:
         assert whole.mass == 2 * m / 3 + M
         assert newton_euler(quiet_system([whole])).residuals == newton_euler(quiet_system(parts)).residuals
         assert kinetic_energy(whole) == kinetic_energy(parts)
+
+
+def test_plane_bodies_make_a_plane_body() -> None:
+    """Only the moments about one axis are given; a sum of whole bodies is checked as before (notices are errors)."""
+    (m, I), phi = symbols("m I"), functions_of_time("phi")
+    carrier = ground * rotate("Z", phi)
+    plates = combined([Body(carrier, 1, Iz=1), Body(carrier * translate(1, 0, 0), 1, Iz=1)], name="plates")
+    assert plates.moments[2] == 2 + 2 * number("1/4")
+    moved = displaced(combined([plates, Body(carrier * translate(1, 3, 0), 1, Iz=1)]), translate(0, 1, 0))
+    assert moved.has_partial_inertia
+    pair = combined([Body(carrier, m, Iz=I), Body(carrier * translate(1, 0, 0), m, Iz=I)])
+    assert subs(pair, {m: 1, I: 1}).moments == plates.moments
+    simulate(newton_euler(System([pair], [], [phi])), {m: 1, I: 1}, {}, t=(0, 0.1))
+    wrong = "the principal moments are 2, 2 and 10, and 10 is more than 2 \\+ 2"
+    with pytest.warns(ModelNotice, match="the principal moments are 1, 1 and 9"):
+        whole = [Body(carrier, 1, 1, 1, 9), Body(carrier, 1, 1, 1, 1)]
+    with pytest.warns(ModelNotice, match=wrong):
+        combined(whole)
 
 
 def test_a_hollow_cylinder_is_one_less_another() -> None:

@@ -68,6 +68,9 @@ class Body:
     m
     """
 
+    has_partial_inertia: bool = False
+    """Whether moments of inertia of its parts were left out, as those of plane bodies that are joined."""
+
     @checked(BodyError)
     def __init__(
         self,
@@ -82,14 +85,49 @@ class Body:
         *,
         name: str = "",
     ) -> None:
+        self._set(place, (mass, Ix, Iy, Iz, Cyz, Cxz, Cxy), name)
+        report_impossible_inertia(self)
+
+    def _set(self, place: Place, values: Sequence[Scalar], name: str) -> None:
         self.frame = place.frame.then(Translation(place.coordinates)) if isinstance(place, Point) else place
-        self.mass = expression(mass)
-        self.moments = triple(Ix, Iy, Iz)
-        self.products = triple(Cyz, Cxz, Cxy)
+        self.mass = expression(values[0])
+        self.moments, self.products = triple(*values[1:4]), triple(*values[4:])
         self.name = name
         if (fault := varying_inertia((self.mass, *self.moments, *self.products))) is not None:
             raise BodyError(f"Body{f' {name}' if name else ''}: {fault}")
-        report_impossible_inertia(self)
+
+    @classmethod
+    def of_partial_inertia(cls, place: Place, values: Sequence[Scalar], name: str) -> Body:
+        """Return a body some of whose moments of inertia are left out, so that no notice finds it impossible.
+
+        Args:
+            place: the centre of mass, or a frame at the centre of mass.
+            values: the mass, the three moments and the three products of inertia.
+            name: what the body is called where it is shown.
+
+        >>> from symbody import ground
+        >>> Body.of_partial_inertia(ground, (2, 0, 0.5, 2.5, 0, 0, 0), "plates").moments
+        (0, 0.5, 2.5)
+        """
+        body = cls.__new__(cls)
+        cls._set(body, place, values, name)
+        body.has_partial_inertia = True
+        return body
+
+    def with_values(self, place: Place, *values: Scalar) -> Body:
+        """Return the same body at another place, or with other values.
+
+        Args:
+            place: the centre of mass, or a frame at the centre of mass.
+            values: the mass, the three moments and the three products of inertia.
+
+        >>> from symbody import ground
+        >>> Body(ground, 1, name="disc").with_values(ground, 2, 1, 1, 2, 0, 0, 0).moments
+        (1, 1, 2)
+        """
+        if self.has_partial_inertia:
+            return Body.of_partial_inertia(place, values, self.name)
+        return Body(place, *values, name=self.name)
 
     @classmethod
     @checked(BodyError)
@@ -174,7 +212,7 @@ contains(
     Body,
     Container(
         parts=lambda body: (body.frame, body.mass, *body.moments, *body.products),
-        rebuilt=lambda body, parts: Body(*parts, name=body.name),
+        rebuilt=lambda body, parts: body.with_values(*parts),
         layout=_layout,
         shown=lambda body: (body.frame, body.mass, body.inertia),
         advice="its mass, inertia and frame.matrix have one",

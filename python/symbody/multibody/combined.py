@@ -14,6 +14,7 @@ from symbody.symbolic.given.arguments import brief, given_twice
 
 from .body import Body
 from .constant_form import constant_form
+from .physical_inertia import is_planar
 
 Several: TypeAlias = Annotated[Sequence[Body], "a list of bodies, such as [wheel, tyre]"]
 
@@ -24,7 +25,8 @@ def combined(bodies: Several, *, frame: Frame | None = None, name: str = "") -> 
 
     With ``m = sum(m_k)`` and the centre ``c = sum(m_k c_k)/m``, the tensor of inertia about c is
     ``sum(R_k J_k R_k^T + m_k (d^2 1 - d d^T))`` with ``d = c_k - c`` [Huygens, Steiner]. Bodies of negative mass are
-    taken away. Rotors without mass add their inertias alone, at the place of the first.
+    taken away. Rotors without mass add their inertias alone, at the place of the first. Of plane bodies, which have one
+    moment of inertia, only the one about that axis is complete.
 
     Args:
         bodies: the bodies.
@@ -50,7 +52,10 @@ def combined(bodies: Several, *, frame: Frame | None = None, name: str = "") -> 
         about = steiner(each.mass, sub3(each.place, center))
         total = [a + b + c for a, b, c in zip(total, each.tensor, about, strict=True)]
     xx, xy, xz, _, yy, yz, _, _, zz = total
-    return Body(Point(axes, *center), mass, xx, yy, zz, -yz, -xz, -xy, name=name)
+    place, values = Point(axes, *center), (mass, xx, yy, zz, -yz, -xz, -xy)
+    if any(body.has_partial_inertia or is_planar(body) for body in bodies):
+        return Body.of_partial_inertia(place, values, name)
+    return Body(place, *values, name=name)
 
 
 def _center(bodies: Sequence[Body], placed: Sequence[_Placed], mass: Expr) -> Triple:

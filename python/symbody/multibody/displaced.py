@@ -43,7 +43,7 @@ def displaced(thing: Thing, motion: Frame, *, frame: Frame | None = None) -> Thi
             return _vector(thing, motion, frame)  # type: ignore[return-value]
         case Body():
             values = (thing.mass, *thing.moments, *thing.products)
-            return Body(_carried(thing.frame, motion, frame), *values, name=thing.name)  # type: ignore[return-value]
+            return thing.with_values(_carried(thing.frame, motion, frame), *values)  # type: ignore[return-value]
         case _:
             return _load(thing, motion, frame)  # type: ignore[return-value]
 

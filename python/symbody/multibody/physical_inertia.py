@@ -66,7 +66,7 @@ def report_impossible_inertia(body: MassDistribution) -> None:
     Moments in symbols aren't checked. If only products are symbols, the moments are checked: those about any three
     perpendicular axes obey the same inequality.
     """
-    if _is_planar(body) or not all(moment.is_constant for moment in body.moments):
+    if is_planar(body) or not all(moment.is_constant for moment in body.moments):
         return
     if all(entry.is_zero for entry in body.inertia_entries):  # a particle, which needs no numbers
         return
@@ -148,7 +148,7 @@ def _tensor(body: MassDistribution) -> Array:
     return np.diag([float(moment) for moment in body.moments])
 
 
-def _is_planar(body: MassDistribution) -> bool:
+def is_planar(body: MassDistribution) -> bool:
     """Return whether one moment alone is given, and isn't negative."""
     given = [moment for moment in body.moments if not moment.is_zero]
     return len(given) == 1 and not body.has_products and not _is_negative(given[0])

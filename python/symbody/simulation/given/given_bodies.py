@@ -68,7 +68,7 @@ def _found(system: System, given: Mapping[Expr, ArrayLike]) -> list[str]:
             is_symbolic |= bool(names)
             if entries not in by_value:
                 by_value[entries] = _judged(entries, given)
-                if names:
+                if names and not body.has_partial_inertia:
                     found += _impossible_inertia(body, by_value[entries])
             is_negative = is_negative | by_value[entries].is_negative
         if is_symbolic:
