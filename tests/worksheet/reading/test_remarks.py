@@ -117,7 +117,17 @@ CASES = [
     # Lines of prose among code.
     ("The energy of the plate\nB := 3;", ["Assignment"], ["The energy of the plate"]),
     ("B := 3;\nThe energy: it is kept\nshow(B);", ["Assignment", "Evaluation"], ["The energy: it is kept"]),
+    ("rod 1\nB := 3;", ["Assignment"], ["rod 1"]),
+    ("link 2: the coupler\nB := 3;", ["Assignment"], ["link 2: the coupler"]),
+    ("1st part\nB := 3;", ["Assignment"], ["1st part"]),
+    ("step 2 (see above)", [], ["step 2 (see above)"]),
+    ("2 wheels in all\nB := 3;", ["Assignment"], ["2 wheels in all"]),
     # Mistakes are no remarks.
+    ("rod 1\nrod := 3;", ["SyntaxMistake", "Assignment"], []),
+    ("rod 1;", ["SyntaxMistake"], []),
+    ("n 1: B", ["SyntaxMistake"], ["B"]),
+    ("2 x", ["SyntaxMistake"], []),
+    ("rod 2*a", ["SyntaxMistake"], []),
     ("a := b c;", ["SyntaxMistake"], []),
     ("show (G) hello;", ["SyntaxMistake"], []),
     ("f(a, b;\nB := 3;", ["SyntaxMistake", "Assignment"], []),

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 
 from lark import Token
 
+from symbody.worksheet.reading.numbered_text import is_numbered
 from symbody.worksheet.reading.parse import TERMINATORS
 from symbody.worksheet.reading.prose import (
     CLOSING,
@@ -196,7 +197,8 @@ def _with_words_before(
     is_word = is_word and (begin == 2 or line[begin - 3].type in TERMINATORS)
     if is_word and marks_are_lost and line[begin - 2] not in {*used, "restart"}:
         return begin - 2
-    return 0 if begin and begins_with_words(line[:begin]) and ":=" not in line[:begin] else begin
+    is_prose_too = begins_with_words(line[:begin]) or is_numbered(line[: max(begin - 1, 0)], used)
+    return 0 if begin and is_prose_too and ":=" not in line[:begin] else begin
 
 
 def _is_closed(text: Sequence[Token]) -> bool:

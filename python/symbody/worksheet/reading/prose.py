@@ -97,7 +97,9 @@ def is_used(line: Sequence[Token], index: int) -> bool:
         return False
     if index + 1 < len(line) and line[index + 1] == ":=":
         return True
-    if index and line[index - 1].type in CLOSING | LITERALS | {"NAME"}:  # a word of prose
+    is_behind_operand = index > 0 and line[index - 1].type in CLOSING | LITERALS | {"NAME"}
+    is_before_number = index + 1 < len(line) and line[index + 1].type in LITERALS
+    if is_behind_operand or is_before_number:  # a word of prose
         return False
     kinds = [line[k].type for k in (index - 1, index + 1) if 0 <= k < len(line)]
     return not any(kind in WORDS for kind in kinds) and any(kind not in MARKS for kind in kinds)

@@ -11,6 +11,7 @@ from itertools import pairwise
 
 from lark import Token
 
+from symbody.worksheet.reading.numbered_text import is_numbered
 from symbody.worksheet.reading.parse import TERMINATORS, Failure, Parsed, is_statement, next_statement
 from symbody.worksheet.reading.prose import CLOSING, MARKS, WORDS, has_bracketed_word, is_prose
 from symbody.worksheet.reading.remark_behind_code import begins_with_code, tails
@@ -125,7 +126,7 @@ def _is_text(tokens: Sequence[Token], span: Span, begin: int, used: Collection[s
     at_line_start = span.begin == begin and (not begin or tokens[begin - 1].line != text[0].line)
     if at_line_start:  # a statement with a mistake in it is no remark
         first = text[:2]
-        return (
+        return is_numbered(text, used) or (
             text[-1].type != "SEMICOLON"
             and len(first) == 2
             and first[0].type in {"NAME", "UNKNOWN"}
