@@ -60,3 +60,17 @@ def test_values_in_linear_models_contain_the_small_variables_of_the_program() ->
     assert program.values == 1
     assert "q = a + sb.small(q)  # results print the deviation as q\n" in program.text
     assert "functions_of_time" not in program.text.partition("small")[2]
+
+
+def test_a_load_on_the_ground_with_its_reaction_is_the_opposite_load_on_the_body() -> None:
+    """The rule of y is given where its argument is the time."""
+    program, values = made(
+        "`diff/y` := proc(a) if a = t then u(t) else 0 end if end proc: B := make_BODY(translate(0,y(t),0),m): "
+        "F := make_FORCE(ground,0,f,0,CoM(B),ground,B): G := make_TORQUE(make_VECTOR(ground,g,0,0),ground,B): "
+        "N := newton_equations({B,F}): K := kinetic_energy(B): E := euler_equations({B,G},CoM(B)):"
+    )
+    assert "F = sb.Force(sb.ground, 0, -f, 0, at=B.center_of_mass, on=B)\n" in program.text
+    m, f, g, u = (values[each] for each in "mfgu")
+    assert values["K"] == m * u**2 / 2
+    assert values["N"].components[1] == m * sb.diff(u, sb.t) + f
+    assert values["E"].components[0] == g

@@ -62,13 +62,26 @@ def _rate(value: syntax.Expression) -> syntax.Expression:
     """Return what a rule of the time alone gives, with the time in place of its parameter."""
     match value:
         case syntax.Procedure(parameters=(_,) | (_, _) as parameters, body=body):
-            kept = [each for each in body if not isinstance(each, syntax.Empty)]
+            kept: list[syntax.Statement] = [each for each in body if not isinstance(each, syntax.Empty)]
+            if len(kept) == 1 and isinstance(kept[0], syntax.If):
+                kept = _where_time(kept[0], parameters[0].name)
             if len(kept) == 1 and isinstance(kept[0], syntax.Evaluation):
                 return _of_time(kept[0].expression, parameters)
         case syntax.Arrow(parameters=(_,) | (_, _) as parameters, body=body) if not isinstance(
             body, syntax.If
         ):
             return _of_time(body, parameters)
+    raise NoText(PREFIX)
+
+
+def _where_time(statement: syntax.If, parameter: str) -> list[syntax.Statement]:
+    """Return the statements of ``if a = t then .. else .. end if``, where the argument is the time."""
+    match statement.branches[0]:
+        case (
+            syntax.Infix(operator="=", left=syntax.Name(name=left), right=syntax.Name(name=right)),
+            body,
+        ) if {left, right} == {parameter, "t"}:
+            return [each for each in body if not isinstance(each, syntax.Empty)]
     raise NoText(PREFIX)
 
 

@@ -17,6 +17,7 @@ from symbody.worksheet.convert.selections import word_of
 from symbody.worksheet.convert.sequences import item, items
 from symbody.worksheet.convert.tyres import tyre_forces, tyre_motion
 from symbody.worksheet.convert.writer import Arguments, Writer
+from symbody.worksheet.sheet import syntax
 
 __all__ = ["MECHANICS"]
 
@@ -85,15 +86,36 @@ def _vector(text: Writer, arguments: Arguments) -> str:
 
 
 def _force(text: Writer, arguments: Arguments) -> str:
-    what, rest = _loaded(text, arguments, 4, 3)
-    named = zip(("at", "on", "reaction"), rest, strict=False)
-    return f"sb.Force({what}, {', '.join(f'{name}={value}' for name, value in named if value != '0')})"
+    return _load(text, "Force", arguments, ("at", "on", "reaction"), most=3)
 
 
 def _torque(text: Writer, arguments: Arguments) -> str:
-    what, rest = _loaded(text, arguments, 4, 2)
-    named = zip(("on", "reaction"), rest, strict=False)
-    return f"sb.Torque({what}, {', '.join(f'{name}={value}' for name, value in named if value != '0')})"
+    return _load(text, "Torque", arguments, ("on", "reaction"), most=2)
+
+
+def _load(text: Writer, kind: str, arguments: Arguments, names: tuple[str, ...], *, most: int) -> str:
+    """Return a load; one on the ground with its reaction on a body is the opposite load on the body.
+
+    Args:
+        text: writes expressions.
+        kind: the name of the class.
+        arguments: those of the command.
+        names: the keywords of the arguments behind the vector.
+        most: how many arguments a load by a vector has at most.
+    """
+    what, rest = _loaded(text, arguments, 4, most)
+    named = {name: value for name, value in zip(names, rest, strict=False) if value != "0"}
+    if "reaction" in named and isinstance(text.value(named.get("on", "")), Frame):
+        count = len(arguments) - len(rest)
+        opposite = map(_opposite, arguments[count > 1 : count])
+        what, _ = _loaded(text, (*arguments[: count > 1], *opposite, *arguments[count:]), 4, most)
+        named["on"] = named.pop("reaction")
+    return f"sb.{kind}({what}, {', '.join(f'{name}={value}' for name, value in named.items())})"
+
+
+def _opposite(node: syntax.Expression) -> syntax.Expression:
+    is_zero = isinstance(node, syntax.Integer) and not node.value
+    return node if is_zero else syntax.Prefix("-", node, place=node.place)
 
 
 def _loaded(text: Writer, arguments: Arguments, count: int, most: int) -> tuple[str, list[str]]:
