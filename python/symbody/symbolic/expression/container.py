@@ -33,6 +33,7 @@ __all__ = [
     "expressions_in",
     "in_latex",
     "is_container",
+    "printed_in",
     "rewritten",
     "substituted",
     "text_of",
@@ -96,6 +97,20 @@ def expressions_in(value: Any, place: str) -> tuple[Expr, ...]:
     one = _Pass(place, lambda entry, _: (entry.parts, entry.rebuilt))
     one.taken_apart(value, "")
     return tuple(one.leaves)
+
+
+def printed_in(value: Any) -> tuple[Expr, ...]:
+    """Return the expressions in a container that are printed with it; other parts, such as models, print their own."""
+    found, seen, waiting = list[Expr](), dict[int, Any](), [value]
+    while waiting:
+        part = waiting.pop()
+        entry = _entry(part)
+        if isinstance(part, Expr):
+            found.append(part)
+        elif entry is not None and id(part) not in seen:
+            seen[id(part)] = part  # which keeps its id
+            waiting += entry.parts(part)
+    return tuple(found)
 
 
 def substituted(value: Any, mapping: Mapping[Any, Any]) -> Any:

@@ -8,7 +8,7 @@ from typing import Any
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 from symbody.symbolic.calculus.shown_form import shown_form
-from symbody.symbolic.expression.container import Typeset, expressions_in, in_latex, is_container
+from symbody.symbolic.expression.container import Typeset, in_latex, is_container, printed_in
 from symbody.symbolic.expression.leaves import ExprLike
 from symbody.symbolic.expression.naming import latex_listing, latex_of, naming_of
 from symbody.symbolic.given.arguments import expression_or_container
@@ -32,7 +32,7 @@ def latex(expression: Any) -> str:
     \left(m_{1}, I_{xx}, \omega_{0}, \mathrm{load}\right)
     """
     if is_container(expression):
-        with naming_of(expressions_in(expression, "latex")):
+        with naming_of(printed_in(expression)):
             return in_latex(expression, "latex", shown_form)
     if isinstance(expression, Typeset) and not isinstance(expression, type | Expr):
         return expression.latex()
