@@ -106,7 +106,8 @@ DIFFERENT = [
         "frame: the file has a matrix that isn't the identity, the run ground",
     ),
     ("P = POINT(a = 0)", "P = POINT(frame = T,a = 0)", "the file has no field frame"),
-    ("P = POINT(frame = T)", "P = POINT(frame = TT)", "frame: the file has T, the run TT"),
+    ("P = POINT(frame = ground)", "P = POINT(frame = T)", "frame: the file has ground, the run T"),
+    ("P = POINT(frame = T,a = 1)", "P = POINT(frame = TT,a = 2)", "a: the file has 1, the run 2"),
     ("abs(x)", "x^2/2", "the file has abs(x), the run 1/2*x^2"),
     ("g := x -> x^3", "g := x -> x^2", "the file has x^3, the run x^2"),
     ("g := (u,v) -> u*v + u", "g := (x,y) -> x*y", "the file has u*v+u, the run x*y"),
@@ -140,6 +141,7 @@ REASONS = [
     ("276*multiplications+9*additions", "3*multiplications", "a count of operations"),
     ("a b c", "3", "it can't be read as a value"),
     ("[a]", "a", "the file has a list, the run an expression"),
+    ("P = POINT(frame = T,a = 1)", "P = POINT(frame = TT,a = 1)", "the frame is called T in the file"),
     ("a and b", "a", "and in it has no value"),
     (
         "p := proc(x) local y; y := x; y end proc",

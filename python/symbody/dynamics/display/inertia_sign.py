@@ -34,7 +34,7 @@ def with_positive_inertia(text: str, acceleration: str = "", *, least: int = 2) 
     terms = [*_terms(text)]
     if not acceleration and len(terms) > 1:
         return text
-    factor_of = re.compile(rf".*(?:^|[* ]){re.escape(acceleration)}$", re.DOTALL)
+    factor_of = re.compile(rf".*(?:^|[* ]){re.escape(acceleration)}$" if acceleration else "", re.DOTALL)
     made = [_positive(each, least) if factor_of.match(each[1]) else each for each in terms]
     return text if made == terms else _sum(made)
 

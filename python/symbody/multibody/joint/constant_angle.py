@@ -7,7 +7,6 @@ from math import pi as half_turn
 from typing import NamedTuple
 
 from symbody.geometry import Frame, Vector, dot
-from symbody.geometry.motion.floating import Floating
 from symbody.symbolic import Expr, atan2, cos, number, pi, sin, substitute
 
 from .closure import Sides
@@ -88,7 +87,7 @@ class _Start(NamedTuple):
 def _scalar_parts(*frames: Frame) -> Iterator[Expr]:
     """Yield the first Euler parameters of the floating frames in some chains."""
     for each in (link for frame in frames for link in frame.chain):
-        if isinstance(each.motion, Floating):
+        if each.motion is not None:
             yield from each.motion.quaternion[:1]
 
 

@@ -70,7 +70,7 @@ def with_number_outside(total: Expr) -> Expr:
     >>> from symbody import symbols
     >>> m, M = symbols("m M")
     >>> with_number_outside(2 * m / 3 + 2 * M)
-    2*(m + 3*M)/3
+    2*(3*M + m)/3
     """
     terms = summands(total)
     numbers = [Fraction(*_number(term).ratio) for term in terms]

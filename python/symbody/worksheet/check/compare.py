@@ -211,20 +211,31 @@ class _Comparison:
         left, right = _by_name(file), _by_name(run)
         if left is None or right is None:
             return self._items(file, run, cut=cut)
-        for index, (name, value) in enumerate(left.items(), start=1):
+        last = [*left][-1] if left else ""
+        for name in sorted(left, key="frame".__eq__):  # last, since names of frames may not be comparable
             if name not in right:
                 return f"the run has no field {name}"
             compare = self._frames if name == "frame" else self.values
-            found = compare(value, right[name], cut=cut and index == len(left))
+            found = compare(left[name], right[name], cut=cut and name == last)
             if found:
                 return f"{name}: {found}"
         more = [] if cut else [name for name in right if name not in left and right[name] not in _GROUND]
         return f"the file has no field {more[0]}" if more else ""
 
     def _frames(self, file: Value, run: Value, *, cut: bool) -> str:
-        """Compare frames: what a name stands for is known only of the ground; two names are compared as such."""
+        """Compare frames: what a name stands for is known only of the ground.
+
+        Raises:
+            NotComparable: each has a name of its own, and both may be names of one frame.
+        """
         if _is_symbol(file) and _is_symbol(run):
-            return "" if {file, run} <= _GROUND else self.values(file, run, cut=cut)
+            if file == run or {file, run} <= _GROUND:
+                return ""
+            if not {file, run} & _GROUND:
+                raise NotComparable(
+                    f"the frame is called {_short(file)} in the file, and {_short(run)} in the run"
+                )
+            return self.values(file, run, cut=cut)
         if not (_is_symbol(file) or _is_symbol(run)):
             return self.values(file, run, cut=cut)
         ground, other = (file, run) if _is_symbol(file) else (run, file)
