@@ -34,15 +34,20 @@ def _depth(value: object) -> int | None:
     return None
 
 
-def _is(text: Writer, written: str, depth: int) -> bool:
-    return _depth(text.value(written)) == depth
+def _of_depth(text: Writer, node: syntax.Expression, depth: int, what: str) -> str:
+    """Return the text of nested lists.
+
+    Raises:
+        NoText: the lists have another depth.
+    """
+    written = text.text(node)
+    if _depth(text.value(written)) != depth:
+        raise NoText(what)
+    return written
 
 
 def _point(text: Writer, node: syntax.Expression) -> str:
-    written = text.text(node)
-    if not _is(text, written, _POINT):
-        raise NoText("point")
-    return written
+    return _of_depth(text, node, _POINT, "point")
 
 
 def _line(text: Writer, arguments: Arguments) -> str:
@@ -53,10 +58,7 @@ def _line(text: Writer, arguments: Arguments) -> str:
 
 def points_of(text: Writer, node: syntax.Expression) -> str:
     """Return a list of points."""
-    written = text.text(node)
-    if not _is(text, written, _SHAPE):
-        raise NoText("points")
-    return written
+    return _of_depth(text, node, _SHAPE, "points")
 
 
 def _closed(text: Writer, arguments: Arguments) -> str:
