@@ -70,10 +70,12 @@ KINDS: dict[str, Make] = {
     "prismatic": _by_axis(prismatic),
     "cylindrical": _by_axis(cylindrical),
     "spherical": _spherical,
+    "ball": lambda draw, *parts, **places: spherical(*parts, quaternion=True, **places),
     "universal": _universal,
     "planar": _by_axis(planar),
     "fixed": lambda draw, *parts, **places: fixed(*parts, **places),
     "free": _free,
+    "floater": lambda draw, *parts, **places: free(*parts, quaternion=True, **places),
     "screw": lambda draw, *parts, **places: screw(
         *parts, axis=draw.choice("XYZ"), pitch=number(draw.choice(["-2", "1", "1/2"])), **places
     ),
@@ -84,7 +86,10 @@ KINDS: dict[str, Make] = {
         *parts, curve=_helix, axes=draw.choice(["ZYX", "XY", "Z", ""]), **places
     ),
 }
-"""A joint of each kind, from what is drawn: its axes."""
+"""A joint of each kind, from what is drawn: its axes. A ball and a floater have Euler parameters."""
+
+BY_QUATERNION = ("ball", "floater")
+"""Kinds that are in a mechanism only if they are asked for."""
 
 MESHES = ("gear", "rack")
 """Kinds that couple two joints."""
@@ -115,6 +120,7 @@ def random_mechanism(
     draw = Random(seed)
     joints, members = list[Joint](), list[Link]()
     kinds = [kind for kind in KINDS if closing is None or kind not in ("free", "fixed", "rolling")]
+    kinds = [kind for kind in kinds if kind not in BY_QUATERNION]
     for k in range(links):
         link = _link(draw, f"L{k}")
         parent = (
@@ -126,6 +132,8 @@ def random_mechanism(
         members.append(link)
     tree = assemble(joints)
     position = {q: round(draw.uniform(0.3, 1.2), 3) for q in tree.coordinates}
+    for joint in joints:
+        position |= _unit_quaternion(joint, position)
     if closing in COUPLINGS:
         joints += _meshing(draw, closing, members[-1])
         position |= {q: 0.3 for q in assemble(joints).coordinates if q not in position}
@@ -139,6 +147,13 @@ def random_mechanism(
     if closing == "closing gear":
         position |= dict.fromkeys(functions_of_time("x_P y_P"), 0.0)
     return RandomMechanism(made, position)
+
+
+def _unit_quaternion(joint: Joint, position: dict[Expr, float]) -> dict[Expr, float]:
+    """Return the Euler parameters of a joint in numbers, of the length 1; none if it has other coordinates."""
+    own = [q for q in joint.coordinates if q.name.startswith("e")]
+    length = np.sqrt(sum(position[q] ** 2 for q in own))
+    return {q: position[q] / length for q in own}
 
 
 def _meshing(draw: Random, kind: str, carrier: Link) -> list[Joint]:
