@@ -128,7 +128,7 @@ def test_a_trihedral_bricard_linkage_moves_with_equal_angles():
     system = made.system(gravity=sb.Vector(sb.ground, 0, -G, 0))
     with pytest.warns(sb.ModelNotice, match="overconstrained"):
         equations = sb.newton_euler(system)
-    with pytest.warns(sb.ModelNotice, match="is left out with a multiplier of zero"):
+    with pytest.warns(sb.ModelNotice, match="is left out;"):
         motion = sb.simulate(equations, {}, {joints[0].coordinate: start[0]}, t=(0, 1), guess=guess)
     angles = np.array([motion[joint.coordinate] for joint in joints[:5]])
     np.testing.assert_allclose(np.sin(angles[[0, 0, 1]]), np.sin(angles[[2, 4, 3]]), atol=1e-9)

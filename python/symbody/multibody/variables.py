@@ -14,8 +14,10 @@ from symbody.geometry.component.triple import Rate, expression
 from symbody.geometry.motion.floating import by_speeds, known_rates, rate_by
 from symbody.symbolic import (
     Expr,
+    Matrix,
     free_symbols,
     functions_of_time,
+    jacobian,
     number,
     substitute,
     time_derivative,
@@ -26,6 +28,7 @@ from symbody.symbolic.given.arguments import brief, counted
 
 from .constraint import Condition, Constraint, as_constraint
 from .constraint_fault import Unknowns, is_on_velocity
+from .shared_multiplier import shared_multipliers
 from .well_posed import check_constraints, check_inputs, check_multipliers, check_small, check_unknowns
 
 __all__ = ["Conditions", "Coordinates", "Variables", "check_substitution"]
@@ -83,7 +86,7 @@ class Variables:
         self.eliminated: dict[Expr, Expr] = {}
         """The speeds that constraints made dependent, each by the independent ones; none unless `eliminating` did."""
         self.left_out: dict[Expr, Constraint] = {}
-        """The constraints that follow from the others, by their multipliers, which are zero; see `leaving_out`."""
+        """The constraints that follow from the others, by their multipliers; see `leaving_out`."""
         self.whole: Variables = self
         """The same with all constraints, in its own speeds; mostly itself."""
         self.momenta: dict[Expr, Expr] = {}
@@ -232,16 +235,36 @@ class Variables:
 
     def _written(self, rates: Mapping[Expr, Expr], expressions: Sequence[Expr]) -> tuple[Expr, ...]:
         written = substitute(tuple(expressions), self.eliminated) if self.eliminated else expressions
-        return by_speeds(rates, self.without_left_out(written) if self.left_out else written)
+        return by_speeds(rates, self._shared(written) if self.left_out else written)
+
+    def _shared(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
+        """Return expressions in which the multipliers of all constraints are their shares of those that are kept."""
+        names = {each.name: k for k, each in enumerate(self.whole.multipliers)}
+        found = {leaf: names[leaf.name] for leaf in free_symbols(expressions) if leaf.name in names}
+        shares = {leaf: time_derivative(self._shares[k], leaf.order) for leaf, k in found.items()}
+        return substitute(tuple(expressions), shares)
+
+    @cached_property
+    def _shares(self) -> tuple[Expr, ...]:
+        kept = [k for k, each in enumerate(self.whole.multipliers) if each not in self.left_out]
+        return shared_multipliers(self.whole.velocity_gradients, kept, self.multipliers)
+
+    @cached_property
+    def velocity_gradients(self) -> Matrix:
+        """A of ``A u + b``, the constraints on the level of velocities: one row each, a column per speed."""
+        return jacobian(self.velocity_level(self.constraints), self.speeds)
 
     def without_left_out(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
-        """Return expressions in which the multipliers of constraints that were left out are zero."""
-        names = {multiplier.name for multiplier in self.left_out}
-        found = [leaf for leaf in free_symbols(expressions) if leaf.depends_on_time and leaf.name in names]
-        return substitute(tuple(expressions), dict.fromkeys(found, number(0)))
+        """Return terms of the equations of all constraints without the forces of those that were left out."""
+        kept = [each for each in self.whole.multipliers if each not in self.left_out]
+        own = dict(zip(kept, self.multipliers, strict=True))
+        return substitute(tuple(expressions), own | dict.fromkeys(self.left_out, number(0)))
 
     def leaving_out(self, places: Collection[int]) -> Self:
-        """Return the same without some constraints, which follow from the others: they exert no force.
+        """Return the same without some constraints, which follow from the others.
+
+        The multipliers of those that are kept get other names, since they bear what all would share: those of all
+        constraints are of minimum norm, wherever an expression contains them.
 
         Args:
             places: their places among the constraints.
@@ -249,9 +272,14 @@ class Variables:
         reduced = self._copied()
         kept = [k for k in range(len(self.conditions)) if k not in places]
         reduced.conditions = tuple(self.conditions[k] for k in kept)
-        reduced.multipliers = tuple(self.multipliers[k] for k in kept)
+        reduced.multipliers = tuple(self._of_kept(self.multipliers[k].name) for k in kept)
         reduced.left_out = self.left_out | {self.multipliers[k]: self.conditions[k] for k in sorted(places)}
         return reduced
+
+    def _of_kept(self, name: str) -> Expr:
+        name = f"{name}_kept"
+        found: Expr = self._of_kept(name) if name in self._names() else functions_of_time(name)
+        return found
 
     def eliminating(self, dependent: Mapping[Expr, Expr], momenta: Mapping[Expr, Expr] | None = None) -> Self:
         """Return the same in its independent speeds, without constraints; or in momenta, with all constraints.

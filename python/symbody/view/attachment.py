@@ -44,7 +44,8 @@ class Attachment:
 def threads(system: System, points: Sequence[Point]) -> list[Thread]:
     """Return the threads by constraints of the form ``|P - P0|^2 = l^2``, with P among the given points."""
     found: list[Thread] = []
-    for constraint, multiplier in ((system.constraints[k], system.multipliers[k]) for k in system.holonomic):
+    whole = system.whole if system.left_out else system
+    for constraint, multiplier in ((whole.constraints[k], whole.multipliers[k]) for k in whole.holonomic):
         for point in points:
             thread = _thread(constraint, multiplier, point)
             if thread is not None and (thread.end, thread.start) not in [(a.start, a.end) for a in found]:

@@ -1,4 +1,4 @@
-"""Equations without redundant constraints: those that remain keep the others, whose forces are zero."""
+"""Equations without redundant constraints: those that remain keep the others."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from .equations import Assembly, Derived, Equations
 def leaving_out(eqs: Equations, places: Collection[int]) -> Equations:
     """Return the equations without some constraints, which follow from the others: ``M u' = f + A^T lambda``.
 
-    A and lambda lose rows; M and f stay. How rigid bodies share a load among redundant constraints is not determined;
-    here the constraints that are left out bear nothing [Garcia de Jalon & Gutierrez-Lopez 2013].
+    A and lambda lose rows; M and f stay, and the motion is the same. How rigid bodies share a load among redundant
+    constraints is not determined: `multibody/shared_multiplier.py` shares it [Garcia de Jalon & Gutierrez-Lopez 2013].
 
     Args:
         eqs: the equations of motion.

@@ -16,7 +16,7 @@ from symbody.multibody.data_sheet import DataSheet, Row, WithSheet
 from symbody.multibody.joint.closure import Closure
 from symbody.multibody.joint.joint import Joint
 from symbody.multibody.joint.placed_joint import PlacedJoint
-from symbody.symbolic import MOTION, Expr, cost, derivation, diff, number, simplify
+from symbody.symbolic import MOTION, Expr, cost, derivation, diff, simplify
 from symbody.symbolic.expression.container import Container, contains
 from symbody.symbolic.given.arguments import brief, given_twice
 
@@ -324,10 +324,8 @@ def _multipliers(system: System) -> dict[str, Expr]:
             "reaction: the multipliers of these equations are eliminated; expected the equations from which they were "
             "embedded, by which inverse_dynamics(equations, motion, unknowns=[]) evaluates reactions along a motion"
         )
-    known = {each.name: value for each, value in zip(system.conditions, system.multipliers, strict=True)}
-    return known | {
-        each.name: number(0) for each in system.left_out.values()
-    }  # as redundant, in a simulation
+    whole = system.whole if system.left_out else system  # redundant ones, in a simulation, have their share
+    return {each.name: value for each, value in zip(whole.conditions, whole.multipliers, strict=True)}
 
 
 def _driven(system: System) -> frozenset[Expr]:

@@ -106,12 +106,8 @@ def _redundancy(motion: Integrated) -> Iterable[Finding]:
         return []
     others = [row for row in found.rows if row not in found.choice]
     told = redundant(found.conditions, found.choice, others, "wherever it moves")
-    consequence = (
-        "are left out with multipliers of zero"
-        if found.count > 1
-        else "is left out with a multiplier of zero"
-    )
-    return [Finding("overconstrained", f"{told}, and {consequence}")]
+    verb = "are" if found.count > 1 else "is"
+    return [Finding("overconstrained", f"{told}, and {verb} left out")]
 
 
 def _singular_start(motion: Integrated) -> Iterable[Finding]:
@@ -241,8 +237,8 @@ ROWS: dict[str, _Row] = {
     "deficient": _Row(_deficiencies, "{subject}"),
     "overconstrained": _Row(
         _redundancy,
-        "the mechanism is overconstrained: {subject}, as rigid bodies don't determine how "
-        "redundant constraints share a load",
+        "the mechanism is overconstrained: {subject}; rigid bodies don't determine how redundant constraints share a "
+        "load: multipliers of minimum norm are given, and reactions follow from them",
     ),
     "start": _Row(
         _singular_start,

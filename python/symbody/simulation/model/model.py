@@ -104,7 +104,7 @@ class Model:
 
     @cached_property
     def multipliers(self) -> tuple[Expr, ...]:
-        """The multipliers of the constraints."""
+        """The multipliers of the constraints; without redundant ones, not those of the user, which all share."""
         return self.equations.multipliers
 
     @cached_property

@@ -199,7 +199,7 @@ class Motion:
         """Return the values of an acceleration or a multiplier; the first call computes all of them."""
         if unknown in self.model.accelerations:
             return self.accelerations[:, self.model.accelerations.index(unknown)]
-        return self.multipliers[:, self.model.multipliers.index(unknown)]
+        return self._solved_multipliers[:, self.model.multipliers.index(unknown)]
 
     @with_known_names
     def sensitivity(self, expression: Expr, by: Expr) -> Array:
@@ -273,7 +273,19 @@ class Motion:
 
     @cached_property
     def multipliers(self) -> Array:
-        """The multipliers of the constraints, one row for each instant: ``M u' = forcing + phi_q^T lambda``."""
+        """The multipliers of the constraints, one row for each instant: ``M u' = forcing + phi_q^T lambda``.
+
+        If constraints are redundant, so that many multipliers balance the loads, those of minimum norm.
+        """
+        return (
+            self.evaluate(self.system.whole.multipliers).T
+            if self.system.left_out
+            else self._solved_multipliers
+        )
+
+    @cached_property
+    def _solved_multipliers(self) -> Array:
+        """Those of the constraints that the simulation keeps, if they act alone."""
         model = self.model
         return self._values(model.multipliers, (), ()).T if model.multipliers else np.empty((len(self.t), 0))
 
