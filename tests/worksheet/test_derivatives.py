@@ -71,6 +71,10 @@ CASES = {
             "diff(f(q(t),x),x)",
         ],
     ),
+    "operators of functions that Maple knows": (
+        "D(sin), D(cos), D(ln), (D@@2)(sin); D(cos)(a*t), D(tan)(0), D(sqrt)(4), D(arctan)(1), D(f);",
+        ["cos, -sin, z -> 1/z, -sin", "-sin(a*t), 1, 1/4, 1/2, D(f)"],
+    ),
     "a rule of a quasi-coordinate": (
         (
             "`diff/s` := proc(a,b,w) b*diff(a,w) end: P := origin(translate(s(x(t),y(t)),0,0)): "

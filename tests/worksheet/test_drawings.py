@@ -5,13 +5,14 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
 from symbody.worksheet.drawing.pieces import _fill, pieces_of
 from symbody.worksheet.interpreter.interpret import Interpreter
 from symbody.worksheet.values.value import Plot
-from tests.worksheet.printed_by import printed
+from tests.worksheet.printed_by import failures, printed
 
 
 def axes_of(sheet: str) -> Any:
@@ -90,3 +91,19 @@ def test_animations_need_no_network_and_are_the_same_each_time(tmp_path: Path) -
     assert pages[0] == pages[1]
     assert "https:" not in pages[0]
     assert ">\u25b6</button>" in "".join(pages[0].split())
+
+
+def test_drawings_are_moved_about_points_and_along_axes() -> None:
+    sheet = "s := line([1,0],[2,0]): rotate(s,Pi/2), rotate(s,Pi,[1,0]), translate(s,1,2), scale(s,2,3,[1,1])"
+    axes = axes_of(f"{sheet}: display([%])")
+    places = [np.round(line.get_xydata(), 9).tolist() for line in axes.lines]
+    assert places == [[[0, 1], [0, 2]], [[1, 0], [0, 0]], [[2, 2], [3, 2]], [[1, -2], [3, -2]]]
+
+
+def test_drawings_in_space_are_not_turned_in_the_plane() -> None:
+    sheet = "with(plottools): s := line([0,0],[1,0]): rotate(sphere([0,0,0],1), Pi); rotate(s,1,2); translate(s,1,2,3);"
+    assert failures(sheet) == [
+        "rotate: 2 values for a drawing in 3 dimensions; expected one a dimension",
+        "rotate: expected a drawing and an angle, or a drawing in space and three angles",
+        "translate: 3 values for a drawing in 2 dimensions; expected one a dimension",
+    ]

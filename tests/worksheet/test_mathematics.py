@@ -87,6 +87,8 @@ def test_integrals_and_limits(text: str, value: float) -> None:
 
 def test_the_last_exception_is_kept() -> None:
     assert printed('try error "too short" catch: print(lastexception) end try:') == ['unknown, "too short"']
+    sheet = "r := traperror([1, 2][3]): evalb(r = lasterror), type(r, string); traperror(2 + 2), lasterror;"
+    assert printed(sheet) == ["true, true", "4, lasterror"]
 
 
 @pytest.mark.parametrize(
@@ -107,6 +109,17 @@ def test_the_last_exception_is_kept() -> None:
         (
             "convert(1/(x^2-1), parfrac, x); convert((2*a+x)/(x^2+a*x), parfrac, x);",
             ["1/2/(x-1)-1/2/(x+1)", "2/x-1/(a+x)"],
+        ),
+        (
+            (
+                "simplify(sqrt(x^2*y), symbolic); simplify(sqrt(l^2-l^2*sin(q)^2), symbolic); simplify(sqrt(x^2*y));"
+                "simplify((x^4)^(1/4), assume=positive); simplify(arcsin(sin(x))+abs(y), symbolic);"
+            ),
+            ["x*y^(1/2)", "l*cos(q)", "(x^2*y)^(1/2)", "x", "x+y"],
+        ),
+        (
+            "fnormal([1.00004, 2e-9 + x, 1e-15*x + y], 5); fnormal(0.001, 10, 0.01);",
+            ["[1., x, y]", "0"],
         ),
         ("series(1/x+x, x, 3); series(tan(x)/x, x, 4);", ["x+1/x", "1+1/3*x^2+O(x^4)"]),
     ],

@@ -102,9 +102,20 @@ CASES = {
         "convert([1,2,1],set); convert({b,a},list); convert(a+b,string); T[2]:=b: T[1]:=a: convert(T,list);",
         ["{1, 2}", "[a, b]", '"a+b"', "[a, b]"],
     ),
+    "has of the names of functions": (
+        (
+            "has(a*diff(x(t),t),diff), has(sin(q),sin), has(psi[dot](t),psi), has(a[1]+b,a), has(D(f)(0),f);"
+            "has(x(t),diff), has({y=g(h(x))},h), has(Int(x,x),Int), has(a[1],b); select(has,[x(t),diff(x(t),t)],diff);"
+        ),
+        ["true, true, true, true, true", "false, true, true, false", "[diff(x(t),t)]"],
+    ),
     "sets merge what is equal in value": (
         "nops({sin(x)^2+cos(x)^2, 1});",
         ["1"],
+    ),
+    "convert to an equation": (
+        "convert(x<3,equality), convert(x,equality);",
+        ["x = 3, x = 0"],
     ),
     "sides": (
         "lhs(a=b), rhs(a=b), lhs(1..n);",

@@ -39,6 +39,8 @@ EQUAL = [
     ('"a b"', '"a b"'),
     ("g := (x, y) -> x^2*y", "g := (a, b) -> b*a^2"),
     ("x-1/6*x^3+O(x^4)", "x-x^3/6+O(x^4)"),
+    ("s := series(1*x-1/6*x^3+O(x^4),x,4)", "s := x-x^3/6+O(x^4)"),
+    ("[t = 0., x(t) = 1., y(t) = 2.]", "[t = 0, y(t) = 2., x(t) = 1.]"),
     ("``(2)^2*``(3)", "``(3)*``(2)^2"),
     ("p := proc(x) x^2 end proc", "p := proc (a) a*a end proc"),
     ("f := x -> x^2", "f := proc (x) options operator, arrow; x^2 end proc"),

@@ -20,6 +20,7 @@ CASES = {
     "> a := 1; do this first\n\n> b := 2;\n\n2\n\nthe end\n\n> c := 3;": ["Assignment"] * 3,
     "A sheet of nobody > restart: a := 1;\n\n> b := 2;": ["Evaluation", "Assignment", "Assignment"],
     "> while a > b do\n\n> a := a - 1;\n\n> od;": ["For"],
+    '> for k to 2 do\na := k:\nprintf("%d\\n",a);\nod:\n1\n2\n> b := 1;': ["For", "Assignment"],
 }
 
 

@@ -18,6 +18,7 @@ from symbody.worksheet.evaluation.session import Command, Session
 from symbody.worksheet.mathematics.elimination import eliminated_in_turn
 from symbody.worksheet.mathematics.inverse_functions import has_inverse, without_inverses
 from symbody.worksheet.mathematics.polynomial import coefficients, degree, reduced
+from symbody.worksheet.mathematics.positive_roots import with_positive_roots
 from symbody.worksheet.printing.print import Style, text_of
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.numeric import as_integer
@@ -121,12 +122,18 @@ def _simple(session: Session, value: Expr) -> Expr:
 
 
 def simplify(session: Session, value: Value, *options: Value) -> Value:
-    """simplify(e), simplify(e, trig), simplify(e, relations, unknowns); a relation e stands for e = 0."""
+    """simplify(e), simplify(e, trig), simplify(e, symbolic), simplify(e, relations, unknowns).
+
+    A relation e stands for e = 0. By ``symbolic`` and ``assume = positive``, what stands under roots is positive.
+    """
     place = next((i for i, each in enumerate(options) if side_relations(session, each)), None)
     if place is not None:
         unknowns = options[place + 1] if place + 1 < len(options) else None
         return _with_relations(session, value, side_relations(session, options[place]), unknowns)
-    return entrywise(session, value, partial(_simple, session), keeps_value=True)
+    simple = entrywise(session, value, partial(_simple, session), keeps_value=True)
+    if any(_is_word(each, "symbolic") or session.text(each) == "assume = positive" for each in options):
+        return entrywise(session, simple, lambda each: _simple(session, with_positive_roots(each)))
+    return simple
 
 
 def side_relations(session: Session, value: Value) -> list[tuple[Expr, Expr]]:

@@ -35,6 +35,21 @@ from symbody.worksheet.values.value import (
 
 __all__ = ["COMMANDS", "derivative_at", "diff"]
 
+_DERIVATIVES = {
+    "sin": "cos",
+    "cos": "-sin",
+    "tan": "1 + tan^2",
+    "exp": "exp",
+    "sinh": "cosh",
+    "cosh": "sinh",
+    "ln": "z -> 1/z",
+    "sqrt": "z -> 1/(2*sqrt(z))",
+    "arcsin": "z -> 1/sqrt(1 - z^2)",
+    "arccos": "z -> -1/sqrt(1 - z^2)",
+    "arctan": "z -> 1/(1 + z^2)",
+}
+"""What ``D`` gives for the functions of Maple."""
+
 
 def diff(session: Session, value: Value, *variables: Value) -> Value:
     """diff(e, x, ..): the derivative; with respect to t the total one."""
@@ -90,6 +105,8 @@ def derivative_operator(session: Session, function: Value) -> Value:
     held = session.resolve(function)
     if isinstance(held, ProcedureValue) and isinstance(held.definition, syntax.Arrow):
         return _derived_operator(session, function, held)
+    if isinstance(function, Expr) and (known := _DERIVATIVES.get(function.name)):
+        return session.parsed(known)
     if isinstance(function, Expr) and function.kind not in ("symbol",):
         raise WorksheetError(
             f"D: {session.text(function)[:60]} is not a function; expected a name or an operator"

@@ -166,6 +166,8 @@ def _to_equations(session: Session, value: Value, *options: Value) -> Value:
     found = session.resolve(value)
     if isinstance(found, Listed | MapleSet):
         return found
+    if isinstance(found, Relation):
+        return Relation("=", found.left, found.right)
     return Relation("=", value, number(0))
 
 

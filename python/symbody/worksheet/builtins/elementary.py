@@ -31,8 +31,10 @@ from symbody.symbolic import (
     tan,
     tanh,
 )
+from symbody.worksheet.builtins.substitution import substituted
 from symbody.worksheet.evaluation.arithmetic import called_with, raised, scalar
 from symbody.worksheet.evaluation.at_numbers import calls_functions, value_at
+from symbody.worksheet.evaluation.entrywise import entrywise
 from symbody.worksheet.evaluation.session import Command, Session, sequence
 from symbody.worksheet.mathematics.closed_roots import root_number
 from symbody.worksheet.mathematics.exact_angle import with_exact_angles
@@ -268,6 +270,22 @@ def evalf(session: Session, *values: Value) -> Value:
     return sequence([in_decimals(session, each, session.options.digits) for each in values])
 
 
+def without_small(
+    session: Session, value: Value, places: Value | None = None, least: Value | None = None
+) -> Value:
+    """fnormal(e [, n, eps]): e in decimals of n digits, with 0 for numbers less than eps, by default 10^(2 - n)."""
+    digits = (as_integer(places) if places is not None else None) or session.options.digits
+    given = as_float(scalar(session, least)) if least is not None else None
+    bound = 10.0 ** (2 - digits) if given is None else given
+
+    def cleaned(each: Expr) -> Value:
+        numbers = (node.value for node in walk(tree_of(each)) if node.kind == "number")
+        small: dict[Value, Value] = {one: number(0) for one in numbers if abs(as_float(one) or 0.0) < bound}
+        return substituted(session, each, small) if small else each
+
+    return entrywise(session, in_decimals(session, value, digits), cleaned)
+
+
 _DOUBLE = 16
 """The digits of a double."""
 
@@ -418,5 +436,6 @@ COMMANDS: dict[str, Command] = {
     "denom": _fraction_part(1),
     "piecewise": piecewise,
     "evalf": evalf,
+    "fnormal": without_small,
     "evalhf": evalf,
 }

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from symbody.errors import WorksheetError
+from symbody.errors import SymbodyError, WorksheetError
 from symbody.symbolic import Expr, number
 from symbody.worksheet.builtins.containers import assigned as is_assigned
 from symbody.worksheet.builtins.display import alias as set_alias
@@ -303,6 +303,16 @@ def evaln(session: Session, node: syntax.Expression) -> Value:
     return session.evaluate(syntax.Delayed(node, place=node.place))
 
 
+def trapped(session: Session, node: syntax.Expression) -> Value:
+    """traperror(e): e, or the message of the error that it gives, which is the value of lasterror, too."""
+    session.unassign("lasterror")
+    try:
+        return session.evaluate(node)
+    except SymbodyError as error:
+        session.keep_exception(str(error))
+        return String(str(error))
+
+
 def chosen(
     session: Session, condition: syntax.Expression, then: syntax.Expression, otherwise: syntax.Expression
 ) -> Value:
@@ -358,4 +368,5 @@ FORMS: dict[str, Form] = {
     "evalm": evalm,
     "assigned": assigned,
     "evaln": evaln,
+    "traperror": trapped,
 }

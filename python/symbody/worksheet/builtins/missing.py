@@ -38,7 +38,7 @@ _BY_PURPOSE = {
         "conformal replot"
     ),
     "texts and files": "latex fscanf scanf readdata writedata writeto appendto",
-    "the system": "traperror randomize process lasterror tracelast debug showstat stopat profile iostatus",
+    "the system": "randomize process tracelast debug showstat stopat profile iostatus",
 }
 """Their names, by what they are for. A name that gets a command leaves this table."""
 

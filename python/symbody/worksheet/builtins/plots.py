@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING
 from symbody.deferred import Deferred
 from symbody.errors import SymbodyError, WorksheetError
 from symbody.symbolic import Expr
+from symbody.worksheet.commands.frames import rotate, translate
+from symbody.worksheet.drawing.moved import scaled_drawing
 from symbody.worksheet.drawing.options import number_of, plot_options, range_of, styled
 from symbody.worksheet.drawing.pieces import Piece, pieces_of
 from symbody.worksheet.evaluation.at_numbers import to_be_evaluated, value_at
@@ -286,6 +288,31 @@ def _arc(session: Session, arguments: tuple[Value, ...]) -> NDArray[np.float64]:
     return np.concatenate(rings)
 
 
+def _half(session: Session, arguments: tuple[Value, ...]) -> NDArray[np.float64]:
+    """Return the points of an arc by its centre, its radius and the range of the angle."""
+    center, radius = _place(session, arguments[0]), number_of(session, arguments[1])
+    span = arguments[2] if len(arguments) > 2 else Range(decimal(0.0), decimal(2 * math.pi))
+    if not isinstance(span, Range):
+        raise IndexError
+    angles = np.linspace(number_of(session, span.start), number_of(session, span.stop), 49)
+    return center + radius * np.column_stack([np.cos(angles), np.sin(angles)])
+
+
+def _ellipse(session: Session, arguments: tuple[Value, ...]) -> NDArray[np.float64]:
+    center, *axes = _place(session, arguments[0]), *(number_of(session, each) for each in arguments[1:3])
+    angles = np.linspace(0, 2 * math.pi, 49)
+    return center + np.column_stack([axes[0] * np.cos(angles), axes[1] * np.sin(angles)])
+
+
+def _listed(session: Session, arguments: tuple[Value, ...]) -> NDArray[np.float64]:
+    """Return points, or the points (1, y1), (2, y2), .. of numbers."""
+    points = _points(session, arguments[0])
+    if points is not None:
+        return points
+    values = _place(session, arguments[0])
+    return np.column_stack([np.arange(1, len(values) + 1), values])
+
+
 def _direction(session: Session, arguments: tuple[Value, ...]) -> NDArray[np.float64]:
     """Return the ends of an arrow by its vector, from a point or from the origin."""
     *base, vector = (_place(session, each) for each in arguments[:2])
@@ -309,6 +336,14 @@ def transform(session: Session, function: Value) -> Value:
     return Builtin("transform", moved)
 
 
+def scale(session: Session, drawing: Value, *factors: Value) -> Value:
+    """plottools[scale](p, x, y), plottools[scale](p, x, y, z): a drawing stretched along the axes."""
+    found = session.resolve(drawing)
+    if not isinstance(found, Plot) or not factors:
+        raise WorksheetError("scale: expected a drawing and a factor for each axis")
+    return scaled_drawing(session, found, factors)
+
+
 def _image(session: Session, function: Value, point: NDArray[np.float64]) -> NDArray[np.float64]:
     session.limits.check()
     return _place(session, session.current(session.call(function, tuple(decimal(float(x)) for x in point))))
@@ -330,6 +365,7 @@ _PLOTS: dict[str, Command] = {
     "textplot3d": textplot,
     "pointplot": _shape("points", _polyline, "pointplot([[x, y], ...])"),
     "pointplot3d": _shape("points", _polyline, "pointplot3d([[x, y, z], ...])"),
+    "listplot": _shape("curve", _listed, "listplot([y1, y2, ...]) or listplot([[x, y], ...])"),
     "polygonplot": _shape("area", _polyline, "polygonplot([[x, y], ...])"),
     "setoptions": lambda session, *arguments: NULL,
     "setoptions3d": lambda session, *arguments: NULL,
@@ -345,6 +381,11 @@ _TOOLS: dict[str, Command] = {
     "rectangle": _shape("area", _rectangle, "rectangle([x1, y1], [x2, y2])"),
     "arrow": _shape("curve", _polyline, "arrow([x, y], [x, y], width, head width, head length)"),
     "cylinder": _shape("curve", _polyline, "cylinder([x, y, z], [x, y, z], radius)"),
+    "arc": _shape("curve", _half, "arc([x, y], radius, a..b)"),
+    "ellipse": _shape("curve", _ellipse, "ellipse([x, y], a, b)"),
     "transform": transform,
+    "rotate": rotate,
+    "translate": translate,
+    "scale": scale,
 }
 PACKAGES: dict[str, dict[str, Command]] = {"plots": _PLOTS, "plottools": _TOOLS}

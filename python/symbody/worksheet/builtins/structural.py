@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cmp_to_key
@@ -34,6 +35,8 @@ from symbody.worksheet.values.value import (
 )
 
 __all__ = ["COMMANDS", "elementwise", "items_of", "operands"]
+
+_WORD = re.compile(r"[^\W\d]\w*")
 
 
 def operands(session: Session, value: Value) -> tuple[Value, ...]:
@@ -139,20 +142,22 @@ def _occurs(session: Session, value: Value, part: Value) -> bool:
             return False
         wanted = scalar(session, part)
         if wanted.kind == "symbol":
-            return any(
-                wanted.name in (node.name, _function_name(node)) for node in walk(tree_of(value)) if node.name
-            )
+            return any(wanted.name in _names_of(node) for node in walk(tree_of(value)))
         return any(node.value == wanted for node in walk(tree_of(value)))
     found = session.resolve(value)
     if isinstance(found, Table):
         return any(_occurs(session, entry, part) for entry in found.entries.values())
     if isinstance(found, Array):
         return any(_occurs(session, session.current(each), part) for each in found.entries)
-    return any(_occurs(session, each, part) for each in parts_of(found))
+    heads = (found.function,) if isinstance(found, Unevaluated) else ()
+    return any(_occurs(session, each, part) for each in (*heads, *parts_of(found)))
 
 
-def _function_name(node: Tree) -> str:
-    return node.name if node.kind == "function" else ""
+def _names_of(node: Tree) -> tuple[str, ...]:
+    """Return the names that a node has itself: ``psi`` and ``dot`` of `psi[dot]`, ``D`` and ``f`` of ``D(f)(0)``."""
+    if node.kind == "derivative":
+        return ("diff",)
+    return (node.name, *_WORD.findall(node.name)) if "[" in node.name or "(" in node.name else (node.name,)
 
 
 def depends(session: Session, value: Value, part: Value) -> Value:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterable, Mapping
 
-from symbody.symbolic import Expr, number, subs, symbol
+from symbody.symbolic import Expr, number, subs, symbol, t
 from symbody.worksheet.check.printed import NotComparable, functions_in, place_of, printed, value_of
 from symbody.worksheet.check.rounded import nearly_equal
 from symbody.worksheet.printing.print import text_of
@@ -155,7 +155,7 @@ class _Comparison:
         return f"the file has {_short(file)}, the run {_short(run)}"
 
     def _items(self, file: tuple[Value, ...], run: tuple[Value, ...], *, cut: bool) -> str:
-        if self.in_any_order and not cut:
+        if not cut and (self.in_any_order or (_is_solution(file) and _is_solution(run))):
             return self._orders(file, run)
         if not cut and _is_column(file) != _is_column(run):
             file, run = _flat(file), _flat(run)
@@ -251,6 +251,18 @@ def _frame_name(value: Value) -> str:
 def _by_name(fields: tuple[Value, ...]) -> Mapping[str, Value] | None:
     pairs = [(field.left, field.right) for field in fields if isinstance(field, Relation)]
     return {str(name): value for name, value in pairs} if len(pairs) == len(fields) else None
+
+
+def _is_solution(items: tuple[Value, ...]) -> bool:
+    """Whether items are values at a time, as ``dsolve`` gives them: ``t = 0, x(t) = 1, y(t) = 2``."""
+    match items:
+        case (Relation(operator="=", left=Expr() as first), *rest) if first == t and rest:
+            return all(isinstance(each, Relation) and _is_number(each.right) for each in items)
+    return False
+
+
+def _is_number(value: Value) -> bool:
+    return isinstance(value, Expr) and value.is_constant
 
 
 def _is_symbol(value: Value) -> bool:

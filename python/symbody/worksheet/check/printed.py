@@ -336,6 +336,8 @@ class _Values:
             return self._entries(arguments)
         if name in _CONTAINERS:
             return Unevaluated(symbol(name), self.values(arguments))
+        if name == "series" and arguments:  # series(x+O(x^3),x,3)
+            return self.value(arguments[0])
         values = self.values(arguments)
         scalars = [value for value in values if isinstance(value, Expr)]
         if len(scalars) != len(values) or not values:

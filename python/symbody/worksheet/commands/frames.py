@@ -10,23 +10,29 @@ from symbody.geometry import Frame
 from symbody.geometry import rotate as rotated
 from symbody.geometry import translate as translated
 from symbody.symbolic import Expr, dot3, sqrt, symbol
+from symbody.worksheet.drawing.moved import rotated_drawing, translated_drawing
 from symbody.worksheet.evaluation.session import Command, Session
 from symbody.worksheet.mechanics import frame_face
 from symbody.worksheet.mechanics.modes import mechanics
 from symbody.worksheet.mechanics.objects import Reader, face_of, fields_of, kind_of, members, put, written
 from symbody.worksheet.mechanics.small_variables import entered_frame
-from symbody.worksheet.values.value import NULL, Array, Sequence, String, Table, Value
+from symbody.worksheet.values.value import NULL, Array, Plot, Sequence, String, Table, Value
 
 if TYPE_CHECKING:
     from symbody import multibody
 else:
     multibody = Deferred("symbody.multibody")
 
-__all__ = ["COMMANDS", "copied"]
+__all__ = ["COMMANDS", "copied", "rotate", "translate"]
 
 
 def translate(session: Session, *arguments: Value) -> Value:
-    """translate(x, y, z): the frame displaced by x, y, z; translate(x, y, z, obj): an object displaced so."""
+    """translate(x, y, z): the frame displaced by x, y, z; translate(x, y, z, obj): an object displaced so.
+
+    A drawing as the first argument is displaced as by plottools.
+    """
+    if arguments and isinstance(drawing := session.resolve(arguments[0]), Plot):
+        return translated_drawing(session, drawing, arguments[1:])
     items, things = _split(session, arguments, 3)
     reader = Reader(session, "translate")
     motion = translated(*_plain(reader, items))
@@ -34,7 +40,12 @@ def translate(session: Session, *arguments: Value) -> Value:
 
 
 def rotate(session: Session, *arguments: Value) -> Value:
-    """rotate(axis, angle): the frame rotated about 'X', 'Y', 'Z' or a VECTOR; rotate(axis, angle, obj)."""
+    """rotate(axis, angle): the frame rotated about 'X', 'Y', 'Z' or a VECTOR; rotate(axis, angle, obj).
+
+    A drawing as the first argument is turned as by plottools.
+    """
+    if arguments and isinstance(drawing := session.resolve(arguments[0]), Plot):
+        return rotated_drawing(session, drawing, arguments[1:])
     reader = Reader(session, "rotate")
     if len(arguments) < 2:
         raise WorksheetError("rotate: expected an axis ('X', 'Y', 'Z' or a VECTOR) and an angle")

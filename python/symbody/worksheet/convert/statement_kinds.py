@@ -41,7 +41,7 @@ _LOADING = frozenset(
 OF_MODES = frozenset(
     {
         *("VM", "omegaMV", "mframe_flag", "small_vars", "ground", "master_frame", "moving_frame"),
-        "lastexception",
+        *("lastexception", "lasterror"),
     }
 )
 """Names that a mode sets, or an error that is caught."""

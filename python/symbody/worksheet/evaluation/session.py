@@ -12,7 +12,8 @@ from symbody.symbolic import Expr
 from symbody.worksheet.evaluation import current
 from symbody.worksheet.evaluation.limits import Limits
 from symbody.worksheet.printing.print import Style, text_of
-from symbody.worksheet.values.value import NULL, Array, Sequence, Table, Value
+from symbody.worksheet.values.naming import symbol
+from symbody.worksheet.values.value import NULL, Array, Sequence, String, Table, Value
 
 if TYPE_CHECKING:
     from symbody.worksheet.sheet import syntax
@@ -173,6 +174,11 @@ class Session:
         if name.startswith("diff/"):
             self.rules.add(name)
         self.touch(name)
+
+    def keep_exception(self, message: str) -> None:
+        """Keep the message of an error, as a sheet may ask for it."""
+        self.assign("lastexception", Sequence((symbol("unknown"), String(message))))
+        self.assign("lasterror", String(message))
 
     def unassign(self, name: str) -> None:
         """Take the value of a name, and what its remember table holds."""

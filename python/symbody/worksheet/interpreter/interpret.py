@@ -26,14 +26,12 @@ from symbody.worksheet.reading.files import source_cells
 from symbody.worksheet.reading.statements import names_in_code, statements
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.sheet.source import Cell, ReadFile, Remark, SyntaxMistake
-from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.numeric import as_float
 from symbody.worksheet.values.value import (
     NULL,
     Array,
     Quoted,
     Reference,
-    Sequence,
     String,
     Unevaluated,
     Value,
@@ -268,7 +266,7 @@ class Interpreter:
         try:
             return self._nested(node.body, shown=node.shown)
         except SymbodyError as error:
-            self.session.assign("lastexception", Sequence((symbol("unknown"), String(str(error)))))
+            self.session.keep_exception(str(error))
             for texts, body in node.handlers:
                 if not texts or any(not text or text in str(error) for text in texts):
                     return self._nested(body, shown=node.shown)

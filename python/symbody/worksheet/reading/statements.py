@@ -168,9 +168,16 @@ def names_in_code(cells: Iterable[Cell]) -> frozenset[str]:
 
 
 def is_open(lines: Sequence[Line]) -> bool:
-    """Whether the last statement of lines goes on: it needs more than a terminator."""
-    *_, last = [None, *statements(Cell(tuple(lines)))]
-    return isinstance(last, SyntaxMistake) and last.is_open
+    """Whether the last statement of lines goes on: it needs more than a terminator.
+
+    The statements of a loop without an end are read one by one behind its mistake, which is on the last line.
+    """
+    *found, last = [None, *statements(Cell(tuple(lines)))]
+    if isinstance(last, SyntaxMistake):
+        return last.is_open
+    return any(
+        isinstance(one, SyntaxMistake) and one.is_open and one.place.line == lines[-1].line for one in found
+    )
 
 
 def _comma_ends(tokens: Sequence[Token], begin: int, failure: Failure) -> bool:

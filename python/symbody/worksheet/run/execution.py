@@ -13,8 +13,6 @@ from symbody.worksheet.reading import located, names_in_code, statements
 from symbody.worksheet.sheet.outcome import Outcome
 from symbody.worksheet.sheet.source import Cell, Remark, SyntaxMistake
 from symbody.worksheet.sheet.syntax import Evaluation, Name, Place, Statement
-from symbody.worksheet.values import value as values
-from symbody.worksheet.values.naming import symbol
 
 __all__ = ["outcomes"]
 
@@ -67,7 +65,7 @@ def _executed(number: int, cell: Cell, statement: Statement, interpreter: Interp
         except WorksheetError as reason:
             place = reason.place if isinstance(reason.place, Place) else statement.place
             error = located(cell, place, str(reason))
-            session.assign("lastexception", values.Sequence((symbol("unknown"), values.String(str(reason)))))
+            session.keep_exception(str(reason))
         except Exception as fault:
             text = (
                 f"a fault of symbody, {type(fault).__name__}: {str(fault)[:200]}; please report the statement"
