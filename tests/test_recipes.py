@@ -200,7 +200,9 @@ def test_followed_recipes_put_the_joint_into_the_random_mechanisms(copy: Path) -
 def test_every_joint_occurs_in_the_random_mechanisms() -> None:
     public = (getattr(symbody, name) for name in symbody.__all__)
     hints = {f.__name__: typing.get_type_hints(f) for f in public if isfunction(f)}
-    assert {name for name, hint in hints.items() if hint.get("return") is Joint} == {*KINDS, *MESHES} - {*BY_QUATERNION}
+    assert {name for name, hint in hints.items() if hint.get("return") is Joint} == {*KINDS, *MESHES} - {
+        *BY_QUATERNION
+    }
 
 
 def drawn(kind: str, parts: Callable[[System], Iterable[str]]) -> list[System]:

@@ -29,6 +29,9 @@ def damped(damping: sb.ExprLike) -> Element:
     return sb.spring(block.center_of_mass, sb.origin(ground), k, damping=damping, on=block, name="band")
 
 
+ship = sb.moving_frame(x, y, 3, 0, psi, 0, name="ship")
+
+
 def tire(law: Any, **options: Any) -> Element:
     return sb.tire(wheel, R, law, load=N, carrier=fork, name="front", **options)
 
@@ -167,8 +170,18 @@ MISTAKES: list[tuple[Callable[[], object], str]] = [
         lambda: tire(sb.linear_tire(cornering=C), road=sb.rotate("Y", psi)),
         (
             'tire_kinematics: the road = rotate("Y", psi) turns, and its normal z with it, against carrier = '
-            'translate(x, y, R) * rotate("Z", psi); expected a road whose x-y plane stays below the wheel: the surface '
-            "of a drum is that of a link without mass that slides there, coupled to the drum by a rack"
+            'translate(x, y, R) * rotate("Z", psi); expected a carrier whose x axis stays in the plane of the road, as '
+            "one on a deck that pitches, or no carrier; the surface of a drum is that of a link without mass that "
+            "slides below the wheel, coupled to the drum by a rack"
+        ),
+    ),
+    (
+        lambda: sb.tire_kinematics(sb.Body(ship * sb.rotate("Y", theta), m), R, road=ship),
+        (
+            "tire_kinematics: the road = ship leaves its own plane, with the velocity 3 along z and the angular "
+            "velocities 0 about x and psi about y; expected a moving master frame that travels along a road at rest, "
+            "where these are zero; a deck that moves is a link on a joint: road=mechanism.frame(deck), "
+            "reaction=mechanism.body(deck)"
         ),
     ),
     (lambda: damped(-1), f"spring: damping = -1; {NOT_NEGATIVE}"),

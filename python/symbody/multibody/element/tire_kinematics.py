@@ -260,8 +260,9 @@ def _ahead(j: Triple, n: Triple, road: Frame, carrier: Frame | None) -> Triple:
     if dot3(ahead, n).depends_on_time and _tilts(road, n):
         raise LoadError(
             f"{_WHERE}: the road = {brief(road)} turns, and its normal z with it, against carrier = "
-            f"{brief(carrier)}; expected a road whose x-y plane stays below the wheel: the surface of a drum is that "
-            "of a link without mass that slides there, coupled to the drum by a rack"
+            f"{brief(carrier)}; expected a carrier whose x axis stays in the plane of the road, as one on a deck that "
+            "pitches, or no carrier; the surface of a drum is that of a link without mass that slides below the wheel, "
+            "coupled to the drum by a rack"
         )
     if not (dot3(ahead, j).is_zero and dot3(ahead, n).is_zero):
         raise LoadError(
@@ -297,8 +298,23 @@ class _Base(NamedTuple):
     @classmethod
     def of(cls, contact: Point, road: Frame) -> _Base:
         if road.ancestor.carrier is not None:  # it travels along a road that is at rest
+            _check_in_plane(road)
             return cls(Seen(NULL, road), Seen(NULL, road))
         return cls(_carried(contact, road), Seen(spin(road), road))
+
+
+def _check_in_plane(road: Frame) -> None:
+    """Check that a master frame travels in its own plane: its velocity is across the normal, its rotation about it."""
+    zero = (number(0), number(0), number(0))
+    _, _, up = vector_components(*material_velocity(zero, road), road)
+    p, q, _ = vector_components(spin(road), road, road)
+    if not (up.is_zero and p.is_zero and q.is_zero):
+        raise LoadError(
+            f"{_WHERE}: the road = {brief(road)} leaves its own plane, with the velocity {brief(up)} along z and the "
+            f"angular velocities {brief(p)} about x and {brief(q)} about y; expected a moving master frame that "
+            "travels along a road at rest, where these are zero; a deck that moves is a link on a joint: "
+            "road=mechanism.frame(deck), reaction=mechanism.body(deck)"
+        )
 
 
 def _carried(point: Point, frame: Frame) -> Seen:
