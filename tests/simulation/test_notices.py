@@ -16,13 +16,16 @@ from symbody import (
     Equations,
     Force,
     System,
+    friction,
     functions_of_time,
     ground,
     lambdify,
     linear_solve,
     newton_euler,
+    origin,
     simulate,
     simulate_many,
+    spring,
     symbols,
     t,
     time_derivative,
@@ -34,8 +37,9 @@ from symbody.simulation.constraint.redundant_constraints import redundant_constr
 from symbody.simulation.given.options import Options
 from symbody.simulation.integrate.integrated import Integrated
 from symbody.simulation.integrate.native import problem_of, run
-from symbody.simulation.integrate.notices import Finding, findings_of, notices_of_batch, notices_of_motion
+from symbody.simulation.integrate.notices import Finding, findings_of, notices_of_motion
 from symbody.simulation.integrate.outcome import Outcome, Statistics
+from symbody.simulation.integrate.tally import notices_of_batch
 from symbody.simulation.inverse.inverse_dynamics import inverse_dynamics
 from symbody.simulation.model.model import model_of
 from symbody.simulation.steady_state.equilibrium import equilibrium
@@ -260,3 +264,25 @@ def test_what_contradicts_does_not_follow_as_well(method: str) -> None:
     pushed = driven(linear_solve([[x, x], [x, A * x]], [1, 2])[0])
     (notice,) = notices_of(lambda: simulate(pushed, {m: 1.0, A: 1.0}, {x: 1.0}, t=(0, 1), method=method))
     assert "equation number 2 contradicts equation number 1 there" in notice
+
+
+def test_damping_that_becomes_negative_along_a_motion_is_told() -> None:
+    """Van der Pol's: it feeds small swings. Of a batch, the cases in which it does are named."""
+    body = Body(translate(x, 0, 0), m, name="cart")
+    drag = friction(x, viscous=k * (x**2 - 1), on=body)
+    swinging = newton_euler(
+        System([body], [drag, spring(body.center_of_mass, origin(ground), 1, on=body)], [x])
+    )
+    told = (
+        "viscous of friction(on cart) is negative, down to -{}, first at t = 0 s; expected a size or a resistance that "
+        "is never negative; for a law that feeds energy in, use line_force or motor"
+    )
+    numbers = {m: 1.0, k: 1.0}
+    assert notices_of(lambda: simulate(swinging, numbers, {x: 0.5}, (0, 0.1))) == [
+        "simulate: " + told.format("0.753")
+    ]
+    assert notices_of(lambda: simulate(swinging, numbers, {x: 2.0}, (0, 0.1))) == []
+    starts = {x: [2.0, 0.5, 0.2]}
+    assert notices_of(lambda: simulate_many(swinging, numbers, starts, (0, 0.1), progress=False)) == [
+        "simulate_many: in 2 of 3 cases, first case 1, worst case 2: " + told.format("0.96")
+    ]

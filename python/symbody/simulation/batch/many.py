@@ -17,7 +17,7 @@ from symbody.errors import ArgumentError, ResultsError, SimulationError, notify
 from symbody.simulation.batch.case_arrays import Results
 from symbody.simulation.device.devices import on_device
 from symbody.simulation.given.event import Event
-from symbody.simulation.integrate.notices import notices_of_batch
+from symbody.simulation.integrate.tally import notices_of_batch
 from symbody.simulation.integrate.task import Task
 from symbody.simulation.integrate.task_of import task_of, warn_of_odd_parameters
 from symbody.simulation.terminal.interruption import Interruption

@@ -16,8 +16,9 @@ from symbody.multibody.joint.freedom import Freedom
 from symbody.multibody.named_constraint import shortened
 from symbody.simulation.batch.case_arrays import Results, Status
 from symbody.simulation.integrate.integrated import Integrated
-from symbody.simulation.integrate.notices import Finding, deficiency_findings, notices_of_batch
+from symbody.simulation.integrate.notices import Finding, deficiency_findings
 from symbody.simulation.integrate.outcome import Failure, FailureKind, Outcome, Sensitivities, Statistics
+from symbody.simulation.integrate.tally import notices_of_batch
 from symbody.simulation.integrate.task import Task
 from symbody.simulation.model.unknown import explain_unknown
 from symbody.simulation.motion.continuous_angle import values_along

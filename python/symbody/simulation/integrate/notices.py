@@ -1,11 +1,10 @@
-"""Notices: what a user should know of an integrated motion, or of the cases of a batch."""
+"""Notices: what a user should know of an integrated motion."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
-from dataclasses import astuple, dataclass, replace
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
 from math import nan
-from typing import Any
 
 import numpy as np
 
@@ -26,17 +25,18 @@ from .joint_limit import passed_limits, strange_limits, unknown_limits
 from .kinematics_at import kinematics_at
 from .methods import DEFAULT, methods_that
 from .missed_contact import missed_contacts
+from .negative_size import negative_sizes
 from .opened_constraint import LEFT, opened_constraints
 from .outcome import FailureKind
 from .pole_at_start import pole_at_start
 
 __all__ = [
+    "ROWS",
     "Finding",
-    "Tally",
     "deficiency_findings",
     "findings_of",
-    "notices_of_batch",
     "notices_of_motion",
+    "sentence",
 ]
 
 
@@ -218,6 +218,13 @@ def _half_turns(motion: Integrated) -> Iterable[Finding]:
     return [Finding("half turn", each.load, t=each.t) for each in half_turns(motion)]
 
 
+def _negative_sizes(motion: Integrated) -> Iterable[Finding]:
+    return [
+        Finding("negative", f"{each.name} of {each.load}", each.depth, each.t)
+        for each in negative_sizes(motion)
+    ]
+
+
 def _missed_contacts(motion: Integrated) -> Iterable[Finding]:
     return [Finding("missed", each.load, each.depth, each.t) for each in missed_contacts(motion)]
 
@@ -314,6 +321,11 @@ ROWS: dict[str, _Row] = {
         "torque changes to the other side: its joint closes a loop, and its angle is known from -pi to pi only; make "
         "the spring with all_turns=True, or let another joint close the loop by loop=True",
     ),
+    "negative": _Row(
+        _negative_sizes,
+        "{subject} is negative, down to -{size:.3g}, first at t = {t:.6g} s; expected a size or a resistance that is "
+        "never negative; for a law that feeds energy in, use line_force or motor",
+    ),
     "missed": _Row(
         _missed_contacts,
         "{subject} is passed without its force at about t = {t:.6g} s, by up to {size:.3g} m: the contact begins and "
@@ -349,110 +361,9 @@ def findings_of(motion: Integrated) -> tuple[Finding, ...]:
 
 def notices_of_motion(findings: Iterable[Finding], where: str = "simulate") -> list[str]:
     """Return a message for each finding of one motion."""
-    return [f"{where}: {_sentence(finding)}" for finding in findings]
+    return [f"{where}: {sentence(finding)}" for finding in findings]
 
 
-def notices_of_batch(findings: Sequence[Sequence[Finding]], where: str) -> list[str]:
-    """Return a message for each kind and subject of findings, with the number of cases that have it.
-
-    Args:
-        findings: the findings of each case.
-        where: the function that the user called.
-    """
-    tally = Tally()
-    for case, found in enumerate(findings):
-        if found:
-            tally.add(case, found)
-    return tally.notices(len(findings), where)
-
-
-@dataclass
-class _Counted:
-    """The cases with findings of one kind and subject: their number, the first one, and the worst one."""
-
-    number: int
-    first: int
-    worst: int
-    finding: Finding
-
-    def take(self, other: _Counted) -> None:
-        """Count other cases with the same finding."""
-        self.number, self.first = self.number + other.number, min(self.first, other.first)
-        if (_severity(other.finding), -other.worst) > (_severity(self.finding), -self.worst):
-            self.worst, self.finding = other.worst, other.finding
-
-
-class Tally:
-    """The findings of many cases, counted as they come; its size depends on the kinds and subjects alone."""
-
-    def __init__(self) -> None:
-        self._groups: dict[tuple[str, str], _Counted] = {}
-
-    def add(self, case: int, findings: Iterable[Finding]) -> None:
-        """Count the findings of a case; of several with one kind and subject, the last one."""
-        for finding in {(each.kind, each.subject): each for each in findings}.values():
-            key = finding.kind, finding.subject
-            group = self._groups.get(key)
-            if group is None:
-                self._groups[key] = _Counted(1, case, case, finding)
-            else:
-                group.take(_Counted(1, case, case, finding))
-
-    def merge(self, other: Tally) -> None:
-        """Take the findings of other cases."""
-        for key, group in other._groups.items():
-            if key in self._groups:
-                self._groups[key].take(group)
-            else:
-                self._groups[key] = replace(group)
-
-    def __len__(self) -> int:
-        """Return the number of kinds and subjects."""
-        return len(self._groups)
-
-    def rows(self) -> list[list[Any]]:
-        """Return what is known as rows of numbers and texts, for a file."""
-        return [
-            [group.number, group.first, group.worst, *astuple(group.finding)]
-            for group in self._groups.values()
-        ]
-
-    @classmethod
-    def of_rows(cls, rows: Iterable[Sequence[Any]]) -> Tally:
-        """Return the tally that `rows` describes; kinds that are not known are left out."""
-        made = cls()
-        for number, first, worst, *finding in rows:
-            found = Finding(*finding)
-            if found.kind in ROWS:
-                made._groups[found.kind, found.subject] = _Counted(number, first, worst, found)
-        return made
-
-    def notices(self, count: int, where: str) -> list[str]:
-        """Return a message for each kind and subject, in the order of the kinds.
-
-        Args:
-            count: the number of all cases.
-            where: the function that the user called.
-        """
-        kinds = list(ROWS)
-        groups = sorted(
-            self._groups.values(), key=lambda group: (kinds.index(group.finding.kind), group.first)
-        )
-        return [f"{where}: {_counted(group, count)}" for group in groups]
-
-
-def _severity(finding: Finding) -> tuple[bool, float]:
-    """Return a key that sorts findings by size; those without a number come first."""
-    return (True, finding.size) if finding.size > -1 else (False, 0.0)
-
-
-def _counted(group: _Counted, count: int) -> str:
-    """Return the message for some cases; its size is that of the worst case."""
-    first, worst = group.first, group.worst
-    named = f"first case {first}" if worst == first else f"first case {first}, worst case {worst}"
-    noun = "case" if count == 1 else "cases"
-    return f"in {group.number} of {count} {noun}, {named}: {_sentence(group.finding)}"
-
-
-def _sentence(finding: Finding) -> str:
+def sentence(finding: Finding) -> str:
+    """Return the message of a finding."""
     return ROWS[finding.kind].sentence.format(subject=finding.subject, size=finding.size, t=finding.t)

@@ -18,6 +18,7 @@ from symbody.symbolic import Expr
 
 from .integrated import Motions
 from .missed_contact import miss_contacts
+from .negative_size import has_varying_sizes
 from .opened_constraint import LEFT
 from .pole_at_start import may_have_pole
 
@@ -104,6 +105,10 @@ def _half_turns(motions: Motions) -> Flags:
     return any(getattr(load, "jumping", None) is not None for load in loads)
 
 
+def _negative_sizes(motions: Motions) -> Flags:
+    return has_varying_sizes(motions.task.model)
+
+
 def _kinematics(motions: Motions) -> tuple[Kinematics, Array]:
     model = motions.task.model
     kinematics = kinematics_of(model.equations, dict(model.inputs))
@@ -127,6 +132,7 @@ MAY_HAVE: dict[str, Callable[[Motions], Flags]] = {
     "unlimited": _limits,
     "limits": _limits,
     "half turn": _half_turns,
+    "negative": _negative_sizes,
     "missed": miss_contacts,
     "jump": _never,
     "left": _never,

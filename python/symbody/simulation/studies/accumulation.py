@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.simulation.batch.case_arrays import Status
-from symbody.simulation.integrate.notices import Tally
+from symbody.simulation.integrate.tally import Tally
 
 from .chunk import Chunk
 from .plan import Plan

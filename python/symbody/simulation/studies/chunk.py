@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from symbody.simulation.batch.case_arrays import Results, Status
 from symbody.simulation.batch.cases import Cases
 from symbody.simulation.batch.run_cases import run_cases
-from symbody.simulation.integrate.notices import Tally, deficiency_findings
+from symbody.simulation.integrate.notices import deficiency_findings
+from symbody.simulation.integrate.tally import Tally
 from symbody.simulation.integrate.task import KeepGoing, Task
 from symbody.simulation.model.model import DAMPING
 from symbody.symbolic import Expr

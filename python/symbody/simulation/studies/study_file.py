@@ -17,7 +17,7 @@ from symbody.simulation.batch.cases import Cases
 from symbody.simulation.batch.problem_digest import problem_digest
 from symbody.simulation.batch.results_file import digest
 from symbody.simulation.given.extra import loaded
-from symbody.simulation.integrate.notices import Tally
+from symbody.simulation.integrate.tally import Tally
 from symbody.symbolic.given.arguments import brief
 from symbody.symbolic.given.wording import joined_by_and
 
