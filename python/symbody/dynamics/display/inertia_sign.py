@@ -7,15 +7,8 @@ own, which a hole, a body of negative mass, does not change.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
-from itertools import accumulate
 
-_OPENING = re.compile(r"(?:^|(?<=[* ]))(?:\\left)?\(")
-_RIGHT = r"\right"
-_ODD = re.compile(r"$|\*(?!\*)|/| ")
-"""What stands behind the brackets of a factor; no power."""
-Term = tuple[str, str]
-"""A sign and a printed term."""
+from .printed_sum import Term, factors_of, opposite, sum_of, terms_of
 
 
 def with_positive_inertia(text: str, acceleration: str = "", *, least: int = 2) -> str:
@@ -31,12 +24,12 @@ def with_positive_inertia(text: str, acceleration: str = "", *, least: int = 2) 
     >>> with_positive_inertia(r"-r^{2} \, \left(m - M + a\right)")
     'r^{2} \\, \\left(M - m - a\\right)'
     """
-    terms = [*_terms(text)]
+    terms = [*terms_of(text)]
     if not acceleration and len(terms) > 1:
         return text
     factor_of = re.compile(rf".*(?:^|[* ]){re.escape(acceleration)}$" if acceleration else "", re.DOTALL)
     made = [_positive(each, least) if factor_of.match(each[1]) else each for each in terms]
-    return text if made == terms else _sum(made)
+    return text if made == terms else sum_of(made)
 
 
 def _positive(term: Term, least: int) -> Term:
@@ -44,44 +37,10 @@ def _positive(term: Term, least: int) -> Term:
     sign, text = term
     if sign == "+":
         return term
-    for start, end, inner in _factors(text):
-        opposite = [("+-"[each == "+"], part) for each, part in _terms(inner)]
-        first = next((place for place, (each, _) in enumerate(opposite) if each == "+"), None)
-        if first is not None and len(opposite) >= least:
-            turned = _sum([opposite[first], *opposite[:first], *opposite[first + 1 :]])
+    for start, end, exponent in factors_of(text):
+        others = [(opposite(each), part) for each, part in terms_of(text[start:end])]
+        first = next((place for place, (each, _) in enumerate(others) if each == "+"), None)
+        if exponent == 1 and first is not None and len(others) >= least:
+            turned = sum_of([others[first], *others[:first], *others[first + 1 :]])
             return "+", text[:start] + turned + text[end:]
     return term
-
-
-def _factors(text: str) -> Iterator[tuple[int, int, str]]:
-    """Yield where the sums in brackets that are factors of a product begin and end, and these sums."""
-    depths = [*accumulate(map(_step, text))]
-    for opening in _OPENING.finditer(text):
-        start = opening.end()
-        if depths[start - 1] == 1:
-            end = depths.index(0, start)
-            if _ODD.match(text, end + 1):
-                end -= len(_RIGHT) * text.endswith(_RIGHT, start, end)
-                yield start, end, text[start:end]
-
-
-def _terms(text: str) -> Iterator[Term]:
-    """Yield the terms of a printed sum."""
-    sign, start, depth = "+", 0, 0
-    if text.startswith("-"):
-        sign, start = "-", 1
-    for place, character in enumerate(text):
-        depth += _step(character)
-        if depth == 0 and text[place : place + 3] in {" + ", " - "}:
-            yield sign, text[start:place]
-            sign, start = text[place + 1], place + 3
-    yield sign, text[start:]
-
-
-def _sum(terms: list[Term]) -> str:
-    text = "".join(f" {sign} {term}" for sign, term in terms)
-    return text[3:] if text.startswith(" + ") else f"-{text[3:]}"
-
-
-def _step(character: str) -> int:
-    return (character in "([{") - (character in ")]}")

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Sequence
 from symbody.multibody import System, Variables
 from symbody.symbolic import Expr, latex, listing_of_equations, time_derivative
 
+from .deflection import with_own_signs
 from .difference import are_lengths, signs
 from .inertia_sign import with_positive_inertia
 
@@ -19,7 +20,8 @@ def printed(terms: Iterable[Expr], notation: str, system: Variables, further: Se
     """Return named quantities and printed terms: coordinates, speeds and multipliers are in the system's order.
 
     Differences of lengths in the model, such as `R - r`, keep their direction; of the two directions of others, that
-    with fewer minus signs is printed. Differences of two other parameters have one direction in all terms.
+    with fewer minus signs is printed. Differences of two other parameters have one direction in all terms. From the
+    deflections of springs, lengths are subtracted.
 
     Args:
         terms: the terms.
@@ -35,7 +37,12 @@ def printed(terms: Iterable[Expr], notation: str, system: Variables, further: Se
     direction, plain = _with_one_direction(
         terms, system, *min(listings, key=lambda each: _minuses(each[1])), further
     )
-    return plain if notation == "text" else _listed(terms, notation, system, direction, further)
+
+    def texts_of(sums: Sequence[Expr]) -> list[str]:
+        return _listed(tuple(sums), notation, system, direction, further)[1]
+
+    definitions, texts = plain if notation == "text" else _listed(terms, notation, system, direction, further)
+    return definitions, with_own_signs(terms, texts, system, texts_of)
 
 
 def _listed(
