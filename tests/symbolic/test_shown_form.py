@@ -96,3 +96,45 @@ def test_coefficients_hold_what_they_depend_on() -> None:
     )
     assert str(polynomial) == "a*theta*x + g*x + J*sin(a)"
     assert str(collect((a * sin(b) ** 2 + a * cos(b) ** 2) + x, [x])) in {"a + x", "x + a"}
+
+
+q1, q2 = functions_of_time("q1 q2")
+ARM = rotate("Z", q1) * translate(l, 0, 0) * rotate("Z", q2) * translate(a, 0, 0)
+TWO_LINKS = System([Body(ARM, m, 0, 0, J)], coordinates=[q1, q2], gravity=GRAVITY)
+JIB = rotate("Y", q1) * translate(l, 0, 0) * rotate("X", q2) * translate(0, -a, 0)
+FURUTA = System([Body(JIB, m, J, J, J)], coordinates=[q1, q2], gravity=GRAVITY)
+SHOWN = {
+    "arm": (
+        newton_euler(TWO_LINKS).bias,
+        "g*m*(a*cos(q1 + q2) + l*cos(q1)) - a*l*m*sin(q2)*(2*q1'*q2' + q2'**2)",
+        "a*l*m*sin(q2)*q1'**2 + a*g*m*cos(q1 + q2)",
+    ),
+    "pendulum on a jib": (
+        newton_euler(FURUTA).bias,
+        "2*m*a**2*sin(q2)*cos(q2)*q1'*q2' - a*l*m*sin(q2)*q2'**2",
+        "-a*m*(a*sin(q2)*cos(q2)*q1'**2 - g*sin(q2))",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", SHOWN)
+def test_what_is_shown_has_no_nested_rotations(name: str) -> None:
+    given, *texts = SHOWN[name]
+    assert [*map(describe, given)] == texts
+    known = {str(leaf): leaf for leaf in (m, a, l, g, q1, q2)}
+    assert [parse(text, known) for text in texts] == [*given]
+    assert [latex(each) for each in given] == [latex(parse(text, known)) for text in texts]
+
+
+@pytest.mark.parametrize(
+    "given",
+    [
+        m * (sin(q1) * cos(q1) + a) * l,
+        sin(q1) * (a * cos(q2) + b),
+        sin(q1) * cos(q2) + cos(q1) * sin(q2),
+        x * (a + b * (x + l * (a + b * theta))),
+    ],
+    ids=str,
+)
+def test_what_is_no_longer_than_its_form_for_the_reader_is_shown_as_it_is(given: Expr) -> None:
+    assert describe(given) == str(given)

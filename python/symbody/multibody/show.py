@@ -14,7 +14,7 @@ from symbody.geometry import Frame, Point, Vector
 from symbody.geometry.given.argument import checked
 from symbody.symbolic import Expr, Matrix, cost, free_symbols, time_derivative
 from symbody.symbolic.calculus.reader import Reader
-from symbody.symbolic.calculus.shown_form import shown_form
+from symbody.symbolic.calculus.shown_form import ShownForms
 from symbody.symbolic.expression.container import text_of
 from symbody.symbolic.expression.text_layout import ends, hanging, listed, names_text
 from symbody.symbolic.given.arguments import brief, counted
@@ -115,6 +115,7 @@ class _Style:
 
     synthetic: bool
     reader: Reader = field(default_factory=Reader)
+    forms: ShownForms = field(default_factory=ShownForms)
     longest: float = inf
     """The operations of an expression, or of a frame's matrix, up to which it is written out."""
 
@@ -135,7 +136,7 @@ def _laid_out(thing: Shown, style: _Style) -> str:
     text = text_of(thing, lambda part: _laid_out(part, style))
     if text is not None:
         return text
-    return hanging(str(shown_form(thing))) if isinstance(thing, Expr) else _described(thing, style)
+    return hanging(str(style.forms(thing))) if isinstance(thing, Expr) else _described(thing, style)
 
 
 def _described(thing: Shown, style: _Style) -> str:

@@ -79,15 +79,22 @@ def _by_speeds(expression: Expr, speeds: Sequence[Expr]) -> tuple[list[Product],
 
 
 def _joined(products: Sequence[Product]) -> list[Product]:
-    """Return products with one term for all whose coefficients are proportional by a small number."""
-    found = dict[Expr, Expr]()
+    """Return products with one term for all whose coefficients are proportional by a small number.
+
+    The smallest of these coefficients stands in the term, so that ``2*x'*y' + y'**2`` has no fractions.
+    """
+    found = dict[Expr, list[Expr]]()
     for factor, rates in products:
         ratio = next((ratio for ratio in _RATIOS if factor / ratio in found), None)
         if ratio is None:
-            found[factor] = rates
+            found[factor] = [rates]
+        elif ratio.ratio[1] == 1:
+            found[factor / ratio].append(ratio * rates)
         else:
-            found[factor / ratio] += ratio * rates
-    return list(found.items())
+            larger = factor / ratio
+            terms = [*(each / ratio for each in found.pop(larger)), rates]
+            found[factor] = terms
+    return [(factor, _core.sum_of(terms)) for factor, terms in found.items()]
 
 
 _RATIOS = tuple(_core.number(ratio) for ratio in (1, -1, Fraction(1, 2), Fraction(-1, 2), 2, -2))

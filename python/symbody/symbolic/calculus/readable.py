@@ -109,7 +109,7 @@ def _forms(expression: Expr, form: Expr) -> Iterator[Expr]:
         yield textbook_form(expression)
         if number_of_terms(expression) <= _TERMS:
             yield expand(expression)
-    found = by_rates(expression, _coefficient) if cost(expression).total <= _READ else None
+    found = by_rates(expression, coefficient_form) if cost(expression).total <= _READ else None
     if found is not None:
         yield found
 
@@ -127,7 +127,14 @@ def _flat(simplest: Expr, known: Expr | None = None) -> Iterator[Expr]:
         yield short_form(expand_trig(simplest))
 
 
-def _coefficient(expression: Expr) -> Expr:
+def coefficient_form(expression: Expr) -> Expr:
+    """Return the form that reads shortest of a few that are found in no time.
+
+    >>> from symbody import cos, sin, symbols
+    >>> a, b = symbols("a b")
+    >>> coefficient_form(a * sin(b) ** 2 + a * cos(b) ** 2)
+    a
+    """
     return _best((textbook_form(expression), *_flat(_simplest(expression, _OF_COEFFICIENT))), expression)
 
 

@@ -29,7 +29,7 @@ def nodes_of(expression: Expr) -> list[Expr]:
 
 def waves_in(expression: Expr) -> list[Expr]:
     """Return the sines, cosines and tangents of an expression, inner ones first."""
-    return [node for node in nodes_of(expression) if node.kind == "function" and node.name in _WAVES]
+    return [node for node in nodes_of(expression) if node.kind == "function" and node.name in WAVES]
 
 
 def angles_in(expression: Expr) -> set[Expr]:
@@ -42,7 +42,7 @@ def multiples_of_angles(expression: Expr) -> set[Expr]:
     return {angle for angle in angles_in(expression) if any(abs(factor) != 1 for factor in _numbers(angle))}
 
 
-_WAVES = frozenset({"sin", "cos", "tan"})
+WAVES = frozenset({"sin", "cos", "tan"})
 
 
 def _numbers(angle: Expr) -> list[Expr]:

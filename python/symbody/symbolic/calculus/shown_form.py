@@ -1,4 +1,8 @@
-"""Forms that are shown: they hold no symbols on which the value doesn't depend."""
+"""Forms that are shown: without symbols on which the value doesn't depend, and without nested rotations.
+
+Derivations leave products of rotations in brackets, ``cos(q2)*(l*q1'' + g*cos(q1)) + sin(q2)*(l*q1'**2 - g*sin(q1))``:
+the form of the computation. What is shown is the form for the reader.
+"""
 
 from __future__ import annotations
 
@@ -7,38 +11,135 @@ from collections.abc import Iterator
 from symbody.errors import SymbodyError
 from symbody.symbolic._core import Expr
 
+from .by_rates import by_rates
 from .cost import cost
 from .derivative import substitute
 from .idle import idle_symbols, without_idle_symbols
-from .readable import readable
+from .readable import coefficient_form, readable
+from .reading import WAVES, multiples_of_angles, nodes_of, parts_of
+from .rewrite import textbook_form
 
-__all__ = ["shown_form"]
+__all__ = ["ShownForms", "shown_form"]
 
 
 def shown_form(expression: Expr) -> Expr:
-    """Return an expression as it is, or a form for the reader if it holds symbols on which its value doesn't depend.
+    """Return an expression as it is, or a form for the reader.
 
-    >>> from symbody import symbols
+    An expression has another form if it holds symbols on which its value doesn't depend, or products of rotations in
+    brackets whose form for the reader is much shorter.
+
+    >>> from symbody import cos, functions_of_time, sin, symbols
     >>> a, b, c = symbols("a b c")
     >>> shown_form(a * (b + c) - a * c), shown_form(a * (b + c))
     (a*b, a*(b + c))
+    >>> p, q = functions_of_time("p q")
+    >>> shown_form(sin(p) * (a * sin(q) + b * sin(p) * cos(q)) + cos(p) * (b * cos(p) * cos(q) - a * cos(q)))
+    b*cos(q) - a*cos(p + q)
     """
-    if not idle_symbols([expression]):
-        return expression
-    return min(_forms(expression), key=lambda form: len(idle_symbols([form])))
+    return ShownForms()(expression)
+
+
+class ShownForms:
+    """Finds the forms that are shown of the expressions in one thing; the time for all of them is bounded.
+
+    >>> from symbody import symbols
+    >>> a, b, c = symbols("a b c")
+    >>> forms = ShownForms()
+    >>> forms(a * (b + c) - a * c), forms(b)
+    (a*b, b)
+    """
+
+    def __init__(self) -> None:
+        self._known: dict[int, Expr] = {}
+        self._left = _TOTAL
+
+    def __call__(self, expression: Expr) -> Expr:
+        """Return an expression as it is, or a form for the reader."""
+        known = self._known.get(expression.id)
+        if known is None:
+            known = self._known[expression.id] = self._form(expression)
+        return known
+
+    def _form(self, expression: Expr) -> Expr:
+        if idle_symbols([expression]):
+            return min(_forms(expression), key=lambda form: len(idle_symbols([form])))
+        operations = cost(expression).total
+        if operations > min(self._left, _ROTATED) or not any(map(_is_rotated, nodes_of(expression))):
+            return expression
+        self._left -= operations
+        return _without_rotations(expression)
+
+
+_ROTATED, _TOTAL = 120, 250
+"""The operations of one expression with products of rotations, and of all of them together, up to which the form for
+the reader is looked for: about two seconds."""
+
+
+def _without_rotations(expression: Expr) -> Expr:
+    """Return the form for the reader of an expression with products of rotations, if it is much shorter."""
+    found = _read(expression)
+    return found if len(str(found)) <= _SHORTER * len(str(expression)) else expression
+
+
+def _read(expression: Expr) -> Expr:
+    """Return the form for the reader: with the terms of speeds and of gravity apart, unless that is much longer."""
+    apart = by_rates(expression, _coefficient)
+    if cost(expression).total > _SHORT:
+        return _coefficient(expression) if apart is None else apart
+    found = readable(expression)
+    return apart if apart is not None and len(str(apart)) <= _APART * len(str(found)) else found
+
+
+def _coefficient(expression: Expr) -> Expr:
+    """Return the form of a coefficient: ``2*sin(q)*cos(q)``, as double angles belong to no frame."""
+    found = coefficient_form(expression)
+    if not multiples_of_angles(found) - multiples_of_angles(expression):
+        return found
+    flat = textbook_form(expression)
+    is_shorter = len(str(flat)) <= _SINGLE * len(str(found))
+    return flat if is_shorter and not multiples_of_angles(flat) else found
+
+
+_SHORT = 40
+"""Operations up to which all forms for the reader are looked for."""
+_SINGLE = 1.5
+"""The length of a form without new multiples of angles, at most, in relation to one that has them."""
+_APART, _SHORTER = 1.5, 0.9
+"""The length of a form with the terms of speeds and of gravity apart, at most, in relation to the shortest one; and of
+the form that is shown in relation to the given one."""
+
+
+def _is_rotated(node: Expr) -> bool:
+    """Return whether a product has brackets in which products of sines and cosines stand, with those before it."""
+    if node.kind != "product":
+        return False
+    factors = parts_of(node, "product")
+    outside = sum(map(_waves, factors))
+    terms = (term for factor in factors if factor.kind == "sum" for term in parts_of(factor, "sum"))
+    return any(outside + sum(map(_waves, parts_of(term, "product"))) >= _PRODUCT for term in terms)
+
+
+def _waves(factor: Expr) -> int:
+    """Return the number of sines and cosines that a factor is, two for a power."""
+    if factor.kind == "power":
+        return _PRODUCT * any(map(_waves, parts_of(factor.args[0], "product")))
+    return int(factor.kind == "function" and factor.name in WAVES)
+
+
+_PRODUCT = 2
 
 
 def _forms(expression: Expr) -> Iterator[Expr]:
     """Yield forms of the same value; the given one comes last."""
     is_short = cost(expression).total <= _READ
     if is_short:
-        yield readable(expression)
+        yield _read(expression)
     (shorter,) = without_idle_symbols([expression])
     yield shorter
     for place in _PLACES:
         found = _at(place, expression)
         if found is not None and found == expression:
-            yield readable(found) if is_short else found
+            yield _read(found) if is_short else found
     yield expression
 
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
-from symbody.symbolic.calculus.shown_form import shown_form
+from symbody.symbolic.calculus.shown_form import ShownForms, shown_form
 from symbody.symbolic.expression.container import Typeset, in_latex, is_container, printed_in
 from symbody.symbolic.expression.leaves import ExprLike
 from symbody.symbolic.expression.naming import latex_listing, latex_of, naming_of
@@ -22,7 +22,7 @@ def latex(expression: Any) -> str:
     Names are typeset as in a textbook: ``m_1`` is m with the index 1, ``omega0``, ``I__xx`` and ``theta_dot`` have
     Greek letters, indices and dots. Different names in one formula are typeset differently: beside ``m1``, the name
     ``m_1`` is written as it is, and so is ``theta_dot`` beside a function of time ``theta``. A form with symbols on
-    which the value doesn't depend is not shown: another one takes its place.
+    which the value doesn't depend, or with nested rotations, is not shown: another one takes its place.
 
     >>> from symbody import functions_of_time, latex, sin, symbols, time_derivative
     >>> theta = functions_of_time("theta")
@@ -33,7 +33,7 @@ def latex(expression: Any) -> str:
     """
     if is_container(expression):
         with naming_of(printed_in(expression)):
-            return in_latex(expression, "latex", shown_form)
+            return in_latex(expression, "latex", ShownForms())
     if isinstance(expression, Typeset) and not isinstance(expression, type | Expr):
         return expression.latex()
     return latex_of(shown_form(expression_or_container(expression, "latex")))
