@@ -176,7 +176,7 @@ def shorter(constraint: Expr, reader: Reader) -> Expr:
 
     That of rolling is the product of many rotations: most of its terms cancel, and the form is found from what is left.
     """
-    forms = [constraint, reader.form(constraint)]
+    forms = [constraint, reader.in_phases(constraint), reader.form(constraint)]
     if _MANY < cost(constraint).total < _TOO_MANY:
         forms.append(reader.simplest_form(constraint))
     return min(forms, key=reader.length)

@@ -15,6 +15,7 @@ from .cost import cost
 from .derivative import substitute
 from .difference import by_differences, with_differences
 from .fractions_outside import with_fractions_outside, with_numbers_inside
+from .phases import with_phases
 from .readable import readable
 from .reading import angles_in, is_divisor, levels, multiples_of_angles, nodes_of, parts_of, reading
 from .rewrite import expand_trig, factor_terms, short_form, simplify, textbook_form
@@ -71,6 +72,7 @@ class Reader:
         self._inertias = sorted(map(names.standard, inertias), key=str)
         self._angles = tuple(map(names.standard, angles))
         self._differences = tuple(map(names.standard, differences))
+        self._phases = {*self._angles}
         self._known: dict[Expr, Expr] = {}
         self._lengths: dict[int, int] = {}
         self._distances: set[Expr] = set()
@@ -97,7 +99,11 @@ class Reader:
 
     def form(self, expression: Expr) -> Expr:
         """Return the form for the reader of an expression by itself, which is read however long it is."""
-        return self._names.original(textbook_form(self._names.standard(expression)))
+        return self._names.original(self._in_phases(textbook_form(self._names.standard(expression))))
+
+    def in_phases(self, expression: Expr) -> Expr:
+        """Return an expression as it is, with one wave for waves of one angle."""
+        return self._names.original(self._in_phases(self._names.standard(expression)))
 
     def form_of_large(self, expression: Expr) -> Expr:
         """Return the form for the reader; an expression that is too large is only shortened part by part.
@@ -124,10 +130,18 @@ class Reader:
     def _read_standard(self, expression: Expr) -> Expr:
         known = self._known.get(expression)
         if known is None:
-            multiple = self._multiple_of_known(expression)
-            known = self._form(expression) if multiple is None else multiple
+            known = self._multiple_of_known(expression)
+            if known is None:
+                known = self._in_phases(self._form(expression))
             self._known[expression] = known
         return known
+
+    def _in_phases(self, form: Expr) -> Expr:
+        """Return a form with one wave for waves of one angle, by angles of frames and of known forms if possible."""
+        found = with_phases(form, self._phases)
+        if found is not form:
+            self._phases |= angles_in(found)
+        return found
 
     def _multiple_of_known(self, expression: Expr) -> Expr | None:
         for ratio in _RATIOS:
