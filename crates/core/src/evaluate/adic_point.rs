@@ -8,7 +8,7 @@ use num_bigint::BigInt;
 use num_traits::One;
 use std::cell::{Cell, RefCell};
 
-use crate::value::{Adic, Adics, Element, FieldId, Key, Number, Quadratic};
+use crate::value::{Adic, Adics, Coefficient, Element, FieldId, Key, Number, Quadratic};
 
 use super::node::in_hash_lanes;
 
@@ -26,18 +26,18 @@ pub(super) const TRIALS: u16 = 24;
 const MOST_ROOTS: usize = 4;
 
 /// A point of the q-adic integers of a prime.
-pub(super) struct AdicPoint<'a> {
-    pub(super) adics: &'a Adics,
+pub(super) struct AdicPoint<'a, C> {
+    pub(super) adics: &'a Adics<C>,
     number: u16,
     trial: u16,
     /// The roots that are known, with the fingerprints of their squares.
-    roots: RefCell<Vec<(Element, Adic)>>,
+    roots: RefCell<Vec<(Element, Adic<C>)>>,
     misses_roots: Cell<bool>,
     has_pole: Cell<bool>,
 }
 
-impl<'a> AdicPoint<'a> {
-    pub(super) fn new(adics: &'a Adics, number: u16, trial: u16) -> Self {
+impl<'a, C: Coefficient> AdicPoint<'a, C> {
+    pub(super) fn new(adics: &'a Adics<C>, number: u16, trial: u16) -> Self {
         Self {
             adics,
             number,
@@ -72,7 +72,7 @@ impl<'a> AdicPoint<'a> {
         FieldId::other(self.number % POINTS)
     }
 
-    pub(super) fn one(&self) -> Adic {
+    pub(super) fn one(&self) -> Adic<C> {
         self.adics.integer(&BigInt::one())
     }
 
@@ -91,7 +91,7 @@ impl<'a> AdicPoint<'a> {
         self.key(Key::new("digits").word(first).word(second))
     }
 
-    pub(super) fn half(&self, a: &Adic) -> Adic {
+    pub(super) fn half(&self, a: &Adic<C>) -> Adic<C> {
         self.adics.mul(&self.adics.rational(&Number::rational(1, 2)), a)
     }
 
@@ -101,10 +101,10 @@ impl<'a> AdicPoint<'a> {
     /// that q^2 u has the root that is q times that of u. So are roots of other degrees.
     pub(super) fn power(
         &self,
-        value: &Adic,
+        value: &Adic<C>,
         exponent: &Number,
         in_field: impl Fn(FieldId) -> Quadratic,
-    ) -> Adic {
+    ) -> Adic<C> {
         if value.leading().is_none() && exponent.is_negative() {
             self.has_pole.set(true);
         }
@@ -122,7 +122,7 @@ impl<'a> AdicPoint<'a> {
         })
     }
 
-    fn square_root(&self, square: &Adic, in_field: impl Fn(FieldId) -> Quadratic) -> Option<Adic> {
+    fn square_root(&self, square: &Adic<C>, in_field: impl Fn(FieldId) -> Quadratic) -> Option<Adic<C>> {
         let value = in_hash_lanes(in_field);
         let known = self.roots.borrow().iter().find_map(|(known, root)| {
             let factor = rational_root(&(value * known.inverse()).to_simple_rational()?)?;

@@ -7,14 +7,14 @@ use rustc_hash::FxHashMap;
 
 use crate::graph::{Atom, Function, Graph, Id, View};
 use crate::interrupt::tick;
-use crate::value::{Adic, Adics, Key, Number};
+use crate::value::{Adic, Adics, Coefficient, Key, Number};
 
 use super::adic_point::AdicPoint;
 use super::logarithm_part::Part;
 use super::rotation::{self, multiple, rotate};
 
-type Point = rotation::Point<Adic>;
-type Values = FxHashMap<Id, Adic>;
+type Point<C> = rotation::Point<Adic<C>>;
+type Values<C> = FxHashMap<Id, Adic<C>>;
 
 impl Graph {
     /// The nodes from whose values that of a node is found; none if it is drawn.
@@ -50,7 +50,7 @@ impl Graph {
     }
 
     /// The values of nodes that stand after their parts.
-    pub(super) fn adic_values(&self, order: &[Id], at: &AdicPoint<'_>) -> Values {
+    pub(super) fn adic_values<C: Coefficient>(&self, order: &[Id], at: &AdicPoint<'_, C>) -> Values<C> {
         let mut values = Values::default();
         for &node in order {
             tick();
@@ -60,7 +60,7 @@ impl Graph {
         values
     }
 
-    fn adic_value(&self, node: Id, values: &Values, at: &AdicPoint<'_>) -> Adic {
+    fn adic_value<C: Coefficient>(&self, node: Id, values: &Values<C>, at: &AdicPoint<'_, C>) -> Adic<C> {
         let adics = at.adics;
         match self.view(node) {
             View::Number(number) => adics.rational(self.get_number(number)),
@@ -83,25 +83,25 @@ impl Graph {
     }
 
     /// The value of a part; one that only shows where signs are those of a lane is drawn.
-    fn adic_part(&self, id: Id, values: &Values, at: &AdicPoint<'_>) -> Adic {
+    fn adic_part<C: Coefficient>(&self, id: Id, values: &Values<C>, at: &AdicPoint<'_, C>) -> Adic<C> {
         values.get(&id).cloned().unwrap_or_else(|| self.drawn_adic(id, at))
     }
 
     /// A unit, and its opposite for the opposite value.
-    fn drawn_adic(&self, node: Id, at: &AdicPoint<'_>) -> Adic {
+    fn drawn_adic<C: Coefficient>(&self, node: Id, at: &AdicPoint<'_, C>) -> Adic<C> {
         let (_, is_opposite) = self.value(node).unsigned();
         let drawn = at.adics.draw(&at.key_of(|field| self.value_in(node, field)));
         if is_opposite { at.adics.mul(&drawn, &at.adics.integer(&(-1).into())) } else { drawn }
     }
 
     /// The value of a function; `None` if it is drawn.
-    fn adic_function(
+    fn adic_function<C: Coefficient>(
         &self,
         function: Function,
         args: &[Id],
-        values: &Values,
-        at: &AdicPoint<'_>,
-    ) -> Option<Adic> {
+        values: &Values<C>,
+        at: &AdicPoint<'_, C>,
+    ) -> Option<Adic<C>> {
         let adics = at.adics;
         if function.is_choice() {
             return Some(self.adic_choice(function, args, values, at));
@@ -109,7 +109,7 @@ impl Graph {
         if !at.has_plain_arguments() {
             return None;
         }
-        let quotient = |a: &Adic, b: &Adic| adics.mul(a, &adics.power(b, -1));
+        let quotient = |a: &Adic<C>, b: &Adic<C>| adics.mul(a, &adics.power(b, -1));
         Some(match function {
             Function::Sin => self.adic_angle(args[0], values, at).1,
             Function::Cos => self.adic_angle(args[0], values, at).0,
@@ -137,14 +137,26 @@ impl Graph {
         })
     }
 
-    fn adic_power(&self, base: Id, exponent: &Number, values: &Values, at: &AdicPoint<'_>) -> Adic {
+    fn adic_power<C: Coefficient>(
+        &self,
+        base: Id,
+        exponent: &Number,
+        values: &Values<C>,
+        at: &AdicPoint<'_, C>,
+    ) -> Adic<C> {
         let base = if exponent.is_integer() { base } else { self.representative(base) };
         at.power(&self.adic_part(base, values, at), exponent, |field| self.value_in(base, field))
     }
 
     /// A power whose exponent is a number here: that of the numbers in a positive base, as an exponential has it, in
     /// whose argument the logarithms of positive symbols belong to the rest.
-    fn adic_general_power(&self, base: Id, exponent: &Number, values: &Values, at: &AdicPoint<'_>) -> Adic {
+    fn adic_general_power<C: Coefficient>(
+        &self,
+        base: Id,
+        exponent: &Number,
+        values: &Values<C>,
+        at: &AdicPoint<'_, C>,
+    ) -> Adic<C> {
         let numbers = self.logarithm_parts(base).and_then(|parts| {
             let number = |part| match part {
                 Part::Number(coefficient, number) => Some(Some((coefficient, number))),
@@ -162,7 +174,12 @@ impl Graph {
     }
 
     /// The cosine and the sine of an argument whose rest is zero.
-    fn adic_angle(&self, argument: Id, values: &Values, at: &AdicPoint<'_>) -> Point {
+    fn adic_angle<C: Coefficient>(
+        &self,
+        argument: Id,
+        values: &Values<C>,
+        at: &AdicPoint<'_, C>,
+    ) -> Point<C> {
         let split = self.split_in(argument, false, at.lane());
         let start = (at.one(), Adics::zero());
         split.iter().fold(start, |sum, (atom, factor)| {
@@ -171,7 +188,13 @@ impl Graph {
     }
 
     /// A multiple of the angle that an atom is.
-    fn adic_known_angle(&self, atom: &Atom, factor: &Number, values: &Values, at: &AdicPoint<'_>) -> Point {
+    fn adic_known_angle<C: Coefficient>(
+        &self,
+        atom: &Atom,
+        factor: &Number,
+        values: &Values<C>,
+        at: &AdicPoint<'_, C>,
+    ) -> Point<C> {
         let adics = at.adics;
         let halves = factor.mul(&Number::integer(2));
         let Some(count) = halves.to_i64() else {
@@ -203,7 +226,12 @@ impl Graph {
     }
 
     /// The root of a sum or difference of squares.
-    fn adic_length(&self, square: &Square, values: &Values, at: &AdicPoint<'_>) -> Adic {
+    fn adic_length<C: Coefficient>(
+        &self,
+        square: &Square,
+        values: &Values<C>,
+        at: &AdicPoint<'_, C>,
+    ) -> Adic<C> {
         let adics = at.adics;
         let [first, second] =
             square.of.map(|id| id.map_or_else(|| at.one(), |id| self.adic_part(id, values, at)));
@@ -219,7 +247,12 @@ impl Graph {
     }
 
     /// Half of the angle of an atom: the cosine is sqrt((1 + cos)/2).
-    fn adic_half_angle(&self, atom: &Atom, point: &Point, at: &AdicPoint<'_>) -> Point {
+    fn adic_half_angle<C: Coefficient>(
+        &self,
+        atom: &Atom,
+        point: &Point<C>,
+        at: &AdicPoint<'_, C>,
+    ) -> Point<C> {
         let adics = at.adics;
         let square = at.half(&adics.add(&at.one(), &point.0));
         let cos = at.power(&square, &Number::rational(1, 2), |field| {
@@ -232,7 +265,12 @@ impl Graph {
     }
 
     /// The exponential of an argument whose rest is zero.
-    fn adic_exponential(&self, argument: Id, values: &Values, at: &AdicPoint<'_>) -> Adic {
+    fn adic_exponential<C: Coefficient>(
+        &self,
+        argument: Id,
+        values: &Values<C>,
+        at: &AdicPoint<'_, C>,
+    ) -> Adic<C> {
         let adics = at.adics;
         self.split_in(argument, true, at.lane()).iter().fold(at.one(), |product, (atom, factor)| {
             let power = match atom {
@@ -252,7 +290,13 @@ impl Graph {
     }
 
     /// A sign, a modulus, an extremum or a piecewise function, as it is chosen in a lane.
-    fn adic_choice(&self, function: Function, args: &[Id], values: &Values, at: &AdicPoint<'_>) -> Adic {
+    fn adic_choice<C: Coefficient>(
+        &self,
+        function: Function,
+        args: &[Id],
+        values: &Values<C>,
+        at: &AdicPoint<'_, C>,
+    ) -> Adic<C> {
         let lane = at.lane();
         let is_positive = |id: Id| self.sign_in(id, lane) == lane.field().one();
         let of_one = |sign: i64| at.adics.integer(&sign.into());

@@ -11,7 +11,7 @@ use num_integer::Integer;
 use std::collections::BTreeSet;
 
 use crate::graph::{Combination, Content, Flags, Graph, Id, NumberId, View};
-use crate::value::{Adics, Field, Number, coprime_factors};
+use crate::value::{Adics, Coefficient, Extension, Field, Number, coprime_factors};
 
 use super::adic_point::{AdicPoint, POINTS, POINTS_WITHOUT_SIGNS, TRIALS};
 use super::integer_point::Rationals;
@@ -138,20 +138,31 @@ impl Graph {
 
     /// The power of a prime in the content of a combination.
     fn valuation(&self, of: Combination, order: &[Id], prime: &BigInt) -> Number {
-        let adics = Adics::new(prime);
+        match Extension::of_prime(prime) {
+            Extension::Words(ring) => self.valuation_in(of, order, &Adics::new(ring)),
+            Extension::Long(ring) => self.valuation_in(of, order, &Adics::new(ring)),
+        }
+    }
+
+    fn valuation_in<C: Coefficient>(&self, of: Combination, order: &[Id], adics: &Adics<C>) -> Number {
         let has_signs = of.nodes().any(|id| self.flags(id).has(Flags::BRANCH));
         let count = if has_signs { POINTS } else { POINTS_WITHOUT_SIGNS };
         // It is the same at all points, but where it depends on signs and on the choice between opposite roots.
         let least = |first: u16| {
-            let found =
-                (first..first + count).filter_map(|point| self.valuation_at(of, order, &adics, point));
+            let found = (first..first + count).filter_map(|point| self.valuation_at(of, order, adics, point));
             found.min_by(|a, b| a.abs().compare(&b.abs()))
         };
         least(0).or_else(|| least(POINTS)).unwrap_or_else(|| Number::integer(0))
     }
 
     /// The power of the prime in a combination at a point, where that is not zero and nothing has a pole.
-    fn valuation_at(&self, of: Combination, order: &[Id], adics: &Adics, point: u16) -> Option<Number> {
+    fn valuation_at<C: Coefficient>(
+        &self,
+        of: Combination,
+        order: &[Id],
+        adics: &Adics<C>,
+        point: u16,
+    ) -> Option<Number> {
         let mut first = None;
         for trial in 0..TRIALS {
             let at = AdicPoint::new(adics, point, trial);

@@ -1,6 +1,6 @@
 //! Sums and multiples of angles, which are points (cos, sin) of the unit circle, by the addition theorems.
 
-use crate::value::{Adic, Adics, Field, Number, Quadratic};
+use crate::value::{Adic, Adics, Coefficient, Field, Number, Quadratic};
 
 /// The numbers that the coordinates of points are.
 pub(super) trait Ring {
@@ -31,18 +31,18 @@ impl Ring for Field {
     }
 }
 
-impl Ring for Adics {
-    type Element = Adic;
+impl<C: Coefficient> Ring for Adics<C> {
+    type Element = Adic<C>;
 
-    fn integer(&self, integer: i64) -> Adic {
+    fn integer(&self, integer: i64) -> Adic<C> {
         Adics::integer(self, &integer.into())
     }
 
-    fn add(&self, a: &Adic, b: &Adic) -> Adic {
+    fn add(&self, a: &Adic<C>, b: &Adic<C>) -> Adic<C> {
         self.add(a, b)
     }
 
-    fn mul(&self, a: &Adic, b: &Adic) -> Adic {
+    fn mul(&self, a: &Adic<C>, b: &Adic<C>) -> Adic<C> {
         self.mul(a, b)
     }
 }

@@ -6,6 +6,7 @@ use num_traits::One;
 use std::cmp::Ordering;
 use std::sync::Arc;
 
+use super::coefficient::Coefficient;
 use super::key::Key;
 use super::number::Number;
 use super::unramified::{Integral, Unramified};
@@ -18,51 +19,51 @@ const MOST_TERMS: usize = 64;
 
 /// A term q^valuation * unit of a q-adic number. Valuations are fractions where q has roots.
 #[derive(Clone)]
-pub(crate) struct Term {
+pub(crate) struct Term<C> {
     pub(crate) valuation: Number,
-    unit: Integral,
+    unit: Integral<C>,
 }
 
 /// A number of the q-adic numbers with roots of q: terms whose valuations differ by fractions, none for zero.
 #[derive(Clone)]
-pub(crate) struct Adic(Vec<Term>);
+pub(crate) struct Adic<C>(Vec<Term<C>>);
 
-impl Adic {
+impl<C: Coefficient> Adic<C> {
     /// The term of the lowest power of q.
-    pub(crate) fn leading(&self) -> Option<&Term> {
+    pub(crate) fn leading(&self) -> Option<&Term<C>> {
         self.0.iter().min_by(|a, b| a.valuation.compare(&b.valuation))
     }
 }
 
 /// The q-adic numbers of a prime, and an extension of these, to a relative precision.
-pub(crate) struct Adics {
-    ring: Arc<Unramified>,
+pub(crate) struct Adics<C> {
+    ring: Arc<Unramified<C>>,
 }
 
-impl Adics {
-    pub(crate) fn new(prime: &BigInt) -> Self {
-        Self { ring: Unramified::of_prime(prime) }
+impl<C: Coefficient> Adics<C> {
+    pub(crate) fn new(ring: Arc<Unramified<C>>) -> Self {
+        Self { ring }
     }
 
     pub(crate) fn prime(&self) -> Number {
-        Number::whole(self.ring.prime.clone())
+        Number::whole(self.ring.whole_prime())
     }
 
-    pub(crate) fn zero() -> Adic {
+    pub(crate) fn zero() -> Adic<C> {
         Adic(Vec::new())
     }
 
     /// An integer; what is zero to the precision is zero.
-    pub(crate) fn integer(&self, integer: &BigInt) -> Adic {
+    pub(crate) fn integer(&self, integer: &BigInt) -> Adic<C> {
         self.multiple(integer, Number::integer(0))
     }
 
     /// The number q^valuation * integer.
-    fn multiple(&self, integer: &BigInt, valuation: Number) -> Adic {
+    fn multiple(&self, integer: &BigInt, valuation: Number) -> Adic<C> {
         Adic(self.term(self.ring.integer(integer), valuation).into_iter().collect())
     }
 
-    fn term(&self, mut unit: Integral, valuation: Number) -> Option<Term> {
+    fn term(&self, mut unit: Integral<C>, valuation: Number) -> Option<Term<C>> {
         if Unramified::is_zero(&unit) {
             return None;
         }
@@ -75,15 +76,16 @@ impl Adics {
         Some(Term { valuation, unit })
     }
 
-    pub(crate) fn rational(&self, number: &Number) -> Adic {
+    pub(crate) fn rational(&self, number: &Number) -> Adic<C> {
         if number.is_zero() {
             return Self::zero();
         }
         // Both may have more digits than the precision.
+        let prime = self.ring.whole_prime();
         let split = |mut integer: BigInt| {
             let mut valuation = 0;
-            while integer.is_multiple_of(&self.ring.prime) {
-                integer /= &self.ring.prime;
+            while integer.is_multiple_of(&prime) {
+                integer /= &prime;
                 valuation += 1;
             }
             self.multiple(&integer, Number::integer(valuation))
@@ -91,10 +93,10 @@ impl Adics {
         self.mul(&split(number.numerator()), &self.inverse(&split(number.denominator())))
     }
 
-    pub(crate) fn add(&self, a: &Adic, b: &Adic) -> Adic {
+    pub(crate) fn add(&self, a: &Adic<C>, b: &Adic<C>) -> Adic<C> {
         let mut sum = a.0.clone();
         for term in &b.0 {
-            let is_alike = |known: &Term| known.valuation.sub(&term.valuation).is_integer();
+            let is_alike = |known: &Term<C>| known.valuation.sub(&term.valuation).is_integer();
             match sum.iter().position(is_alike) {
                 Some(k) => {
                     let known = sum.swap_remove(k);
@@ -110,7 +112,7 @@ impl Adics {
         Adic(sum)
     }
 
-    fn sum_of_terms(&self, a: &Term, b: &Term) -> Option<Term> {
+    fn sum_of_terms(&self, a: &Term<C>, b: &Term<C>) -> Option<Term<C>> {
         let is_ordered = a.valuation.compare(&b.valuation) != Ordering::Greater;
         let (low, high) = if is_ordered { (a, b) } else { (b, a) };
         let digits =
@@ -123,7 +125,7 @@ impl Adics {
         cancelled.compare(&half).is_lt().then_some(sum)
     }
 
-    pub(crate) fn mul(&self, a: &Adic, b: &Adic) -> Adic {
+    pub(crate) fn mul(&self, a: &Adic<C>, b: &Adic<C>) -> Adic<C> {
         let mut product = Self::zero();
         for x in &a.0 {
             for y in &b.0 {
@@ -135,8 +137,8 @@ impl Adics {
     }
 
     /// The reciprocal, by Newton's iteration from that of the leading term; zero stays zero.
-    fn inverse(&self, a: &Adic) -> Adic {
-        let reciprocal = |term: &Term| self.term(self.ring.inverse(&term.unit), term.valuation.neg());
+    fn inverse(&self, a: &Adic<C>) -> Adic<C> {
+        let reciprocal = |term: &Term<C>| self.term(self.ring.inverse(&term.unit), term.valuation.neg());
         let leading = a.leading().and_then(reciprocal);
         let mut inverse = Adic(leading.into_iter().collect());
         if a.0.len() > 1 {
@@ -150,7 +152,7 @@ impl Adics {
         inverse
     }
 
-    pub(crate) fn power(&self, base: &Adic, exponent: i64) -> Adic {
+    pub(crate) fn power(&self, base: &Adic<C>, exponent: i64) -> Adic<C> {
         let mut square = if exponent < 0 { self.inverse(base) } else { base.clone() };
         let (mut power, mut rest) = (self.integer(&BigInt::one()), exponent.unsigned_abs());
         while rest > 0 {
@@ -167,10 +169,10 @@ impl Adics {
     /// the prime that the argument of `key` is.
     pub(crate) fn rational_power(
         &self,
-        base: &Adic,
+        base: &Adic<C>,
         exponent: &Number,
         key: impl Fn(&Number) -> Key,
-    ) -> Adic {
+    ) -> Adic<C> {
         if let Some(n) = exponent.to_i64() {
             return self.power(base, n);
         }
@@ -183,7 +185,7 @@ impl Adics {
     }
 
     /// A square root, if there is one: 1 of 1, and otherwise the one that a bit chooses.
-    pub(crate) fn square_root(&self, square: &Adic, bit: bool) -> Option<Adic> {
+    pub(crate) fn square_root(&self, square: &Adic<C>, bit: bool) -> Option<Adic<C>> {
         let [Term { valuation, unit }] = &square.0[..] else { return None };
         let valuation = valuation.mul(&Number::rational(1, 2));
         if Unramified::is_one(unit) {
@@ -194,7 +196,7 @@ impl Adics {
     }
 
     /// A unit drawn for a key.
-    pub(crate) fn draw(&self, key: &Key) -> Adic {
+    pub(crate) fn draw(&self, key: &Key) -> Adic<C> {
         Adic(self.term(self.ring.draw(key), Number::integer(0)).into_iter().collect())
     }
 }

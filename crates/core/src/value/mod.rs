@@ -9,6 +9,7 @@
 
 mod adic;
 mod circle;
+mod coefficient;
 mod double;
 mod element;
 mod exact_angle;
@@ -29,6 +30,7 @@ mod rational_power;
 mod unramified;
 
 pub(crate) use adic::{Adic, Adics};
+pub(crate) use coefficient::Coefficient;
 pub use element::Element;
 pub(crate) use exact_angle::needs_large_products;
 pub(crate) use field::Field;
@@ -39,3 +41,4 @@ pub(crate) use likely_number::likely_number;
 pub use number::Number;
 pub(crate) use quadratic::Quadratic;
 pub(crate) use radical::{coprime_factors, prime_factors};
+pub(crate) use unramified::Extension;
