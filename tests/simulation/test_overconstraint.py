@@ -88,7 +88,13 @@ def quietly(derive: Callable[..., Equations], *arguments: object, **options: obj
         return derive(*arguments, **options)
 
 
-@pytest.mark.parametrize("constraints", ["projection", "free", "baumgarte"])
+def jacobians(motion: Motion, equations: Equations) -> np.ndarray:
+    """Return the Jacobian of the constraints at all instants of a motion."""
+    A = equations.constraint_jacobian
+    return motion.evaluate(A.entries).T.reshape(-1, A.rows, A.columns)
+
+
+@pytest.mark.parametrize("constraints", ["projection", "baumgarte", *repeated(["free"])])
 def test_special_dimensions_are_told(constraints: str) -> None:
     """And the motion is that of the mechanism without the sixth constraint; the multipliers are the least ones."""
     cranks, settings = parallel_cranks(drops=0), {"t": (0, 1), "guess": GUESS, "constraints": constraints}
@@ -103,17 +109,15 @@ def test_special_dimensions_are_told(constraints: str) -> None:
     ]
     other = simulate(parallel_cranks(drops=1), VALUES, START, **settings)
     np.testing.assert_allclose(motion.states, other.states, atol=1e-6)
-    multipliers = cranks.multipliers
-    gradients = motion.evaluate(cranks.constraint_jacobian.entries).T.reshape(-1, 6, 7)
-    least = [np.linalg.pinv(J.T) @ J.T @ each for J, each in zip(gradients, motion.multipliers, strict=True)]
-    np.testing.assert_allclose(motion.multipliers, least, atol=1e-4)
-    assert np.abs(motion[multipliers[3]]).max() > 1
+    gradients, shares = jacobians(motion, cranks), motion.multipliers
+    least = [np.linalg.pinv(J.T) @ J.T @ each for J, each in zip(gradients, shares, strict=True)]
+    np.testing.assert_allclose(shares, least, atol=1e-4)
+    np.testing.assert_allclose(motion[cranks.multipliers[3]], shares[:, 3], atol=1e-9)
+    assert np.abs(shares[:, 3]).max() > 1
     # Forces along the speeds are determined, however redundant constraints share them.
-    A, other_A = cranks.constraint_jacobian, other.model.equations.constraint_jacobian
-    for column in range(7):
-        ours = sum(motion[A[row, column] * each] for row, each in enumerate(multipliers))
-        theirs = sum(other[other_A[row, column] * each] for row, each in enumerate(other.model.multipliers))
-        np.testing.assert_allclose(ours, theirs, atol=1e-4)
+    alone = jacobians(other, other.model.equations), other.multipliers
+    ours, theirs = (np.einsum("tij,ti->tj", *each) for each in ((gradients, shares), alone))
+    np.testing.assert_allclose(ours, theirs, atol=1e-4)
     tight = {"rtol": 1e-10, "atol": 1e-12} if constraints == "projection" else {}
     with pytest.warns(ModelNotice, match="overconstrained"):
         again = simulate(cranks, VALUES, START, **settings, **tight)
@@ -137,7 +141,7 @@ def clutch() -> Equations:
 
 
 @pytest.mark.parametrize("constraints", ["projection", "free", (10.0, 1.0)])
-@pytest.mark.parametrize("method", ["dop853", "bdf"])
+@pytest.mark.parametrize("method", ["dop853", *repeated(["bdf"])])
 def test_a_parameter_that_takes_a_constraint_away(constraints, method) -> None:
     """By value the accelerations are one expression, whatever the factor is."""
     settings = {"t": (0, 1), "constraints": constraints, "method": method}
@@ -263,7 +267,7 @@ def by_four_constraints() -> Motion:
 
 
 @pytest.mark.parametrize(
-    "method", ["dop853", "bdf", "ida", *repeated(["tsit5", "esdirk34", "tr_bdf2", "ida2"])]
+    "method", ["dop853", "ida", *repeated(["bdf", "tsit5", "esdirk34", "tr_bdf2", "ida2"])]
 )
 def test_all_five_closures_of_bricard(method: str) -> None:
     """By each method, the motion is that with the four constraints of the best choice."""
@@ -277,7 +281,7 @@ def test_all_five_closures_of_bricard(method: str) -> None:
         assert motion.constraint_drift < 1e-11
 
 
-@pytest.mark.parametrize("derive", [lagrange_equations, kane, gibbs_appell])
+@pytest.mark.parametrize("derive", [lagrange_equations, *repeated([kane, gibbs_appell])])
 def test_by_every_formalism(derive: Callable[[System], Equations]) -> None:
     equations, others = quietly(derive, bricard(range(5))), bricards_equations(*ALL)
     assert equations.residuals == others.residuals
@@ -567,7 +571,7 @@ def flat_cranks(count: int, stages: int = 1) -> System:
     return System(bodies, (), angles, constraints, Vector(ground, 0, -g, 0))
 
 
-@pytest.mark.parametrize(("count", "stages"), [(3, 1), (5, 1), (3, 2)])
+@pytest.mark.parametrize(("count", "stages"), [(3, 1), (3, 2), *repeated([(5, 1)])])
 def test_a_singular_start_is_left_before_constraints_are_counted(count: int, stages: int) -> None:
     system = flat_cranks(count, stages)
     found = redundant_constraints(system, VALUES)
