@@ -121,6 +121,18 @@ def test_indices_are_those_of_the_language(language: str, text: str) -> None:
     assert sorted(line.replace(";", "").split(" + ")) == sorted(text.replace(";", "").split(" + "))
 
 
+@pytest.mark.parametrize(
+    ("language", "text"),
+    [
+        ("C", "r = ((x + 1.0 > 0.0) - (x + 1.0 < 0.0));"),
+        ("Python", "r = ((x + 1 > 0) - (x + 1 < 0))"),
+        ("Matlab", "r = sign(x + 1);"),
+    ],
+)
+def test_languages_without_a_sign_compare(language: str, text: str) -> None:
+    assert printed(f'CodeGeneration[{language}](signum(x+1), resultname="r");') == [text]
+
+
 def test_left_sides_and_parts_have_indices_too() -> None:
     lines = printed("CodeGeneration[C]([z[2] = sin(z[1])*z[1] + sin(z[1])], optimize);")
     assert lines == ["t1 = sin(z[0]);\nz[1] = t1 * z[0] + t1;"]

@@ -48,6 +48,12 @@ CASES = [
     ("show(AB); B := [x,\ny];", TWO, []),
     ("show(AB); B := 3", TWO, []),
     ("show(AB); show(B)", ["Evaluation", "Evaluation"], []),
+    # Behind a comma, before a terminator; and above a line that goes on.
+    ("total := d + e, all together;", ["Assignment"], [", all together"]),
+    ("f(x), g(x), both of them: B := 3;", TWO, [", both of them"]),
+    ("total := d + e, f d;", ["SyntaxMistake"], []),
+    ("s := a    -> forward\n + b;", ["Assignment"], ["-> forward"]),
+    ("s := a    -> forward\n + a*b;", ["Assignment"], []),
     # Behind a comma, and on lines of its own in an open bracket.
     ("q := [x(t), lateral\n y(t)];", ["Assignment"], ["lateral"]),
     ("q := [x(t),\n the first of the coordinates\n y(t)];", ["Assignment"], ["the first of the coordinates"]),

@@ -33,6 +33,7 @@ class Language:
         first: the first index of an array.
         brackets: what stands around, and between, indices.
         constants: its words for I, infinity and undefined.
+        sign: the sign of a number, which is 0 for 0, where the language has no function for it.
     """
 
     functions: Mapping[str, str]
@@ -44,6 +45,7 @@ class Language:
     first: int = 1
     brackets: tuple[str, str, str] = ("(", ", ", ")")
     constants: Mapping[str, str] = field(default_factory=dict)
+    sign: str = ""
 
 
 _WORDS = {"arctan": "atan", "arcsin": "asin", "arccos": "acos", "ln": "log", "signum": "sign"}
@@ -66,9 +68,15 @@ _C = Language(
     integer=lambda text: f"{text}.0",
     first=0,
     brackets=("[", "][", "]"),
+    sign="(({0} > 0.0) - ({0} < 0.0))",
 )
 _FORTRAN = Language(
-    _WORDS, _raised("**"), integer=lambda text: f"{text}.0d0", decimal=_fortran_decimal, end=""
+    _WORDS,
+    _raised("**"),
+    integer=lambda text: f"{text}.0d0",
+    decimal=_fortran_decimal,
+    end="",
+    sign="(merge(1.0d0, 0.0d0, {0} > 0.0d0) - merge(1.0d0, 0.0d0, {0} < 0.0d0))",
 )
 _PYTHON = Language(
     _WORDS | {"abs": "fabs"},
@@ -78,6 +86,7 @@ _PYTHON = Language(
     first=0,
     brackets=("[", ", ", "]"),
     constants={"I": "1j", "infinity": "math.inf", "undefined": "math.nan"},
+    sign="(({0} > 0) - ({0} < 0))",
 )
 LANGUAGES = {"C": _C, "Fortran": _FORTRAN, "Python": _PYTHON}
 """Languages by the names of Maple's commands; MATLAB has rows of matrices of its own."""
@@ -268,6 +277,8 @@ def _call(language: Language, node: Tree, parts: list[_Text]) -> _Text:
     inner = ", ".join(text for text, _ in parts)
     if node.name == "arctan" and len(parts) == 2:
         return f"{language.prefix}atan2({inner})", _ATOM
+    if node.name == "signum" and language.sign:
+        return language.sign.format(inner), _ATOM
     name = language.functions.get(node.name) or code_name(node.name, language)
     is_known = node.kind == "function" and hasattr(math, name)
     return f"{language.prefix if is_known else ''}{name}({inner})", _ATOM

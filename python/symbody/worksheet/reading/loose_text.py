@@ -96,6 +96,7 @@ def loose_part(before: Sequence[Token], line: Sequence[Token], following: Sequen
     Neither the line before nor the next one needs it, and all brackets in it are closed.
     """
     begin = _behind_terminator(before, line, following)
+    begin = _arrow_apart(line, following) if begin is None else begin
     return _unit_apart(line, following) if begin is None else begin
 
 
@@ -123,6 +124,16 @@ def _is_code(text: Sequence[Token]) -> bool:
         or not _is_closed(text)
         or any(token == ":=" or token.type in _OF_BLOCKS for token in text)
     )
+
+
+def _arrow_apart(line: Sequence[Token], following: Sequence[Token]) -> int | None:
+    """Return where an arrow with words stands apart before a line that goes on: ``s := a   -> forward`` above ``+ b``."""
+    place = next((k for k, token in enumerate(line) if token.type == "_ARROW"), 0)
+    if place < 2 or len(line) == place + 1 or not following or following[0].type not in _CALCULATES:
+        return None
+    operand, words = line[place - 1], line[place + 1 :]
+    is_text = stands_far(operand, line[place]) and all(token.type == "NAME" for token in words)
+    return place if is_text and operand not in following else None
 
 
 def _unit_apart(line: Sequence[Token], following: Sequence[Token]) -> int | None:

@@ -66,7 +66,23 @@ def remark_in(tokens: Sequence[Token], begin: int, failure: Failure, used: Colle
         span = _with_bare_words(tokens, span, begin, used)  # noqa: PLW2901 - the same remark, longer
         if span.begin == begin or _helps(tokens, begin, span, failure.index):
             return span
-    return None
+    return _before_terminator(tokens, begin, failure.index, used)
+
+
+def _before_terminator(
+    tokens: Sequence[Token], begin: int, index: int, used: Collection[str]
+) -> Span | None:
+    """Return words between the last comma of a whole statement and its terminator: ``total := d + e, all of them;``."""
+    last = min(index, len(tokens) - 1)
+    line = tokens[last].line
+    end = next((k for k in range(last, len(tokens)) if tokens[k].type in TERMINATORS), len(tokens))
+    comma = next((k for k in range(last, begin, -1) if tokens[k].type == "COMMA"), begin)
+    text = tokens[comma + 1 : end]
+    if end == len(tokens) or comma == begin or tokens[end].line != line or tokens[comma].line != line:
+        return None
+    is_words = len(text) > 1 and all(token.type in WORDS for token in text) and text[0].type == "NAME"
+    is_new = not any(token in used for token in text)
+    return Span(comma, end) if is_words and is_new and is_statement(tokens[begin:comma]) else None
 
 
 def _is_within(tokens: Sequence[Token], begin: int, span: Span) -> bool:
