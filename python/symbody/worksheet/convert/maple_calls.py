@@ -227,6 +227,8 @@ def _converted(text: Writer, arguments: Arguments) -> str:
     found = text.value(whole)
     if isinstance(word, syntax.Name) and word.name in {"polynom", "float"}:
         return whole if word.name == "polynom" else _in_decimals(text, arguments)
+    if isinstance(word, syntax.Name) and word.name == "listlist" and isinstance(found, Matrix):
+        return f"{grouped(whole)}.tolist()"
     if isinstance(word, syntax.Name) and word.name in {"list", "set"}:
         if isinstance(found, tuple):
             return f"list({whole})"
@@ -236,7 +238,8 @@ def _converted(text: Writer, arguments: Arguments) -> str:
             entries = f"{grouped(whole)}.entries"
             return f"list({entries if word.name == 'list' else f'dict.fromkeys({entries})'})"
         if isinstance(found, dict):
-            return f"list({whole}.values())"
+            are_equations = all(isinstance(each, Expr) and each.kind == "time_function" for each in found)
+            return whole if are_equations else f"list({whole}.values())"
     raise NoText("convert")
 
 
@@ -340,8 +343,9 @@ def _unapplied(text: Writer, arguments: Arguments) -> str:
     """Return ``unapply(e, x)`` as a function."""
     variables = [part for each in arguments[1:] for part in getattr(each, "items", (each,))]
     whole, names = text.text(arguments[0]), [text.text(each) for each in variables]
-    changes = ", ".join(f"{name}: {name}_" for name in names)
-    return f"lambda {', '.join(f'{name}_' for name in names)}: sb.subs({whole}, {{{changes}}})"
+    parameters = [f"{name.removeprefix('sb.')}_" for name in names]
+    changes = ", ".join(f"{name}: {parameter}" for name, parameter in zip(names, parameters, strict=True))
+    return f"lambda {', '.join(parameters)}: sb.subs({whole}, {{{changes}}})"
 
 
 def _jacobian(text: Writer, arguments: Arguments) -> str:

@@ -104,6 +104,10 @@ def _items(text: Writer, node: syntax.Expression) -> Iterator[syntax.Expression]
         ):
             for one in at_values(text, each, variable, first, last):
                 yield from _items(text, one)
+        case syntax.Call(
+            function=syntax.Name(name="convert"), arguments=(inner, syntax.Name(name="set" | "list"))
+        ):
+            yield from _items(text, inner)
         case syntax.Infix(operator="union", left=left, right=right):
             yield from _items(text, left)
             yield from _items(text, right)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TypeAlias
 
 from symbody.symbolic import Expr
 from symbody.worksheet.convert.names import NoText
 from symbody.worksheet.convert.operations import plain_decimal
+from symbody.worksheet.convert.scalar_text import scalar_text
 from symbody.worksheet.convert.spectrum_calls import all_roots
 from symbody.worksheet.convert.writer import Arguments, Writer
 from symbody.worksheet.sheet import syntax
@@ -44,13 +45,34 @@ def _unknown(text: Writer, residual: str, given: Sequence[syntax.Expression]) ->
 
 
 def _roots(text: Writer, residuals: str, arguments: Arguments) -> str:
-    """Return a root of several equations, from the middle of the ranges of the unknowns."""
-    ranges = [part for each in arguments for part in getattr(each, "items", (each,))]
-    places = [range_of(text, (each,)) for each in ranges]
-    names = ", ".join(name for name, _, _ in places)
-    start = ", ".join(f"({first} + {last})/2" for _, first, last in places)
-    function = f"lambda x: sb.lambdify([{names}], {residuals})(*x)"
+    """Return a root of several equations, from the middle of the ranges of the unknowns, or from given values."""
+    places = dict(pair for each in arguments for part in _parts(each) for pair in _starts(text, part))
+    if not places:
+        raise NoText("range")
+    names, start = ", ".join(places), ", ".join(places.values())
+    function = f"lambda point_: sb.lambdify([{names}], {residuals})(*point_)"
     return f"dict(zip([{names}], map(float, scipy.optimize.root({function}, [{start}], tol=1e-13).x)))"
+
+
+def _parts(node: syntax.Expression) -> Sequence[syntax.Expression]:
+    """Return the items of a set or a list, or a node by itself."""
+    return node.items if isinstance(node, syntax.SetDisplay | syntax.ListDisplay) else (node,)
+
+
+def _starts(text: Writer, node: syntax.Expression) -> Iterator[tuple[str, str]]:
+    """Return unknowns with the values at which the search begins; none of a name alone, ``{x, y}``."""
+    match node:
+        case syntax.Infix(operator="=", right=syntax.Infix(operator="..")):
+            name, first, last = range_of(text, (node,))
+            yield name, f"({first} + {last})/2"
+        case syntax.Infix(operator="=", left=left, right=right):
+            yield text.text(left), number_text(text, right)
+        case syntax.Name():
+            whole = text.text(node)
+            found = text.value(whole)
+            for unknown in found if isinstance(found, dict) else ():
+                name = scalar_text(unknown, text.names)
+                yield name, f"float({whole}[{name}])"
 
 
 def residual_text(text: Writer, node: syntax.Expression) -> str:

@@ -50,6 +50,9 @@ _OPERATIONS: Mapping[str, Callable[[str, str], str]] = {
 }
 
 
+_ORDER = frozenset({"<", "<=", ">", ">="})
+
+
 def prefix(to: Writer, node: syntax.Prefix) -> str:
     """Return a sign, or ``not``."""
     operand = to.text(node.operand)
@@ -83,8 +86,20 @@ def infix(to: Writer, node: syntax.Infix) -> str:
         raise NoText(operator)
     if operator == "union" and isinstance(to.value(left), dict) and isinstance(to.value(right), dict):
         return f"{{**{left}, **{right}}}"
+    if operator in _ORDER:
+        left, right = _as_numbers(to, left, right)
     written = writer(left, right)
     return distinct(to, written) if operator == "union" else written
+
+
+def _as_numbers(to: Writer, *sides: str) -> list[str]:
+    """Return the sides of an inequality; constants, which have no order as expressions, as floats."""
+    found = [to.value(side) for side in sides]
+    are_constant = all(isinstance(each, int | float) or getattr(each, "is_constant", False) for each in found)
+    return [
+        f"float({side})" if are_constant and isinstance(each, Expr) else side
+        for side, each in zip(sides, found, strict=True)
+    ]
 
 
 def _by_entries(to: Writer, operator: str, left: str, right: str) -> str:

@@ -14,6 +14,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from symbody.errors import ModelNotice, WorksheetError
+from symbody.worksheet.convert.aliases import without_aliases
 from symbody.worksheet.convert.code_calls import loads_code, qualified
 from symbody.worksheet.convert.declarations import declarations
 from symbody.worksheet.convert.definitions import needed_definitions
@@ -157,7 +158,7 @@ def _add(program: Draft, statement: syntax.Statement, *, keeps: bool) -> bool:
     program.before = list(program.interpreter.session.last)
     loads = is_loading(statement)
     if not loads:
-        prepare(program, statement, keeps=keeps)
+        prepare(program, without_aliases(program.interpreter.session, statement), keeps=keeps)
     try:
         program.interpreter.execute(statement)
     except Stop:

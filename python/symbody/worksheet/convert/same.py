@@ -131,6 +131,8 @@ class _Comparison:
         """Whether a list has the items of a list or a set; a dictionary is a solution."""
         if isinstance(made, dict):
             return self.solution(made, items)
+        if any(isinstance(each, complex) for each in made):  # eigenvalues, whose order may be another one
+            return self.numbers(np.array(made), Sequence(items))
         if not is_set:
             return len(made) == len(items) and all(map(self.same, made, items))
         return (

@@ -26,6 +26,10 @@ def items(to: Writer, nodes: tuple[syntax.Expression, ...]) -> str:
     return ", ".join(text for node in nodes for text in [item(to, node)] if text)
 
 
+_SEVERAL = frozenset({"solve", "fsolve", "eigenvals", "eigenvalues"})
+"""Commands whose values are a sequence in the worksheet."""
+
+
 def item(to: Writer, node: syntax.Expression) -> str:
     """Return an item of a list, or an argument; a sequence is opened."""
     match node:
@@ -39,7 +43,9 @@ def item(to: Writer, node: syntax.Expression) -> str:
             return f"*{to.text(node)}"
         case syntax.Infix(operator="$", left=each, right=syntax.Infix(operator="=") as span):
             return f"*{comprehension(to, each, span)}"
-        case syntax.Call(function=syntax.Name(name="solve" | "fsolve")):
+        case syntax.Call(
+            function=syntax.Name(name=name) | syntax.Selection(indices=(syntax.Name(name=name),))
+        ) if name in _SEVERAL:
             roots = to.text(node)
             return f"*{roots}" if _are_roots(to.value(roots)) else roots
         case syntax.SequenceDisplay(items=nodes):

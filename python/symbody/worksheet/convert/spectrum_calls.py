@@ -54,12 +54,15 @@ def all_roots(text: Writer, residual: str, variable: str, *, real: bool) -> str:
     return f"sorted(each.real for each in {roots} if abs(each.imag) < 1e-9)" if real else roots
 
 
-def _part(form: str) -> Call:
-    """Return the writer of a part of a complex number."""
+def _part(form: str, of_unknown: str) -> Call:
+    """Return the writer of a part of a complex number; that of a parameter, whose kind isn't known, is NumPy's."""
 
     def write(text: Writer, arguments: Arguments) -> str:
         whole = text.text(arguments[0])
-        if not isinstance(text.value(whole), _NUMBERS):
+        found = text.value(whole)
+        if found is None and whole.isidentifier():
+            return of_unknown.format(whole)
+        if not isinstance(found, _NUMBERS):
             raise NoText("complex")
         return form.format(grouped(whole) if form.startswith("{0}.") else whole)
 
@@ -83,10 +86,10 @@ def _inverse_transform(text: Writer, arguments: Arguments) -> str:
 
 SPECTRUM: Mapping[str, Call] = {
     **dict.fromkeys(("Eigenvalues", "eigenvals", "eigenvalues"), _eigenvalues),
-    "Re": _part("{0}.real"),
-    "Im": _part("{0}.imag"),
-    "conjugate": _part("{0}.conjugate()"),
-    "argument": _part("np.angle({0})"),
+    "Re": _part("{0}.real", "np.real({0})"),
+    "Im": _part("{0}.imag", "np.imag({0})"),
+    "conjugate": _part("{0}.conjugate()", "np.conjugate({0})"),
+    "argument": _part("np.angle({0})", "np.angle({0})"),
     "evalc": _as_sum,
     "invlaplace": _inverse_transform,
 }

@@ -121,9 +121,13 @@ def _shown_to_first_order(program: Draft, code: Sequence[str]) -> Iterator[list[
         program.text.shown = before
 
 
+_READS_LAST = re.compile(r"\blast\b(?! = )")
+
+
 def _runs(program: Draft, statement: syntax.Statement, changed: Sequence[str]) -> bool:
     values, session = program.names.values, program.interpreter.session
-    values.pop("last", None) if program.keeps else None
+    if program.keeps and not any(_READS_LAST.search(line) for line in program.code or ()):
+        values.pop("last", None)
     try:
         with contextlib.redirect_stdout(io.StringIO()) as printed, contextlib.chdir(program.folder):
             values["print"] = recorder = Recorder(printed)

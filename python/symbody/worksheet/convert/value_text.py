@@ -11,6 +11,7 @@ from symbody.worksheet.convert.object_text import known_frame, load_text, object
 from symbody.worksheet.convert.scalar_text import scalar_text
 from symbody.worksheet.evaluation.session import Session
 from symbody.worksheet.mechanics.objects import kind_of
+from symbody.worksheet.values.complex_number import as_complex, has_i
 from symbody.worksheet.values.value import (
     Array,
     Boolean,
@@ -104,6 +105,12 @@ def _name(session: Session, value: Reference, names: Names) -> str:
     return identifier(value.name)
 
 
+def _number(value: Expr) -> str:
+    """Return a number that isn't real as Python's; nothing for another scalar."""
+    found = as_complex(value) if has_i(value) else None
+    return "" if found is None else repr(found)
+
+
 _WRITERS: Mapping[type, Callable[[Session, Any, Names], str]] = {
     Relation: _equation,
     Listed: _items,
@@ -114,5 +121,5 @@ _WRITERS: Mapping[type, Callable[[Session, Any, Names], str]] = {
     Boolean: _truth,
     Reference: _name,
     String: lambda session, value, names: repr(value.text),
-    Expr: lambda session, value, names: scalar_text(value, names),
+    Expr: lambda session, value, names: _number(value) or scalar_text(value, names),
 }

@@ -127,7 +127,7 @@ def _is_code(text: Sequence[Token]) -> bool:
 
 
 def _arrow_apart(line: Sequence[Token], following: Sequence[Token]) -> int | None:
-    """Return where an arrow with words stands apart before a line that goes on: ``s := a   -> forward`` above ``+ b``."""
+    """Return where an arrow with words stands apart above a line that goes on: ``a   -> forward`` above ``+ b``."""
     place = next((k for k, token in enumerate(line) if token.type == "_ARROW"), 0)
     if place < 2 or len(line) == place + 1 or not following or following[0].type not in _CALCULATES:
         return None

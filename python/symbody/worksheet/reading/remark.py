@@ -69,9 +69,7 @@ def remark_in(tokens: Sequence[Token], begin: int, failure: Failure, used: Colle
     return _before_terminator(tokens, begin, failure.index, used)
 
 
-def _before_terminator(
-    tokens: Sequence[Token], begin: int, index: int, used: Collection[str]
-) -> Span | None:
+def _before_terminator(tokens: Sequence[Token], begin: int, index: int, used: Collection[str]) -> Span | None:
     """Return words between the last comma of a whole statement and its terminator: ``total := d + e, all of them;``."""
     last = min(index, len(tokens) - 1)
     line = tokens[last].line
