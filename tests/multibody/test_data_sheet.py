@@ -71,8 +71,8 @@ SHEETS: dict[str, WithSheet] = {
     '    axes on the parent: rod * translate(l, 0, 0) * rotate("Z", b)\n'
     "    child: slider\n"
     "    axes on the child: slider\n"
-    f"    constraint C.x: {mechanism.constraints[0].condition} = 0\n"
-    f"    constraint C.y: {mechanism.constraints[1].condition} = 0\n"
+    "    constraint C.x: s_D - a*cos(phi_A) - l*cos(phi_A + phi_B) = 0\n"
+    "    constraint C.y: -a*sin(phi_A) - l*sin(phi_A + phi_B) = 0\n"
     "    force x: (1, 0, 0) in the axes of ground\n"
     "    force y: (0, 1, 0) in the axes of ground": mechanism.joint(C),
     "gear G\n    parent: crank\n    child: rod\n    couples: revolute A and revolute E\n"
