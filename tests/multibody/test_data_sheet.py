@@ -79,7 +79,7 @@ SHEETS: dict[str, WithSheet] = {
     "    radius1: a\n    radius2: b": gear("G", A, revolute("E", ground, rod, at=(a + b, 0, 0)), a, b),
     "freedom s of prismatic D\n    value: s_D\n    rate: s_D'": mechanism.joint(D).freedom(),
     "limits of phi\n    largest phi: 2": A.limits[0],
-    f"condition x\n    condition: {mechanism.constraints[0].condition} = 0\n"
+    "condition x\n    condition: s_D - a*cos(phi_A) - l*cos(phi_A + phi_B) = 0\n"
     "    force x: (1, 0, 0) in the axes of ground": mechanism.joint(C).active[0],
     "constraint rope\n    condition: a - s_D = 0\n    multiplier: P\n    connects: crank, slider": Constraint(
         a - D.coordinate,
