@@ -33,18 +33,16 @@ from symbody import (
 from symbody.multibody.joint.placed_joint import PlacedJoint
 from tests.laws.random_mechanism import random_mechanism
 from tests.laws.test_joints import Moving
+from tests.repeated import repeated
 
 Values = dict[Expr, float]
-KINDS = (
+KINDS = [
     "revolute",
-    "prismatic",
-    "cylindrical",
     "universal",
-    "spherical",
-    "planar",
     "screw",
     "point_on_curve",
-)
+    *repeated(["prismatic", "cylindrical", "spherical", "planar"]),
+]
 
 
 def along(placed: PlacedJoint, made: Mechanism) -> list[Element]:

@@ -71,8 +71,9 @@ class Sketch:
         return np.concatenate([found[len(q) - count :], found[: len(q) - count]])
 
 
+@pytest.mark.repeated
 def test_full_car() -> None:
-    """In a position far from rest, at speeds that bend nothing into the linear."""
+    """Beside its published equations. In a position far from rest, at speeds that bend nothing into the linear."""
     model = models.full_car()
     p = {str(symbol): value for symbol, value in model.parameters.items()}
     car = Sketch(model)

@@ -23,6 +23,7 @@ from symbody import (
 from symbody.models import flexible_motorcycle, motorcycle, touring_motorcycle
 from tests.models.running import Array, Motorcycle, flexible
 from tests.reference.mechanisms.problem import reference
+from tests.repeated import repeated
 
 SHARP = Motorcycle(motorcycle(), ("y", "psi", "phi", "delta"))
 TOURER = Motorcycle(touring_motorcycle(), ("y", "psi", "phi", "delta", "beta"))
@@ -286,8 +287,8 @@ def test_modes_of_straight_running(name: str) -> None:
 
 # --- steady turns ---
 
-TURNS = [("motorcycle", 15.0, 0.4), ("motorcycle", 25.0, -0.3), ("touring_motorcycle", 20.0, 0.5)]
-TURNS += [("touring_motorcycle", 30.0, -0.8), ("flexible_motorcycle", 20.0, 0.5)]
+TURNS = [("motorcycle", 15.0, 0.4), ("touring_motorcycle", 30.0, -0.8), ("flexible_motorcycle", 20.0, 0.5)]
+TURNS += repeated([("motorcycle", 25.0, -0.3), ("touring_motorcycle", 20.0, 0.5)])
 turns = pytest.mark.parametrize(("name", "speed", "lean"), TURNS)
 
 
