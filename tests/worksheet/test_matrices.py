@@ -108,6 +108,20 @@ CASES = {
         "Matrix(2); Vector(2); Matrix(1,2,[[a]]); vector([a,b]);",
         ["Matrix([[0, 0], [0, 0]])", "Vector[column]([[0], [0]])", "Matrix([[a, 0]])", "vector([a, b])"],
     ),
+    "shapes that are kept": (
+        (
+            "J := Matrix(3,3,shape=symmetric): J[3,1] := -p: J[1,2..3] := <q,r>: J; B := J.J: B[1,2] := 5: B[2,1]; "
+            "A := array(1..2,1..2,symmetric): A[1,2] := c: A[1,1] := 1: A[2,2] := 2: evalm(A); "
+            "S := Matrix(2,shape=antisymmetric): S[2,1] := w: S; copy(S)[1,2];"
+        ),
+        [
+            "Matrix([[0, q, r], [q, 0, 0], [r, 0, 0]])",
+            "0",
+            "matrix([[1, c], [c, 2]])",
+            "Matrix([[0, -w], [w, 0]])",
+            "-w",
+        ],
+    ),
     "shapes": (
         (
             "Matrix(3,shape=diagonal,[a,b,c]); Matrix(<a,b>,shape=diagonal); Matrix(2,2,[a,b],scan=diagonal); "

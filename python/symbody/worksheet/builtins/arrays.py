@@ -7,7 +7,7 @@ from dataclasses import replace
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, number
 from symbody.worksheet.builtins.blocks import of_blocks
-from symbody.worksheet.builtins.shapes import on_diagonal, shaped
+from symbody.worksheet.builtins.shapes import MIRRORED, on_diagonal, shaped
 from symbody.worksheet.evaluation.session import Command, Session
 from symbody.worksheet.values.numeric import as_integer
 from symbody.worksheet.values.value import (
@@ -54,7 +54,7 @@ def _matrix_command(kind: str) -> Command:
         attributes = _attributes(settings)
         shape = next((_word(each.right) for each in settings if _option(each) == "shape"), "")
         scan = next((_word(each.right) for each in settings if _option(each) == "scan"), "")
-        if shape not in ("", "identity", "diagonal", "rectangular"):
+        if shape not in ("", "identity", "diagonal", "rectangular", *MIRRORED):
             session.notices.append(
                 f"{kind}: the shape {shape} is not kept; each entry holds what is assigned to it"
             )

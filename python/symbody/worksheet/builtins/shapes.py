@@ -9,11 +9,11 @@ from symbody.symbolic import Expr, number
 from symbody.worksheet.evaluation.session import Session
 from symbody.worksheet.values.value import Array, Listed, Value
 
-__all__ = ["on_diagonal", "shaped"]
+__all__ = ["MIRRORED", "on_diagonal", "shaped"]
 
 _ZERO = number(0)
 _NEGATIVE = frozenset({"antisymmetric", "skewsymmetric"})
-_MIRRORED = frozenset({"symmetric"}) | _NEGATIVE
+MIRRORED = frozenset({"symmetric"}) | _NEGATIVE
 
 _HELD: dict[str, Callable[[int, int], bool]] = {
     "identity": lambda row, column: row == column,
@@ -52,9 +52,10 @@ def shaped(array: Array, shape: str, fill: Value | None) -> Array:
             entries[place] = _ZERO
         elif diagonal is not None and row == column:
             entries[place] = diagonal
-        elif shape in _MIRRORED and _is_empty(entry) and column < array.rows and row < array.columns:
+        elif shape in MIRRORED and _is_empty(entry) and column < array.rows and row < array.columns:
             entries[place] = _opposite(array.entries[mirrored], shape)
-    return replace(array, entries=entries)
+    mirrored = (-1 if shape in _NEGATIVE else 1) if shape in MIRRORED else 0
+    return replace(array, entries=entries, mirrored=mirrored)
 
 
 def _opposite(entry: Value, shape: str) -> Value:

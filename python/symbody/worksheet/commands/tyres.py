@@ -7,7 +7,7 @@ axes of the tyre, whose y axis is that of the spin.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from symbody.deferred import Deferred
 from symbody.geometry import (
@@ -24,7 +24,7 @@ from symbody.geometry import (
 )
 from symbody.geometry.frame.frame import Rows4
 from symbody.geometry.motion.principal_rotation import Rotation
-from symbody.symbolic import ENERGY, Expr, atan2, derivation, number, pi, symbol
+from symbody.symbolic import ENERGY, Expr, atan2, derivation, number, pi, subs, symbol
 from symbody.worksheet.evaluation.session import Command, Session
 from symbody.worksheet.mechanics import frame_face
 from symbody.worksheet.mechanics.modes import mechanics
@@ -39,6 +39,9 @@ else:
     multibody = Deferred("symbody.multibody")
 
 __all__ = ["COMMANDS", "tyre_axes"]
+
+_DEPTH = symbol("_depth")
+"""How far below the origin of a moving master frame the road is."""
 
 
 def make_TIRE(session: Session, wheel: Value, *arguments: Value) -> Value:
@@ -106,8 +109,15 @@ def _contact(reader: Reader, table: Value) -> _Contact:
         axes, is_carrier = tyre_axes(wheel.frame, road)
         place = Point(axes, 0, y + y_def, z + z_def)
         depth = place.projected(road).coordinates[2]
+        carrier = axes if is_carrier else None
+        if road.ancestor.carrier is not None:  # the plane is at rest, at whatever depth the radius puts it
+            found = _kinematics(wheel, shape, road * translate(0, 0, _DEPTH) * rotate("X", pi), carrier)
+            moved: dict[str, Any] = {
+                name: subs(each, {_DEPTH: depth}) for name, each in found._asdict().items()
+            }
+            return _Contact(wheel, axes, place, found._replace(**moved))
         surface = road * translate(0, 0, depth) * rotate("X", pi)
-        return _Contact(wheel, axes, place, _kinematics(wheel, shape, surface, axes if is_carrier else None))
+        return _Contact(wheel, axes, place, _kinematics(wheel, shape, surface, carrier))
 
 
 def _kinematics(wheel: Body, shape: TireShape, surface: Frame, carrier: Frame | None) -> TireKinematics:

@@ -264,6 +264,7 @@ def assigned_entry(session: Session, holder: Table | Array, indices: Indices, va
     )
     if isinstance(rows, int) and isinstance(columns, int):
         holder.entries[rows * holder.columns + columns] = value
+        _mirror(session, holder, [rows * holder.columns + columns])
         return
     chosen = [
         i * holder.columns + j
@@ -271,6 +272,17 @@ def assigned_entry(session: Session, holder: Table | Array, indices: Indices, va
         for j in ([columns] if isinstance(columns, int) else columns)
     ]
     _put(session, holder, chosen, value)
+    _mirror(session, holder, chosen)
+
+
+def _mirror(session: Session, holder: Array, places: list[int]) -> None:
+    """Put new entries of a matrix that is kept symmetric or antisymmetric on the other side of its diagonal, too."""
+    for place in places if holder.mirrored and holder.rows == holder.columns else ():
+        row, column = divmod(place, holder.columns)
+        entry = session.current(holder.entries[place])
+        if row != column:
+            opposite = -entry if holder.mirrored < 0 and isinstance(entry, Expr) else holder.entries[place]
+            holder.entries[column * holder.columns + row] = opposite
 
 
 def _put(session: Session, holder: Array, places: int | list[int], value: Value) -> None:

@@ -110,7 +110,8 @@ class Array:
     ``kind``: "Matrix", "Vector", "RowVector" (they print in full), or "matrix", "vector", "array" of the old kind,
     which are evaluated to their last name. ``attributes`` hold the name of a frame, as ``set_frame_name`` writes it;
     ``frame`` is the chain of motions of which the matrix is the other face, if it has one. ``first`` are the indices of
-    the first row and of the first column: ``Array(0..2)`` begins at 0.
+    the first row and of the first column: ``Array(0..2)`` begins at 0. ``mirrored`` is 1 for a matrix that is kept
+    symmetric, and -1 for one that is kept antisymmetric.
     """
 
     rows: int
@@ -120,6 +121,7 @@ class Array:
     attributes: tuple[Value, ...] = ()
     frame: Any = None
     first: tuple[int, int] = (1, 1)
+    mirrored: int = 0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
