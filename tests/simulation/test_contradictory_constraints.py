@@ -120,7 +120,8 @@ def test_redundant_constraints_that_rounding_parts_go_on(off: float) -> None:
     assert notice == (
         "simulate: the mechanism is overconstrained: constraint 2 (x - b*sin(t) = 0) follows from 1 wherever it moves, "
         "and is left out; rigid bodies don't determine how redundant constraints share a load: multipliers of minimum "
-        "norm are given, and reactions follow from them"
+        "norm are given, and reactions follow from them; leave out a constraint, or put a bushing in the place of a "
+        "joint"
     )
 
 

@@ -12,7 +12,12 @@ from collections.abc import Sequence
 
 from symbody.symbolic import Expr, Matrix, identity, linear_solve
 
-__all__ = ["shared_multipliers"]
+__all__ = ["HOW_TO_SHARE", "shared_multipliers"]
+
+HOW_TO_SHARE = (
+    "and reactions follow from them; leave out a constraint, or put a bushing in the place of a joint"
+)
+"""What messages say of multipliers of minimum norm."""
 
 
 def shared_multipliers(A: Matrix, kept: Sequence[int], mu: Sequence[Expr]) -> tuple[Expr, ...]:

@@ -9,6 +9,7 @@ from math import nan
 import numpy as np
 
 from symbody.multibody.named_constraint import named_constraints, redundant
+from symbody.multibody.shared_multiplier import HOW_TO_SHARE
 from symbody.simulation.constraint.consistent_position import term_sizes
 from symbody.simulation.constraint.dependent_constraints import dependent_constraints, named_dependence
 from symbody.simulation.constraint.kinematics import kinematics_in
@@ -107,7 +108,14 @@ def _redundancy(motion: Integrated) -> Iterable[Finding]:
     others = [row for row in found.rows if row not in found.choice]
     told = redundant(found.conditions, found.choice, others, "wherever it moves")
     verb = "are" if found.count > 1 else "is"
-    return [Finding("overconstrained", f"{told}, and {verb} left out")]
+    shared = f"; {_SHARED}" if others else ""
+    return [Finding("overconstrained", f"{told}, and {verb} left out{shared}")]
+
+
+_SHARED = (
+    "rigid bodies don't determine how redundant constraints share a load: multipliers of minimum norm are given, "
+    f"{HOW_TO_SHARE}"
+)
 
 
 def _singular_start(motion: Integrated) -> Iterable[Finding]:
@@ -244,8 +252,7 @@ ROWS: dict[str, _Row] = {
     "deficient": _Row(_deficiencies, "{subject}"),
     "overconstrained": _Row(
         _redundancy,
-        "the mechanism is overconstrained: {subject}; rigid bodies don't determine how redundant constraints share a "
-        "load: multipliers of minimum norm are given, and reactions follow from them",
+        "the mechanism is overconstrained: {subject}",
     ),
     "start": _Row(
         _singular_start,

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.multibody.named_constraint import named_constraints
+from symbody.multibody.shared_multiplier import HOW_TO_SHARE
 from symbody.simulation.constraint.singular_position import dependent_rows
 from symbody.simulation.steady_state.force_balance import Balance
 from symbody.symbolic import Matrix
@@ -74,7 +75,7 @@ class UndeterminedForces:
         if not described:
             return ""
         more = f"; and {len(described) - _SHOWN} more groups" if len(described) > _SHOWN else ""
-        way_out = _WAY_OUT if self.redundant_groups else ""
+        way_out = f", {HOW_TO_SHARE}" if self.redundant_groups else ""
         return f"{'; '.join(described[:_SHOWN])}{more}; those of minimum norm are given{way_out}"
 
     def _redundant(self, rows: NDArray[np.intp]) -> str:
@@ -107,6 +108,3 @@ class UndeterminedForces:
 
 
 _SHOWN = 4
-_WAY_OUT = (
-    ", and reactions follow from them; leave out a constraint, or put a bushing in the place of a joint"
-)
