@@ -133,6 +133,17 @@ def test_languages_without_a_sign_compare(language: str, text: str) -> None:
     assert printed(f'CodeGeneration[{language}](signum(x+1), resultname="r");') == [text]
 
 
+def test_procedures_are_functions_of_matlab() -> None:
+    sheet = "f := proc(x, y) local a; a := sin(x); a^2*y + 3*a end: CodeGeneration[Matlab](f, optimize); "
+    assert printed(f"{sheet} codegen[cost](x -> x^2 + 1);") == [
+        "function freturn = f(x, y)\n  t1 = sin(x);\n  freturn = t1 ^ 2 * y + 3 * t1;",
+        "multiplications+additions",
+    ]
+    assert failures(f"y := 2: {sheet}") == [
+        "codegen: the parameter y is a name that has a value; expected one without: unassign('y')"
+    ]
+
+
 def test_left_sides_and_parts_have_indices_too() -> None:
     lines = printed("CodeGeneration[C]([z[2] = sin(z[1])*z[1] + sin(z[1])], optimize);")
     assert lines == ["t1 = sin(z[0]);\nz[1] = t1 * z[0] + t1;"]

@@ -29,6 +29,8 @@ from symbody.worksheet.values.value import (
     Array,
     Listed,
     MapleSet,
+    ProcedureValue,
+    Reference,
     Relation,
     Sequence,
     String,
@@ -72,7 +74,8 @@ def _scalars(session: Session, value: Value) -> list[Expr]:
 def cost(session: Session, *values: Value) -> Value:
     """cost(e, ..): operations of an evaluation; of a computation sequence with its assignments."""
     total: Counter[str] = Counter()
-    for value in values:
+    for given in values:
+        value = _value_of(session, given)
         found = session.resolve(value)
         items = parts_of(found) if isinstance(found, Listed | MapleSet) else (found,)
         total["assignments"] += sum(isinstance(item, Relation) for item in items)
@@ -124,12 +127,45 @@ def _names(expressions: list[Expr]) -> frozenset[str]:
 
 def matlab(session: Session, value: Value, *options: Value) -> Value:
     """CodeGeneration[Matlab](e, optimize, output = string, resultname = "r"): e as MATLAB statements."""
-    return _generated(
-        session,
-        options,
-        lambda name, shares: _lines(session, value, name, shares=shares),
-        "CodeGeneration[Matlab]",
-    )
+
+    def lines(name: str, shares: bool) -> list[str]:  # noqa: FBT001 - as _generated calls it
+        if isinstance(session.resolve(value), ProcedureValue):
+            return _function_lines(session, value, shares=shares)
+        return _lines(session, value, name, shares=shares)
+
+    return _generated(session, options, lines, "CodeGeneration[Matlab]")
+
+
+def _function_lines(session: Session, value: Value, *, shares: bool) -> list[str]:
+    """Return a procedure as a function of MATLAB, by its value for symbols."""
+    name = code_name(value.name, MATLAB) if isinstance(value, Reference) else "cg"
+    names = ", ".join(code_name(str(each), MATLAB) for each in _parameters(session, value))
+    body = _lines(session, _value_of(session, value), f"{name}return", shares=shares)
+    return [f"function {name}return = {name}({names})", *(f"  {line}" for line in body)]
+
+
+def _parameters(session: Session, procedure: Value) -> tuple[Value, ...]:
+    """Return the parameters of a procedure as symbols.
+
+    Raises:
+        WorksheetError: one is a name that has a value in the sheet, which would be taken for it.
+    """
+    found = session.resolve(procedure)
+    assert isinstance(found, ProcedureValue)
+    names = [each.name for each in found.definition.parameters]
+    held = next((each for each in names if each in session.names), None)
+    if held is not None:
+        raise WorksheetError(
+            f"codegen: the parameter {held} is a name that has a value; expected one without: unassign('{held}')"
+        )
+    return tuple(symbol(each) for each in names)
+
+
+def _value_of(session: Session, value: Value) -> Value:
+    """Return what a procedure gives for symbols; any other value as it is."""
+    if not isinstance(session.resolve(value), ProcedureValue):
+        return value
+    return session.call(value, _parameters(session, value))
 
 
 def _generated(
