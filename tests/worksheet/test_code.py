@@ -139,6 +139,16 @@ def test_procedures_are_functions_of_matlab() -> None:
         "function freturn = f(x, y)\n  t1 = sin(x);\n  freturn = t1 ^ 2 * y + 3 * t1;",
         "multiplications+additions",
     ]
+    sheet_of_makers = (
+        "g := codegen[makeproc]([a = sin(u), r = a^2*v], [u, v]); g(0, 1); codegen[makeproc]([p, q], [p, q])(3, 4); "
+        "h := codegen[optimize]((x, y) -> sin(x)^2*y + sin(x)): h(b, c);"
+    )
+    assert printed(sheet_of_makers) == [
+        "g := proc (u, v) local a, r; a := sin(u); r := a^2*v end proc",
+        "0",
+        "[3, 4]",
+        "c*sin(b)^2+sin(b)",
+    ]
     assert failures(f"y := 2: {sheet}") == [
         "codegen: the parameter y is a name that has a value; expected one without: unassign('y')"
     ]

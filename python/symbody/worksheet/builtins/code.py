@@ -88,6 +88,9 @@ def cost(session: Session, *values: Value) -> Value:
 
 def optimize(session: Session, *values: Value) -> Value:
     """optimize(e): a computation sequence: names t1, t2, .. of parts that occur several times, then the results."""
+    if values and isinstance(session.resolve(values[0]), ProcedureValue):
+        made = optimize(session, _value_of(session, values[0]), *values[1:])
+        return made_procedure(session, made, Listed(_parameters(session, values[0])))
     results: list[tuple[Value | None, Expr]] = []
     for value in values:
         found = session.resolve(value)
@@ -106,6 +109,22 @@ def optimize(session: Session, *values: Value) -> Value:
         count += name is None
         equations.append(Relation("=", symbol(f"t{count}") if name is None else name, expression))
     return sequence(equations)
+
+
+def made_procedure(session: Session, value: Value, parameters: Value) -> Value:
+    """makeproc(e, [x, y]), makeproc([t1 = e, ..], [x, y]): a procedure of an expression or a computation sequence."""
+    parts = parts_of(value) if isinstance(value, Listed | Sequence) else ()
+    items = parts if any(isinstance(each, Relation) for each in parts) else (value,)
+    inner = [unparsed(session, each) for each in parts_of(parameters)]
+    lefts = [unparsed(session, each.left) for each in items if isinstance(each, Relation)]
+    held = f"local {', '.join(dict.fromkeys(lefts))}; " if lefts else ""
+    steps = [
+        f"{unparsed(session, each.left)} := {unparsed(session, each.right)}"
+        if isinstance(each, Relation)
+        else unparsed(session, each)
+        for each in items
+    ]
+    return session.parsed(f"proc ({', '.join(inner)}) {held}{'; '.join(steps)} end proc")
 
 
 def _results(session: Session, value: Value) -> list[tuple[Value | None, Expr]]:
@@ -335,6 +354,7 @@ PACKAGES: dict[str, dict[str, Command]] = {
     "codegen": {
         "cost": cost,
         "optimize": optimize,
+        "makeproc": made_procedure,
         "C": _in(LANGUAGES["C"], "t0"),
         "fortran": _in(LANGUAGES["Fortran"], "t0"),
     },
