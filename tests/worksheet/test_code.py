@@ -133,12 +133,15 @@ def test_languages_without_a_sign_compare(language: str, text: str) -> None:
     assert printed(f'CodeGeneration[{language}](signum(x+1), resultname="r");') == [text]
 
 
-def test_procedures_are_functions_of_matlab() -> None:
+def test_procedures_are_functions_of_matlab_and_c() -> None:
     sheet = "f := proc(x, y) local a; a := sin(x); a^2*y + 3*a end: CodeGeneration[Matlab](f, optimize); "
     assert printed(f"{sheet} codegen[cost](x -> x^2 + 1);") == [
         "function freturn = f(x, y)\n  t1 = sin(x);\n  freturn = t1 ^ 2 * y + 3 * t1;",
         "multiplications+additions",
     ]
+    assert printed(f"{sheet} CodeGeneration[C](f);")[-1] == (
+        "double f (double x, double y)\n{\n  return(y * pow(sin(x), 2) + 3.0 * sin(x));\n}"
+    )
     sheet_of_makers = (
         "g := codegen[makeproc]([a = sin(u), r = a^2*v], [u, v]); g(0, 1); codegen[makeproc]([p, q], [p, q])(3, 4); "
         "h := codegen[optimize]((x, y) -> sin(x)^2*y + sin(x)): h(b, c);"

@@ -308,6 +308,8 @@ def _program(session: Session, value: Value, name: str, language: Language, *, s
         language: the language.
         shares: whether parts that occur several times get names.
     """
+    if language is LANGUAGES["C"] and isinstance(session.resolve(value), ProcedureValue):
+        return _c_function(session, value, shares=shares)
     results = list(_named_results(session, session.resolve(value), name, language))
     names, rights = [name for name, _ in results], [right for _, right in results]
     lines: list[str] = []
@@ -318,6 +320,22 @@ def _program(session: Session, value: Value, name: str, language: Language, *, s
         *lines,
         *(statement_text(left, right, language) for left, right in zip(names, rights, strict=True)),
     ]
+
+
+def _c_function(session: Session, value: Value, *, shares: bool) -> list[str]:
+    """Return a procedure as a function of C, by its value for symbols."""
+    language = LANGUAGES["C"]
+    name = code_name(value.name, language) if isinstance(value, Reference) else "cg"
+    inner = ", ".join(f"double {code_name(str(each), language)}" for each in _parameters(session, value))
+    result = scalar(session, _value_of(session, value))
+    definitions, results = named_parts([result], _names([result])) if shares else ([], [result])
+    parts = [code_text(left, language) for left, _ in definitions]
+    lines = [f"double {', '.join(parts)};"] if parts else []
+    lines += [
+        statement_text(part, right, language) for part, (_, right) in zip(parts, definitions, strict=True)
+    ]
+    lines.append(f"return({code_text(results[0], language)});")
+    return [f"double {name} ({inner})", "{", *(f"  {line}" for line in lines), "}"]
 
 
 def _named_results(
