@@ -242,13 +242,31 @@ def _balance(
     velocities = min(ways or [_terms(part.inertia, reader)], key=lambda terms: sum(map(reader.length, terms)))
     gravity, applied = _without_pairs(part, gravity, reader)
     return Balance(
-        accelerations=tuple(entry * acceleration for entry, acceleration in row),
+        accelerations=_accelerations(row, reader),
         velocities=velocities,
         gravity=gravity,
         loads=loads,
         applied=applied,
         constraints=tuple(joined(forces, reader, by_sign_only=True)),
     )
+
+
+def _accelerations(row: Sequence[tuple[Expr, Expr]], reader: Reader) -> tuple[Expr, ...]:
+    """Return the terms of accelerations; long entries that are equal stand once, before the sum of theirs."""
+    terms = list[tuple[Expr, Expr]]()
+    for entry, acceleration in row:
+        long = range(len(terms)) if reader.length(entry) >= _LONG else ()
+        same = next((place for place in long if terms[place][0] in {entry, -entry}), None)
+        if same is None:
+            terms.append((entry, acceleration))
+        else:
+            known, accelerations = terms[same]
+            terms[same] = known, accelerations + (acceleration if entry == known else -acceleration)
+    return tuple(entry * accelerations for entry, accelerations in terms)
+
+
+_LONG = 25
+"""The characters of an entry of the mass matrix from which on it is written once."""
 
 
 def _by_products(inertia: Degrees, reader: Reader) -> tuple[Expr, ...]:

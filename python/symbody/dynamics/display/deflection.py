@@ -7,7 +7,7 @@ coordinate of the only body stands before what is given: ``x - z - l0`` with a s
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from symbody.multibody import System, Variables
 from symbody.symbolic import Expr, free_symbols, number, time_derivative
@@ -15,7 +15,7 @@ from symbody.symbolic.calculus.reading import parts_of
 from symbody.symbolic.calculus.summands import summands
 from symbody.symbolic.expression.traverse import post_order
 
-from .printed_sum import Term, factors_of, opposite, sum_of, terms_of
+from .printed_sum import with_signs
 
 _FEW, _MOST = 3, 8
 """The terms of a sum between which it is taken for a deflection."""
@@ -42,7 +42,7 @@ def with_own_signs(
     sides = printed([side for each in signed for side in (each, -each)])
     own = {other: text for text, other in zip(sides[::2], sides[1::2], strict=True)}
     own = {other: text for other, text in own.items() if text not in own}
-    return [_with_signs(text, own) for text in texts] if own else [*texts]
+    return [with_signs(text, own) for text in texts] if own else [*texts]
 
 
 def deflections(terms: Iterable[Expr], system: System) -> list[Expr]:
@@ -134,20 +134,3 @@ def _number(term: Expr) -> Expr:
 
 def _is_negative(term: Expr) -> bool:
     return str(term).startswith("-")
-
-
-def _with_signs(text: str, own: Mapping[str, str]) -> str:
-    terms = [*terms_of(text)]
-    made = [_with_sign(term, own) for term in terms]
-    return text if made == terms else sum_of(made)
-
-
-def _with_sign(term: Term, own: Mapping[str, str]) -> Term:
-    """Return a term whose factors in brackets have their own signs."""
-    sign, text = term
-    for start, end, exponent in reversed([*factors_of(text)]):
-        inner = text[start:end]
-        if inner in own and exponent % 2:
-            sign = opposite(sign)
-        text = text[:start] + (own.get(inner) or _with_signs(inner, own)) + text[end:]
-    return sign, text

@@ -9,6 +9,7 @@ from itertools import product
 from symbody.symbolic import Expr, number
 from symbody.symbolic.calculus.quadratic_form import QuadraticForm
 from symbody.symbolic.calculus.reader import Reader
+from symbody.symbolic.calculus.reading import nodes_of
 
 from .degree import Product
 
@@ -52,13 +53,14 @@ def _short(total: Expr, reader: Reader) -> Expr:
     """Return the form of a sum of products of speeds: flat, or a product if that is much shorter.
 
     A difference is a product where they have a speed in common: ``(v1' - v2')*v1'``, but ``2*q1'*q2' + q2'**2``; a sum
-    with a given rate likewise: ``(Omega + q1')*q2'``.
+    with a given rate, and one without squares, likewise: ``(Omega + q1')*q2'``, ``(q1' + q2')*l'``.
     """
     if total.kind in {"power", "time_function"}:
         return total
     form = reader(total)
     is_given = any(leaf.kind == "symbol" for leaf in total.free_symbols)
-    is_difference = form.kind == "product" and ("-" in str(form) or is_given)
+    is_bilinear = not any(node.kind == "power" for node in nodes_of(total))
+    is_difference = form.kind == "product" and ("-" in str(form) or is_given or is_bilinear)
     shorter = reader.length(form) / reader.length(total)
     return form if shorter < (1 if is_difference else _SQUARE) else total
 

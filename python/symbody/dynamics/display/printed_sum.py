@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import accumulate
 
 _OPENING = re.compile(r"(?:^|(?<=[* ]))(?:\\left)?\(")
@@ -62,6 +62,41 @@ def sum_of(terms: Iterable[Term]) -> str:
 def opposite(sign: str) -> str:
     """Return the other sign."""
     return "-" if sign == "+" else "+"
+
+
+def brackets_in(text: str) -> Iterator[str]:
+    """Yield the sums in brackets that are factors of the terms of a printed sum.
+
+    >>> [*brackets_in("a*(b - c*(x + y)) - (x - y)**2")]
+    ['b - c*(x + y)', 'x - y']
+    """
+    for _, term in terms_of(text):
+        yield from (term[start:end] for start, end, _ in factors_of(term))
+
+
+def with_signs(text: str, own: Mapping[str, str]) -> str:
+    """Return a printed sum in which sums in brackets have signs of their own.
+
+    Args:
+        text: the sum.
+        own: sums in brackets, and their opposites, which take their places.
+
+    >>> with_signs("a - b*(y - x + c)", {"y - x + c": "x - y - c"})
+    'a + b*(x - y - c)'
+    """
+    terms = [*terms_of(text)]
+    made = [_with_sign(term, own) for term in terms]
+    return text if made == terms else sum_of(made)
+
+
+def _with_sign(term: Term, own: Mapping[str, str]) -> Term:
+    sign, text = term
+    for start, end, exponent in reversed([*factors_of(text)]):
+        inner = text[start:end]
+        if inner in own and exponent % 2:
+            sign = opposite(sign)
+        text = text[:start] + (own.get(inner) or with_signs(inner, own)) + text[end:]
+    return sign, text
 
 
 def _step(character: str) -> int:

@@ -18,6 +18,7 @@ from symbody.symbolic import Expr, free_symbols, substitute, time_function
 from symbody.symbolic.calculus.rewrite import short_form
 from symbody.symbolic.expression.traverse import post_order
 
+from .by_quantities import by_quantities
 from .known_terms import KnownTerms
 from .quantity_names import Kind, kind_of, legend, names_of, stage_of
 from .shared import merged, shared, with_names
@@ -161,7 +162,7 @@ def _short_with_names(expression: Expr, known: KnownTerms) -> Expr:
     """Return the short form of an expression in which terms that have names are these."""
     flat = short(expression)
     named = known.rewritten(flat)
-    return flat if named is flat else short(named)
+    return by_quantities(flat if named is flat else short(named))
 
 
 def _stages(quantities: Sequence[Expr], own: Sequence[int]) -> list[int]:

@@ -11,6 +11,7 @@ from symbody.symbolic import Expr, latex, listing_of_equations, time_derivative
 from .deflection import with_own_signs
 from .difference import are_lengths, signs
 from .inertia_sign import with_positive_inertia
+from .one_direction import in_one_direction
 
 Listing = tuple[list[tuple[str, str]], list[str]]
 """Named quantities and printed terms."""
@@ -20,8 +21,8 @@ def printed(terms: Iterable[Expr], notation: str, system: Variables, further: Se
     """Return named quantities and printed terms: coordinates, speeds and multipliers are in the system's order.
 
     Differences of lengths in the model, such as `R - r`, keep their direction; of the two directions of others, that
-    with fewer minus signs is printed. Differences of two other parameters have one direction in all terms. From the
-    deflections of springs, lengths are subtracted.
+    with fewer minus signs is printed. Differences of two other parameters, and those with sines and cosines, have one
+    direction in all terms. From the deflections of springs, lengths are subtracted.
 
     Args:
         terms: the terms.
@@ -42,7 +43,7 @@ def printed(terms: Iterable[Expr], notation: str, system: Variables, further: Se
         return _listed(tuple(sums), notation, system, direction, further)[1]
 
     definitions, texts = plain if notation == "text" else _listed(terms, notation, system, direction, further)
-    return definitions, with_own_signs(terms, texts, system, texts_of)
+    return definitions, in_one_direction(with_own_signs(terms, texts, system, texts_of))
 
 
 def _listed(

@@ -17,8 +17,16 @@ from .difference import by_differences, with_differences
 from .fractions_outside import with_fractions_outside, with_numbers_inside
 from .phases import with_phases
 from .readable import readable
-from .reading import angles_in, is_divisor, levels, multiples_of_angles, nodes_of, parts_of, reading
-from .rewrite import expand_trig, factor_terms, short_form, simplify, textbook_form
+from .reading import (
+    angles_in,
+    is_divisor,
+    levels,
+    multiples_of_angles,
+    nodes_of,
+    parts_of,
+    reading,
+)
+from .rewrite import expand, expand_trig, factor_terms, short_form, simplify, textbook_form
 from .squares import squared_sums, with_squares
 from .standard_names import AS_GIVEN, StandardNames
 from .summands import summands
@@ -99,7 +107,7 @@ class Reader:
 
     def form(self, expression: Expr) -> Expr:
         """Return the form for the reader of an expression by itself, which is read however long it is."""
-        return self._names.original(self._in_phases(textbook_form(self._names.standard(expression))))
+        return self._names.original(self._in_phases(_flat_form(self._names.standard(expression))))
 
     def in_phases(self, expression: Expr) -> Expr:
         """Return an expression as it is, with one wave for waves of one angle."""
@@ -195,7 +203,7 @@ class Reader:
 
     def _in_one_set_of_angles(self, expression: Expr) -> Expr:
         """Return the textbook form by the angles of joints, or by those of frames if that is shorter."""
-        form = textbook_form(expression)
+        form = _flat_form(expression)
         other = in_sums_of_angles(expression, self._angles, _form_with_sums) if self._angles else None
         if other is None:
             return form
@@ -216,6 +224,21 @@ class Reader:
             return form
         is_better = levels(flat) < levels(form) or len({*map(_number_of, summands(flat))}) > 1
         return flat if is_better else form
+
+
+def _flat_form(expression: Expr) -> Expr:
+    """Return the textbook form; a coordinate has flat squares, too: ``l**2 + 2*a*l*cos(q) + a**2``."""
+    form = textbook_form(expression)
+    if not any(map(_hides_a_square, nodes_of(form))) or number_of_terms(form) > _OPENED:
+        return form
+    return _best((textbook_form(expand(form)), form), expression)
+
+
+def _hides_a_square(node: Expr) -> bool:
+    """Return whether a product has a factor that is a term of its brackets, as ``a*(b + a)``."""
+    factors = parts_of(node, "product")
+    terms = [term for factor in factors if factor.kind == "sum" for term in parts_of(factor, "sum")]
+    return any(factor in terms for factor in factors)
 
 
 def _form_with_sums(expression: Expr) -> Expr:
