@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from symbody import (
     Body,
     Force,
@@ -12,6 +14,7 @@ from symbody import (
     moving_frame,
     newton_euler,
     origin,
+    parse,
     rotate,
     spring,
     symbols,
@@ -68,3 +71,25 @@ def test_a_label_is_no_parameter_of_a_named_force() -> None:
     assert "F := g2*d' + k1*(d - l)" in text
     assert "k[1] = F*x/d" in text
     assert "g[2] = g*m" in text
+
+
+def test_entries_that_are_negative_have_names() -> None:
+    """`M12*q1''`, not `-(..)*q1''`, in rows that are the equations."""
+    angles, frame = functions_of_time("q1 q2 q3"), translate(x, 0, 0)
+    bodies = [Body(frame, M)]
+    for k, angle in enumerate(angles, 1):
+        mass, inertia, length, arm = symbols(f"m{k} J{k} l{k} r{k}")
+        frame = frame * rotate("Z", angle)
+        bodies.append(Body(frame * translate(arm, 0, 0), mass, Iz=inertia))
+        frame = frame * translate(length, 0, 0)
+    system = System(bodies, coordinates=[x, *angles], gravity=DOWN)
+    equations = newton_euler(system)
+    lines = re.sub(r"\n {5,}", " ", equations.description()).splitlines()[1:]
+    known = {str(leaf): leaf for leaf in system.leaves}
+    for line in lines[:-4]:
+        name, value = line.split(" := ")
+        known[name.strip()] = parse(value, known)
+    assert [parse(line.removesuffix(" = 0"), known) for line in lines[-4:]] == [*equations.residuals]
+    assert [known["M12"], known["M13"]] == [equations.mass_matrix[0, 1], equations.mass_matrix[0, 2]]
+    assert "+ M12*q1'' + M13*q2''" in lines[-4]
+    assert "M12*x''" in lines[-3]

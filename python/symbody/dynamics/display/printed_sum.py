@@ -64,6 +64,17 @@ def opposite(sign: str) -> str:
     return "-" if sign == "+" else "+"
 
 
+def opposite_of(text: str) -> str:
+    """Return the printed opposite of a sum that begins with a minus sign; nothing for other texts.
+
+    >>> opposite_of("-a*b - c"), opposite_of("a - b"), opposite_of("-a*b")
+    ('a*b + c', '', '')
+    """
+    terms = [*terms_of(text)]
+    is_negative = len(terms) > 1 and terms[0][0] == "-"
+    return sum_of((opposite(sign), term) for sign, term in terms) if is_negative else ""
+
+
 def brackets_in(text: str) -> Iterator[str]:
     """Yield the sums in brackets that are factors of the terms of a printed sum.
 

@@ -8,6 +8,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 from .bracket_names import WALL, renumbered, with_brackets
+from .printed_sum import opposite_of, with_signs
 
 Definition = tuple[str, str]
 """A name, and the text for which it stands."""
@@ -152,10 +153,12 @@ def _with_entries(
         bracketed = style.brackets.format(value)
         index = f"{row}{column}" if max(row, column) < 10 else f"{row},{column}"
         name = f"M{style.number.format(index)}" if style.number != "{}" or "," not in index else ""
-        count = sum(text.count(bracketed) for text in changed)
+        opposite = opposite_of(value)
+        signed = [with_signs(text, {opposite: value}) for text in changed] if opposite else changed
+        count = sum(text.count(bracketed) for text in signed)
         saved = count * (len(bracketed) - len(name)) - len(style.definition.format(name, value))
         if name and saved > 0 and name not in taken and not occurs(name, texts):
-            changed = [text.replace(bracketed, name) for text in changed]
+            changed = [text.replace(bracketed, name) for text in signed]
             definitions.append((name, value))
     return definitions, changed
 
