@@ -166,35 +166,33 @@ def test_followed_recipes_keep_the_types(copy: Path, tmp_path: Path) -> None:
 
 
 def test_followed_recipes_keep_what_other_tests_ask_of_the_package(copy: Path) -> None:
-    """Of the methods of integration, that of the recipe is tested there."""
-    files = ["tests/test_recipes.py", "tests/test_docstrings.py", "tests/test_rooms.py"]
+    """Of methods of integration and joints of random mechanisms, those of the recipes are tested there."""
+    files = [
+        "tests/test_recipes.py",
+        "tests/test_docstrings.py",
+        "tests/test_rooms.py",
+        "tests/laws/test_joints.py",
+    ]
     files += [path for path in FILES if "frame" in path or "multibody" in path]
-    chosen = "not followed and (not method or leapfrog)"
-    run(copy, copy, "-m", "pytest", "-q", "--noconftest", "-p", "no:cacheprovider", "-k", chosen, *files)
+    chosen = "not followed and (not method or leapfrog) and (not test_joints or pin_in_slot)"
+    options = ["-q", "--noconftest", "-p", "no:cacheprovider", "-k", chosen]
+    printed = run(copy, copy, "-m", "pytest", *options, "-rA", *files)
+    assert re.search(r"^PASSED tests/laws/test_joints.py::.*pin_in_slot", printed, re.MULTILINE)
 
 
 LAWS = """
 from tests.test_recipes import compare_formalisms, drawn
 
-for system in drawn({kind!r}, {parts}):
-    compare_formalisms(system)
+motions = lambda system: (type(m).__name__ for body in system.bodies for m in body.frame.motions)
+loads = lambda system: (getattr(load, "kind", "") for load in system.loads)
+for kind, parts in (("Helix", motions), ("rope", loads)):
+    for system in drawn(kind, parts):
+        compare_formalisms(system)
 """
 
 
-@pytest.mark.parametrize(
-    ("kind", "parts"),
-    [
-        ("Helix", "lambda system: (type(m).__name__ for body in system.bodies for m in body.frame.motions)"),
-        ("rope", "lambda system: (getattr(load, 'kind', '') for load in system.loads)"),
-    ],
-)
-def test_followed_recipes_obey_the_laws(copy: Path, kind: str, parts: str) -> None:
-    run(copy, copy, "-c", LAWS.format(kind=kind, parts=parts))
-
-
-def test_followed_recipes_put_the_joint_into_the_random_mechanisms(copy: Path) -> None:
-    options = ["-q", "--noconftest", "-p", "no:cacheprovider", "-k", "pin_in_slot"]
-    run(copy, copy, "-m", "pytest", *options, "tests/laws/test_joints.py")
+def test_followed_recipes_obey_the_laws(copy: Path) -> None:
+    run(copy, copy, "-c", LAWS)
 
 
 def test_every_joint_occurs_in_the_random_mechanisms() -> None:

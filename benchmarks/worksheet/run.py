@@ -24,6 +24,7 @@ from ..page import write_page
 ROOT = Path(__file__).resolve().parents[2]
 SHEETS = ROOT / "tests" / "worksheets" / "valid"
 SEEDS = [sheet for above in ROOT.parents for sheet in sorted((above / "shared" / "seeds").glob("*.txt"))]
+LARGEST = ["car.mpl", "car_steady.mpl", "motorcycle_linear.mpl", "single_track.mpl"]
 
 BOUND_OF_START = 0.5
 BOUND_OF_SEEDS = 2.0
@@ -108,7 +109,7 @@ def _sheets(folder: str) -> list[Trial]:
         ),
         *(
             Trial(f"`{name}`", ["run", "--out", folder, str(SHEETS / name)], BOUND_OF_CARS)
-            for name in ("car.mpl", "car_steady.mpl", "motorcycle_linear.mpl", "single_track.mpl")
+            for name in LARGEST
         ),
     ]
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import subprocess
 from collections.abc import Callable
+from itertools import product
 from pathlib import Path
 
 import pytest
@@ -38,6 +39,7 @@ from symbody.symbolic import (
 )
 from tests.codegen.programs import double_pendulum, everything, pendulum
 from tests.codegen.running import run_of_each
+from tests.repeated import repeated
 
 NAMES = ", ".join(TARGETS)
 SPRING = functions_of_time("x")
@@ -96,8 +98,19 @@ def test_a_second_program_of_one_target_needs_no_other_folder(tmp_path: Path) ->
     assert contents(tmp_path) == source(pendulum(), "python") | source(double_pendulum(), "python")
 
 
-@pytest.mark.parametrize("later", TARGETS)
-@pytest.mark.parametrize("earlier", TARGETS)
+ALIKE = [("python", "jax"), ("jax", "casadi"), ("casadi", "python"), ("c", "fortran"), ("fortran", "c")]
+PAIRS = [
+    *ALIKE,
+    *((target, target) for target in TARGETS),
+    ("c", "julia"),
+    ("matlab", "python"),
+    ("modelica", "rust"),
+]
+
+
+@pytest.mark.parametrize(
+    ("earlier", "later"), [*PAIRS, *repeated(pair for pair in product(TARGETS, TARGETS) if pair not in PAIRS)]
+)
 def test_files_of_another_target_are_kept(earlier: str, later: str, tmp_path: Path) -> None:
     """Python, JAX and CasADi call their files alike, and so do C and Fortran."""
     before, after = source(pendulum(), earlier), source(pendulum(), later)

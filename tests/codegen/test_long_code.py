@@ -39,6 +39,7 @@ from symbody.codegen.llvm.assembly import MOST_LINES
 from symbody.codegen.llvm.llvm_module import batch_modules, scalar_modules
 from symbody.codegen.straight_line.code import Input, code_of_tape
 from symbody.symbolic.numeric.tape import Tape
+from tests.repeated import repeated
 
 x, y = symbols("x y")
 
@@ -103,7 +104,7 @@ def test_large_angles_in_long_chains():
     np.testing.assert_allclose(np.transpose(one), expected[1:], rtol=1e-9, atol=1e-12)
 
 
-@pytest.mark.parametrize("links", [1500, pytest.param(10_000, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("links", [1500, *repeated([10_000])])
 def test_a_long_chain_has_the_values_of_a_loop(links: int):
     values = np.linspace(0.0, 3.0, 9)
     expected = values

@@ -10,6 +10,7 @@ import pytest
 from symbody.codegen import check
 from symbody.symbolic import Argument, Expr, Program, Result, Routine, t
 from tests.codegen.running import run_of_each
+from tests.repeated import repeated
 from tests.symbolic.random_expression import COORDINATES, SYMBOLS, expression
 
 RATES = [tuple(x.diff(t, order) for x in COORDINATES) for order in range(1, 5)]
@@ -33,7 +34,7 @@ def routines(first: int) -> Iterator[Routine]:
 
 
 @pytest.mark.parametrize("target", run_of_each(["c", "fortran", "matlab", "python", "casadi", "rust"]))
-@pytest.mark.parametrize("first", [1000, 2000])
+@pytest.mark.parametrize("first", [1000, *repeated([2000])])
 def test_random_programs(first: int, target: str) -> None:
     chosen = tuple(islice(routines(first), 20))
     assert check(Program("random", "", ARGUMENTS, chosen), target).count("  ok") > 10

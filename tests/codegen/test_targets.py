@@ -35,11 +35,11 @@ def runs_of(programs: Iterable[str], alike: Iterable[str], elsewhere: Iterable[s
 
     Args:
         programs: the names of the programs.
-        alike: those in which JAX, which takes a second to begin, does what it does in others.
+        alike: those in which JAX and the compiler of Rust, which take a second each, do what they do in others.
         elsewhere: those that another test runs.
     """
     repeats = {(program, target) for program in elsewhere for target in TARGETS}
-    repeats |= {(program, "jax") for program in alike}
+    repeats |= {(program, target) for program in alike for target in ("jax", "rust")}
     long = {(program, "jax") for program in COMPILES_LONG}
 
     def mark(run: tuple[str, str]) -> pytest.MarkDecorator | None:
@@ -52,13 +52,13 @@ def runs_of(programs: Iterable[str], alike: Iterable[str], elsewhere: Iterable[s
     ("program", "target"),
     runs_of(
         PROGRAMS,
-        alike=["pendulum", "motor_pendulum", "sensed_pendulum", "watched", "trifilar"],
+        alike=["pendulum", "motor_pendulum", "sensed_pendulum", "watched", "double_pendulum", "trifilar"],
         elsewhere=["panda_7dof", "solo12_floating"],
     ),
 )
 def test_against_the_evaluator(program: str, target: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """JAX compiles robots in the next test, and runs other long programs uncompiled."""
-    if target == "jax" and program in ("long", *REFERENCES):
+    if target == "jax" and program in ("long", "calls", *REFERENCES):
         monkeypatch.setenv("JAX_DISABLE_JIT", "1")
     name = module_name(PROGRAMS[program]().name, TARGETS[target].language)
     report = check_files(TARGETS[target], name, texts(program, target))

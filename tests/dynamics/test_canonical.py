@@ -43,6 +43,7 @@ from symbody import (
     time_derivative,
     translate,
 )
+from tests.repeated import repeated
 
 a, b, x, y, th, v, n, z = functions_of_time("a b x y th v n z")
 m, l, g, J, c, T, H = symbols("m l g J c T H")
@@ -158,8 +159,15 @@ def starts(system: System) -> dict[Expr, float]:
     return {x: 0.0, y: -0.7, xp: 1.0} if len(system.coordinates) == 2 else {xp: 1.0, thp: 2.0}
 
 
-@pytest.mark.parametrize("make", [double_pendulum, rod, sleigh, embedded_sleigh, motor])
-@pytest.mark.parametrize("method", ["dop853", "ida"])
+@pytest.mark.parametrize(
+    ("make", "method"),
+    [
+        *((make, "dop853") for make in (double_pendulum, rod, sleigh, embedded_sleigh, motor)),
+        (double_pendulum, "ida"),
+        (motor, "ida"),
+        *repeated((make, "ida") for make in (rod, sleigh, embedded_sleigh)),
+    ],
+)
 def test_the_motion_is_that_of_newton_and_euler(make, method: str) -> None:  # type: ignore[no-untyped-def]
     system = make()
     found = hamilton(system)

@@ -39,6 +39,7 @@ from symbody import (
 )
 from symbody.codegen import generate
 from symbody.errors import ModelError, ViewError
+from tests.repeated import repeated
 
 (x, y), (m, l, g) = functions_of_time("x y"), symbols("m l g")
 ENERGY = m * (time_derivative(x) ** 2 + time_derivative(y) ** 2) / 2 + m * g * y
@@ -89,7 +90,9 @@ def test_same_values_as_the_system() -> None:
     assert mine.baumgarte(3, 1) == own.baumgarte(3, 1)
 
 
-@pytest.mark.parametrize("method", ["dop853", "tsit5", "bdf", "esdirk34", "tr_bdf2", "ida", "ida2", "ida3"])
+@pytest.mark.parametrize(
+    "method", ["dop853", "bdf", "ida", *repeated(["tsit5", "esdirk34", "tr_bdf2", "ida2", "ida3"])]
+)
 def test_same_motion_by_every_method(method: str) -> None:
     initial = consistent_state(given(), VALUES, {x: 0.4}, guess={y: -0.5})
     mine, own = (simulate(each, VALUES, initial, t=(0, 1), method=method) for each in (given(), derived()))

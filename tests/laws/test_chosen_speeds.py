@@ -33,7 +33,7 @@ from tests.laws.random_system import random_system
 from tests.laws.test_formalisms import check_same_nodes
 from tests.repeated import repeated
 
-SEEDS = [*range(4), *repeated(range(4, 10))]
+SEEDS = [*range(3), *repeated(range(3, 10))]
 a, b = symbols("a_y b_y")
 
 
@@ -75,7 +75,7 @@ def test_all_formalisms_give_the_same_nodes(seed: int, kind: str) -> None:
     check_same_nodes(system)
 
 
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", [*range(3), *repeated(range(3, 6))])
 def test_moving_frames_may_hold_rates_that_are_written_by_speeds(seed: int) -> None:
     """A twist by a rate is the same as one by the speeds that give the rate, in every formalism."""
     random = Random(seed)

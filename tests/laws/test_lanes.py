@@ -97,8 +97,15 @@ def varied(model: ClassicSystem, seed: int) -> dict[Expr, Any]:
     }
 
 
-@pytest.mark.parametrize("method", ["dop853", "tsit5"])
-@pytest.mark.parametrize("name", MODELS)
+@pytest.mark.parametrize(
+    ("name", "method"),
+    [
+        *((name, "dop853") for name in MODELS),
+        ("free", "tsit5"),
+        ("loop", "tsit5"),
+        *repeated((name, "tsit5") for name in MODELS if name not in {"free", "loop"}),
+    ],
+)
 def test_models(name: str, method: str, monkeypatch: pytest.MonkeyPatch) -> None:
     model = MODELS[name]()
     equations, instants = newton_euler(model.system), np.linspace(0, 0.4, 5)

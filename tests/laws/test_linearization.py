@@ -123,12 +123,17 @@ MAKE = {
 
 
 FEW = {
-    "tree": (0, 4, 8),
+    "tree": (4, 8),
     "floating": (3, 8),
-    "constrained": (4, 13),
-    "floating and constrained": (3, 5),
+    "constrained": (4,),
+    "floating and constrained": (5,),
 }
-MORE = {"tree": (2,), "floating": (5, 7), "constrained": (0, 2, 9), "floating and constrained": (7, 9)}
+MORE = {
+    "tree": (0, 2),
+    "floating": (5, 7),
+    "constrained": (0, 2, 9, 13),
+    "floating and constrained": (3, 7, 9),
+}
 """Seeds of systems that nothing drives in time, and whose mass matrices are regular."""
 
 CASES = [

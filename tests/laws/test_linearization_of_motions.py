@@ -36,6 +36,7 @@ from symbody.models import bicycle, four_bar, n_pendulum, rolling_disc, single_t
 from symbody.models.classic_system import ClassicSystem
 from tests.laws.finite_differences import assert_tangent
 from tests.reference.mechanisms.problem import reference
+from tests.repeated import repeated
 
 Y, s, v, th = symbols("Y s v th")
 
@@ -68,7 +69,7 @@ def _embedded(system: System) -> Equations:
     return embedded(newton_euler(system), speeds)
 
 
-@pytest.mark.parametrize("derive", [newton_euler, kane, _embedded])
+@pytest.mark.parametrize("derive", [newton_euler, _embedded, *repeated([kane])])
 def test_bicycle_at_speed(derive: Callable[[System], Equations]) -> None:
     model = bicycle()
     eqs = derive(model.system)

@@ -110,7 +110,7 @@ def test_trees(seed: int, formalism: Callable[[System], Equations], monkeypatch:
 
 
 @pytest.mark.parametrize("formalism", FORMALISMS)
-@pytest.mark.parametrize("seed", [*range(3), *repeated(range(3, 18))])
+@pytest.mark.parametrize("seed", [*range(2), *repeated(range(2, 18))])
 @pytest.mark.parametrize("floats", [False, True])
 def test_loops_and_wheels(
     seed: int, floats: bool, formalism: Callable[[System], Equations], monkeypatch: pytest.MonkeyPatch

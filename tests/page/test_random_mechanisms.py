@@ -28,7 +28,7 @@ from symbody.symbolic.calculus.rewrite import textbook_form
 from tests.page.random_mechanism import random_mechanism
 from tests.repeated import repeated
 
-each = pytest.mark.parametrize("seed", [*range(20), *repeated(range(20, 60))])
+each = pytest.mark.parametrize("seed", [*range(12), 19, *repeated([*range(12, 19), *range(20, 60)])])
 
 
 @cache

@@ -88,7 +88,7 @@ def test_names_decide_among_arrangements_and_not_what_was_added_first(terms: str
     assert len(forms) == 1
 
 
-@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("seed", [*range(6), *repeated(range(6, 12))])
 def test_forms_for_the_reader_keep_the_value(seed: int) -> None:
     rng = random.Random(seed)
     angles, parameters = functions_of_time("p q"), (m, l, c)
@@ -145,7 +145,7 @@ def test_nested_brackets_are_opened_and_waves_joined(given: Expr, form: str) -> 
     assert str(readable(given)) == form
 
 
-@pytest.mark.parametrize("names", ["q1 q2", "q1 q2 q3", "alpha beta gamma", "hip knee ankle"])
+@pytest.mark.parametrize("names", ["q1 q2", "q1 q2 q3", *repeated(["alpha beta gamma", "hip knee ankle"])])
 def test_an_equation_is_no_longer_than_its_simplest_form(names: str) -> None:
     frame, bodies = ground, []
     for i, angle in enumerate(functions_of_time(names)):
@@ -580,7 +580,7 @@ def test_loads_that_are_no_polynomials_stay_in_one_piece() -> None:
     assert row.strip() == "m*x'' + F*tanh(x'/a) + c*Abs(x')*x' = 0"
 
 
-@pytest.mark.parametrize("seed", [*range(5), *repeated(range(5, 15))])
+@pytest.mark.parametrize("seed", [0, 1, 2, 4, *repeated([3, *range(5, 15)])])
 def test_rows_of_random_systems_are_equal_to_the_residuals(seed: int) -> None:
     equations = newton_euler(random_system(seed))
     for balance, residual in zip(equations.display.page.balances, equations.residuals, strict=True):

@@ -44,8 +44,14 @@ def notices(problem: Problem, **options: object) -> tuple[float, list[str]]:
     return motion.energy_drift, [text for text in said if "the energy balance" in text]
 
 
-@pytest.mark.parametrize("method", ["ida", "ida2"])
-@pytest.mark.parametrize("rtol", [1e-3, *repeated([1e-6]), 1e-9])
+@pytest.mark.parametrize(
+    ("method", "rtol"),
+    [
+        ("ida", 1e-9),
+        ("ida2", 1e-3),
+        *repeated([("ida", 1e-3), ("ida", 1e-6), ("ida2", 1e-6), ("ida2", 1e-9)]),
+    ],
+)
 @pytest.mark.parametrize(
     ("make", "end"), [(simple_pendulum, 100), (natural_double_pendulum, 10), (heavy_top, 2)]
 )
@@ -73,7 +79,7 @@ def test_a_motion_smaller_than_the_tolerances_has_no_notice() -> None:
 
 
 @pytest.mark.parametrize("method", ["dop853", "tsit5", "bdf", "esdirk34", "tr_bdf2"])
-@pytest.mark.parametrize("away", [0.0, 1e-9, 1e-6])
+@pytest.mark.parametrize("away", [0.0, 1e-9, *repeated([1e-6])])
 def test_a_body_at_rest_on_loads_alone_has_no_notice(method: str, away: float) -> None:
     """Its weight is a load here, so that what moves is rounding, of work as well."""
     m, k, z = *symbols("m k"), functions_of_time("z")

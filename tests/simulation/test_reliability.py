@@ -35,6 +35,7 @@ from symbody import ModelNotice, Motion, generate, simulate, simulate_many
 from symbody.errors import CodegenError, PictureError, ResultsError, SymbodyError
 from symbody.simulation.batch.in_flight import InFlight
 from symbody.simulation.batch.stop_flag import StopFlag
+from tests.repeated import repeated
 from tests.simulation.pendulum_batch import PENDULUM, g, l, m, q1, same, six, thirty
 from tests.simulation.test_many import REFERENCE
 
@@ -116,8 +117,10 @@ def message(error: type[Exception], write: Writer, folder: Path) -> str:
 # --- full disks and closed folders -----------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("left", [100, 5000])
-@pytest.mark.parametrize("ending", ["png", "pdf", "svg"])
+@pytest.mark.parametrize(
+    ("ending", "left"),
+    [("png", 100), ("pdf", 100), ("svg", 5000), *repeated([("png", 5000), ("pdf", 5000), ("svg", 100)])],
+)
 def test_a_figure_on_a_full_disk(ending: str, left: int, tmp_path: Path) -> None:
     """Whatever the format: the writer of PDF would tell of an inconsistent stream."""
     figure(ending)(tmp_path)
@@ -160,7 +163,7 @@ def test_results_on_a_full_disk_come_back_all_the_same(tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.parametrize("below", ["", "new", "locked", "locked/new"])
+@pytest.mark.parametrize("below", ["", "locked/new", *repeated(["new", "locked"])])
 @pytest.mark.parametrize(
     ("write", "error", "expected"),
     [
@@ -384,7 +387,7 @@ def test_ctrl_c_in_the_middle_of_writing(
 # --- packages that are not there -------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("method", ["dop853", "bdf", "ida"])
+@pytest.mark.parametrize("method", ["dop853", "ida", *repeated(["bdf"])])
 def test_machines_without_a_compiler_of_machine_code(method: str) -> None:
     if method == "ida":
         pytest.importorskip("sksundae")

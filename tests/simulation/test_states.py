@@ -72,6 +72,7 @@ from tests.dynamics.state_models import (
     yaw,
     z,
 )
+from tests.repeated import repeated
 
 Array = NDArray[np.float64]
 INSTANTS = np.linspace(0, 2, 21)
@@ -105,8 +106,22 @@ MODELS = {
 }
 
 
-@pytest.mark.parametrize("method", ["dop853", "tsit5", "bdf", "esdirk34", "tr_bdf2", "ida", "ida2", "ida3"])
-@pytest.mark.parametrize("name", MODELS)
+METHODS = ["dop853", "tsit5", "bdf", "esdirk34", "tr_bdf2", "ida", "ida2", "ida3"]
+FEW = ["dop853", "bdf", "ida"]
+RUNS = [
+    *(("motor_pendulum", method) for method in METHODS),
+    *((name, method) for name in MODELS if name != "motor_pendulum" for method in FEW),
+    *repeated(
+        (name, method)
+        for name in MODELS
+        if name != "motor_pendulum"
+        for method in METHODS
+        if method not in FEW
+    ),
+]
+
+
+@pytest.mark.parametrize(("name", "method"), RUNS)
 def test_motions_are_those_of_scipy(name: str, method: str) -> None:
     make, initial = MODELS[name]
     model = make()

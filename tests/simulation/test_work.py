@@ -34,6 +34,7 @@ from symbody import (
 )
 from symbody.errors import ModelError
 from tests.reference.mechanisms.n_fourbar import bar_of
+from tests.repeated import repeated
 
 m, l, g, w, k, c = symbols("m l g w k c")
 
@@ -78,8 +79,10 @@ def test_what_a_damper_takes_is_work(method: str) -> None:
     assert np.abs(motion.work - speed**2 / 2).max() < 1e-6
 
 
-@pytest.mark.parametrize("rtol", [1e-4, 1e-5, 1e-6])
-@pytest.mark.parametrize("speed", [5.0, 10.0])
+@pytest.mark.parametrize(
+    ("speed", "rtol"),
+    [(5.0, 1e-6), (10.0, 1e-4), *repeated([(5.0, 1e-4), (5.0, 1e-5), (10.0, 1e-5), (10.0, 1e-6)])],
+)
 def test_projection_does_not_take_errors_of_bdf_for_leaps(speed: float, rtol: float) -> None:
     """A four-bar linkage whose crank turns around and around, and whose constraint is regular everywhere."""
     alpha, beta = functions_of_time("alpha beta")
