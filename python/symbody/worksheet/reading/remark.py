@@ -196,7 +196,8 @@ def _helps(tokens: Sequence[Token], begin: int, span: Span, index: int) -> bool:
     if isinstance(found, Parsed) or found.index > span.begin - begin:
         return True
     only_end_is_missing = found.index < len(rest) and not rest[found.index]
-    return (only_end_is_missing and bool(tokens[index])) or _is_whole(tokens, begin, span)
+    is_before_end = index < len(tokens) and bool(tokens[index])
+    return (only_end_is_missing and is_before_end) or _is_whole(tokens, begin, span)
 
 
 def _is_whole(tokens: Sequence[Token], begin: int, span: Span) -> bool:
