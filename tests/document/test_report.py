@@ -9,6 +9,7 @@ import subprocess
 import sys
 import unicodedata
 from base64 import b64decode
+from collections.abc import Callable
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -48,12 +49,13 @@ from symbody import (
     translate,
 )
 from symbody.document import report as public_name
-from symbody.document.document import NO_BREAK, Document, Formula, Heading, Math, Picture, Table
+from symbody.document.document import NO_BREAK, Block, Document, Formula, Heading, Math, Picture, Table
 from symbody.document.formats.mathml import mathml
 from symbody.document.formats.tex_letter import in_text
 from symbody.document.report import FORMATS, SECTIONS
 from symbody.document.sections.checks import HOLDS, LAWS
 from symbody.document.sections.equations import ROWS
+from symbody.document.sections.equations import equations as equations_of_motion
 from symbody.document.sections.nomenclature import Entry, nomenclature, row_meaning
 from symbody.document.subject import Subject
 from symbody.dynamics.display import display
@@ -106,9 +108,10 @@ def written(tmp_path: Path, model: Equations | System | ClassicSystem, suffix: s
     return report(model, tmp_path / f"model{suffix}", **options).read_text(encoding="utf-8")  # type: ignore[arg-type]
 
 
-def blocks(model: Equations) -> Document:
+def blocks(model: Equations, *sections: Callable[[Subject], list[Block]]) -> Document:
+    """Return the blocks of these sections, or of all."""
     subject = Subject(model, None, {}, {}, {})
-    return Document("", tuple(block for section in SECTIONS for block in section(subject)))
+    return Document("", tuple(block for section in sections or SECTIONS for block in section(subject)))
 
 
 def cells(document: Document) -> list[tuple[str, ...]]:
@@ -210,9 +213,9 @@ def test_constants_along_a_slide_and_about_a_hinge_have_their_units() -> None:
 
 def test_names_of_one_meaning_share_a_row() -> None:
     """Each name has the number of its link; a few numbers are listed."""
-    rows = cells(blocks(newton_euler(numbered_arm(3))))
+    rows = cells(blocks(newton_euler(numbered_arm(3)), nomenclature))
     assert ("m_{1}, m_{2}, m_{3}", "mass of link 1, 2 and 3", "kg") in rows
-    rows = cells(blocks(newton_euler(numbered_arm(5))))
+    rows = cells(blocks(newton_euler(numbered_arm(5)), nomenclature))
     names = ", ".join(f"m_{{{i}}}" for i in range(1, 6))
     assert (names, "mass of link 1, ..., 5", "kg") in rows
 
@@ -535,9 +538,7 @@ def test_equations_of_many_rows_are_described_by_sizes_and_short_entries(
 
 
 def test_equations_of_seven_joints_are_printed_by_common_quantities() -> None:
-    document = blocks(newton_euler(numbered_arm(7)))
-    start = document.blocks.index(Heading("Equations of motion"))
-    _, formula = document.blocks[start + 1 : start + 3]
+    _, _, formula = blocks(newton_euler(numbered_arm(7)), equations_of_motion).blocks
     assert isinstance(formula, Formula)
     assert r"&w\colon \text{angular velocities};\; \alpha\colon \text{angular accelerations}" in formula.latex
     assert r"&n_{1} = 0" in formula.latex

@@ -259,10 +259,10 @@ def test_a_tripod_turns_as_its_housing_while_its_centre_goes_round_three_times()
     assert_allclose(center.imag, -lean / np.cos(tilt) * np.sin(turned), atol=1e-11)
 
 
-@pytest.mark.parametrize("make", repeated([machines.delta_robot]))
-def test_arms_of_a_delta_robot_are_where_its_inverse_kinematics_says(make: Callable[[], Machine]) -> None:
+@pytest.mark.repeated
+def test_arms_of_a_delta_robot_are_where_its_inverse_kinematics_says() -> None:
     """``(r - R - a cos q)^2 + s^2 + (z + a sin q)^2 = L^2`` in the plane of each arm [Clavel 1991], solved for q."""
-    found = moved(make)
+    found = moved(machines.delta_robot)
     x, y, z = position(found, "platform")
     assert np.ptp(z) > 1e-3
     for k in range(3):
@@ -276,16 +276,16 @@ def test_arms_of_a_delta_robot_are_where_its_inverse_kinematics_says(make: Calla
         assert np.minimum(*error).max() < 1e-6
 
 
-@pytest.mark.parametrize("make", repeated([machines.hexapod]))
-def test_legs_of_a_hexapod_are_as_long_as_its_inverse_kinematics_says(make: Callable[[], Machine]) -> None:
-    found = moved(make)
+@pytest.mark.repeated
+def test_legs_of_a_hexapod_are_as_long_as_its_inverse_kinematics_says() -> None:
+    found = moved(machines.hexapod)
     for k, (low, high) in enumerate(LEGS):
         length = np.linalg.norm(position(found, "top", high) - np.array(low)[:, None], axis=0)
         assert_allclose(found[f"s_C{k}"], length, rtol=1e-9)
 
 
-@pytest.mark.parametrize("make", repeated([machines.schmidt_coupling]))
-def test_discs_of_a_schmidt_coupling_turn_at_one_speed(make: Callable[[], Machine]) -> None:
-    found = moved(make)
+@pytest.mark.repeated
+def test_discs_of_a_schmidt_coupling_turn_at_one_speed() -> None:
+    found = moved(machines.schmidt_coupling)
     for disc in ("disc1", "disc2"):
         assert_allclose(spin(found, disc, 2), found["phi_I'"], rtol=1e-8)

@@ -20,7 +20,7 @@ from symbody.symbolic import _core
 from tests.repeated import repeated
 from tests.symbolic.hostile_values import DOUBLES, MAKERS, NOT_FINITE, functions
 
-CALLS = 10_000
+CALLS = 6_000
 
 
 def _run(*arguments: object) -> subprocess.CompletedProcess[str]:
