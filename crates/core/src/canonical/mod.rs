@@ -28,6 +28,7 @@ mod associate;
 mod build;
 mod collector;
 mod distribute;
+mod drawn_roots;
 mod exact;
 mod hidden_number;
 mod linear_system;

@@ -73,6 +73,7 @@ impl Graph {
         }
         self.open_shared_products(&mut collector);
         self.merge_moduli(&mut collector)?;
+        self.merge_drawn_roots(&mut collector);
         let product = self.finish_product(collector);
         Ok(if self.keeps_value(&factors, product) { product } else { self.plain_product(&factors) })
     }
@@ -134,23 +135,8 @@ impl Graph {
                 collector.push(self, root, &Number::integer(1));
             }
         }
-        for (base, exponent) in std::mem::take(&mut collector.factors) {
-            self.push_power_of_drawn_roots(&mut collector, base, &exponent);
-        }
+        self.merge_drawn_roots(&mut collector);
         self.finish_product(collector)
-    }
-
-    /// (u**(m/n) v**k)**n = u**m v**(k n). The lanes do not know it of roots that they draw, where u is not real.
-    fn push_power_of_drawn_roots(&self, out: &mut Collector, root: Id, exponent: &Number) {
-        let Some(powers) = self.powers_of_drawn_roots(root, exponent) else {
-            return out.push(self, root, exponent);
-        };
-        for (base, power) in powers {
-            match self.as_number(base).zip(power.to_i64()).and_then(|(number, n)| number.powi(n).ok()) {
-                Some(number) => out.coefficient = out.coefficient.mul(&number),
-                None => out.push(self, base, &power),
-            }
-        }
     }
 
     /// The error that names the dividend.
