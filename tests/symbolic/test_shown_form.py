@@ -138,3 +138,51 @@ def test_what_is_shown_has_no_nested_rotations(name: str) -> None:
 )
 def test_what_is_no_longer_than_its_form_for_the_reader_is_shown_as_it_is(given: Expr) -> None:
     assert describe(given) == str(given)
+
+
+def chain(count: int) -> System:
+    """Return point masses on rods whose angles are those of joints."""
+    frame, bodies, angles = ground, list[Body](), functions_of_time("q1 q2 q3")[:count]
+    for angle in angles:
+        frame = frame * rotate("Y", angle) * translate(0, 0, -l)
+        bodies.append(Body(frame, m))
+    return System(bodies, coordinates=[*angles])
+
+
+ROLLING = System(
+    [Body(rotate("Z", -theta) * translate(0, a + b, 0) * rotate("Z", -a * theta / b), m, Iz=m * b**2 / 2)],
+    coordinates=[theta],
+)
+MATRICES = {
+    "double pendulum": (
+        chain(2),
+        "Matrix([[m*l**2*(3 + 2*cos(q2)), m*l**2*(1 + cos(q2))], [m*l**2*(1 + cos(q2)), m*l**2]])",
+    ),
+    "triple pendulum": (
+        chain(3),
+        """\
+Matrix([
+    [2*m*l**2*(3 + 2*cos(q2) + cos(q2 + q3) + cos(q3)),
+     m*l**2*(3 + 2*cos(q2) + cos(q2 + q3) + 2*cos(q3)), m*l**2*(1 + cos(q2 + q3) + cos(q3))],
+    [m*l**2*(3 + 2*cos(q2) + cos(q2 + q3) + 2*cos(q3)), m*l**2*(3 + 2*cos(q3)), m*l**2*(1 + cos(q3))],
+    [m*l**2*(1 + cos(q2 + q3) + cos(q3)), m*l**2*(1 + cos(q3)), m*l**2],
+])""",
+    ),
+    "disc on a fixed disc": (ROLLING, "Matrix([[3*m*(a + b)**2/2]])"),
+}
+
+
+@pytest.mark.parametrize("name", MATRICES)
+def test_entries_of_a_matrix_are_read_together(name: str) -> None:
+    system, text = MATRICES[name]
+    M = newton_euler(system).mass_matrix
+    assert describe(M) == text
+    known = {str(leaf): leaf for leaf in (*system.coordinates, m, l, a, b)}
+    shown = [parse(entry.strip(" []\n"), known) for entry in text[7:-1].strip("[]\n,").split(",")]
+    assert shown == [*M.entries]
+    assert latex(M) == latex(Matrix.from_entries(M.rows, M.columns, shown))
+
+
+def test_a_matrix_that_was_written_by_hand_is_shown_as_it_is() -> None:
+    written = Matrix([[m * l**2 + m * l * a, sin(q1) * (a * cos(q2) + b)], [a * (b + l), x]])
+    assert describe(written) == str(written)

@@ -133,6 +133,8 @@ def _laid_out(thing: Shown, style: _Style) -> str:
         head = f"{thing.name} = " if thing.name else ""
         texts = [f"{field} = {value}" for field, value in _fields(thing, style)]
         return listed(texts, f"{head}{type(thing).__name__.upper()}(", ")")
+    if isinstance(thing, Matrix):
+        style.forms.read_together(thing.entries)
     text = text_of(thing, lambda part: _laid_out(part, style))
     if text is not None:
         return text

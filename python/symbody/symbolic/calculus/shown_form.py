@@ -1,12 +1,14 @@
 """Forms that are shown: without symbols on which the value doesn't depend, and without nested rotations.
 
-Derivations leave products of rotations in brackets, ``cos(q2)*(l*q1'' + g*cos(q1)) + sin(q2)*(l*q1'**2 - g*sin(q1))``:
-the form of the computation. What is shown is the form for the reader.
+Derivations leave products of rotations in brackets, ``cos(q2)*(l*q1'' + g*cos(q1)) + sin(q2)*(l*q1'**2 - g*sin(q1))``,
+and brackets in which the factor before them occurs again, ``m*l**2 + l*(l*m + l*m*cos(q2))``: the form of the
+computation. What is shown is the form for the reader. The entries of a matrix are read together, so that a quantity
+that occurs in two of them has one form.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from symbody.errors import SymbodyError
 from symbody.symbolic._core import Expr
@@ -16,7 +18,7 @@ from .cost import cost
 from .derivative import substitute
 from .idle import idle_symbols, without_idle_symbols
 from .readable import coefficient_form, readable
-from .reading import WAVES, multiples_of_angles, nodes_of, parts_of
+from .reading import WAVES, awkward_terms, multiples_of_angles, nodes_of, parts_of
 from .rewrite import textbook_form
 
 __all__ = ["ShownForms", "shown_form"]
@@ -60,11 +62,33 @@ class ShownForms:
             known = self._known[expression.id] = self._form(expression)
         return known
 
+    def read_together(self, entries: Iterable[Expr]) -> None:
+        """Find the forms of the entries of a matrix: if one of them is derived, all of them have forms for the reader.
+
+        >>> from symbody import cos, functions_of_time, symbols
+        >>> q, (m, l) = functions_of_time("q"), symbols("m l")
+        >>> forms, coupling = ShownForms(), m * l**2 + m * l**2 * cos(q)
+        >>> forms.read_together([m * l**2 + l * (2 * l * m + 2 * l * m * cos(q)), coupling])
+        >>> forms(coupling)
+        m*l**2*(1 + cos(q))
+        """
+        new, left = dict[int, Expr](), self._left
+        for entry in entries:
+            operations = cost(entry).total
+            is_known = entry.id in self._known or entry.id in new
+            if not is_known and operations <= min(left, _ROTATED) and not idle_symbols([entry]):
+                new[entry.id] = entry
+                left -= operations
+        derived = [entry for entry in new.values() if _is_derived(entry)]
+        if any(_is_better(_coefficient(entry), entry) for entry in derived):
+            self._known |= {place: _coefficient(entry) for place, entry in new.items()}
+            self._left = left
+
     def _form(self, expression: Expr) -> Expr:
         if idle_symbols([expression]):
             return min(_forms(expression), key=lambda form: len(idle_symbols([form])))
         operations = cost(expression).total
-        if operations > min(self._left, _ROTATED) or not any(map(_is_rotated, nodes_of(expression))):
+        if operations > min(self._left, _ROTATED) or not _is_nested(expression):
             return expression
         self._left -= operations
         return _without_rotations(expression)
@@ -107,6 +131,46 @@ _SINGLE = 1.5
 _APART, _SHORTER = 1.5, 0.9
 """The length of a form with the terms of speeds and of gravity apart, at most, in relation to the shortest one; and of
 the form that is shown in relation to the given one."""
+
+
+def _is_nested(expression: Expr) -> bool:
+    """Return whether an expression that moves is in a form of the computation."""
+    if any(map(_is_rotated, nodes_of(expression))):
+        return True
+    is_moving = any(leaf.kind == "time_function" for leaf in expression.free_symbols)
+    return is_moving and awkward_terms(expression) > 0
+
+
+def _is_better(form: Expr, entry: Expr) -> bool:
+    """Return whether a form is much shorter than an entry, or about as long and with fewer awkward terms."""
+    most = _FLATTER if awkward_terms(form) < awkward_terms(entry) else _SHORTER
+    return len(str(form)) <= most * len(str(entry))
+
+
+_FLATTER = 1.1
+"""The length of a form with fewer awkward terms, at most, in relation to the given one."""
+
+
+def _is_derived(entry: Expr) -> bool:
+    """Return whether an entry of a matrix is in a form of the computation."""
+    return _is_nested(entry) or any(map(_is_expanded, nodes_of(entry)))
+
+
+def _is_expanded(node: Expr) -> bool:
+    """Return whether a node is a sum of products of waves, or of terms with a factor to take out."""
+    if node.kind != "sum":
+        return False
+    terms = [parts_of(term, "product") for term in parts_of(node, "sum")]
+    turned = [factors for factors in terms if sum(map(_waves, factors)) >= _PRODUCT]
+    return len(turned) > 1 or any(_has_factor_in_common(factors, terms) for factors in terms)
+
+
+def _has_factor_in_common(factors: list[Expr], terms: list[list[Expr]]) -> bool:
+    """Return whether a term with brackets has a factor, or one in its brackets, that another term of the sum has."""
+    if not any(factor.kind == "sum" for factor in factors):
+        return False
+    bare = {factor.id for factor in factors if factor.kind in {"symbol", "time_function"}}
+    return any(bare & {factor.id for factor in other} for other in terms if other is not factors)
 
 
 def _is_rotated(node: Expr) -> bool:

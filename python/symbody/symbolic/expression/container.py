@@ -138,13 +138,19 @@ def derived(value: Any, operation: Rewrite, place: str) -> Any:
     return _Pass(place, ways).run(value, operation)
 
 
-def in_latex(value: Any, place: str, form: Callable[[Expr], Expr]) -> str:
+def in_latex(
+    value: Any,
+    place: str,
+    form: Callable[[Expr], Expr],
+    read_together: Callable[[Sequence[Expr]], None] = lambda entries: None,
+) -> str:
     """Return a container in LaTeX; names are typeset differently in all of its entries.
 
     Args:
         value: the container.
         place: what is named in messages.
         form: which gives the form that is shown of an expression.
+        read_together: what is told the entries of each matrix before their forms are asked for.
     """
     leaves: list[Expr] = []
     own = dict[int, str]()
@@ -161,6 +167,8 @@ def in_latex(value: Any, place: str, form: Callable[[Expr], Expr]) -> str:
                 "frames, bodies, forces, torques, equations or linear models"
             )
         else:
+            if isinstance(part, Matrix):
+                read_together(part.entries)
             parts = (entry.shown or entry.parts)(part)
             names = [""] * len(parts) if entry.shown else _names(part, parts)
             for each, name in zip(parts, names, strict=True):

@@ -33,7 +33,8 @@ def latex(expression: Any) -> str:
     """
     if is_container(expression):
         with naming_of(printed_in(expression)):
-            return in_latex(expression, "latex", ShownForms())
+            forms = ShownForms()
+            return in_latex(expression, "latex", forms, forms.read_together)
     if isinstance(expression, Typeset) and not isinstance(expression, type | Expr):
         return expression.latex()
     return latex_of(shown_form(expression_or_container(expression, "latex")))
