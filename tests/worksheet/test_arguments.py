@@ -6,6 +6,7 @@ import pytest
 
 from symbody.worksheet.commands.arguments import PARAMETERS
 from symbody.worksheet.commands.mbsymba import COMMANDS
+from symbody.worksheet.interpreter.interpret import Interpreter
 from tests.worksheet.printed_by import failures, printed
 
 MODEL = (
@@ -67,6 +68,8 @@ def test_wrong_arguments_are_refused() -> None:
         ("velocity(3);", "velocity: P is 3; expected a POINT or a VECTOR"),
         ("project(P, 5);", "project: T is 5; expected a frame"),
         ("rotate('X', 1, 2);", "rotate: 2; expected a frame, a 4x4 matrix such as translate(x, y, z) * rotate('Z', a)"),
+        ("state_space([y], t, [y]);", "state_space: y is not a function of time; write y(t) here and in the equations"),
+        ("first_order([y], [y], t);", "first_order: y is not a function of time; write y(t) here and in the equations"),
         ("diff(x^2);", "diff: no variable by which x^2 is differentiated; expected diff(e, x)"),
         ("Matrix(2,2,[1,2,3,4,5]);", "Matrix: 5 entries for a size of 2 x 2; expected at most 4"),
         ("Matrix(2,2,[[1,2,3]]);", "Matrix: 1 x 3 entries for a size of 2 x 2; expected at most as many"),
@@ -76,6 +79,34 @@ def test_wrong_arguments_are_refused() -> None:
 )  # fmt: skip
 def test_messages_name_what_was_found(statement: str, message: str) -> None:
     assert failures(MODEL + statement) == [message]
+
+
+@pytest.mark.parametrize(
+    ("torque", "notices"),
+    [
+        ("u(t)-a(t)", []),
+        (
+            "u(t)-sin(a(t))",
+            [
+                "state_space: the equations are not linear in a(t), which A or B contain: linearize them first",
+            ],
+        ),
+        (
+            "u(t)-a(t)+k*d(t)-g",
+            [
+                (
+                    "state_space: A . x + B . u leaves out k*d(t)-g of the rates, which contain no state and no input: "
+                    "name the inputs, or linearize about a steady motion"
+                ),
+            ],
+        ),
+    ],
+)
+def test_what_a_linear_model_leaves_out_is_told(torque: str, notices: list[str]) -> None:
+    interpreter = Interpreter()
+    text = f"state_space([diff(a(t),t)=w(t), diff(w(t),t)={torque}], t, [a(t),w(t)], [u(t)]):"
+    printed(f"with(MBSymba_r6): {text}", interpreter=interpreter)
+    assert interpreter.session.notices == notices
 
 
 def test_bodies_and_frames_stand_for_points() -> None:

@@ -51,6 +51,21 @@ def test_modules_of_the_program_outlive_a_restart() -> None:
     assert "@functools.cache\ndef P(n):" in program.text
 
 
+def test_names_with_a_value_before_a_restart_are_symbols_in_all_lines_behind_it() -> None:
+    """Also in lines that give a value, and as small variables; at the head, b would say nothing."""
+    program, values = made(
+        "b := 3: m := 7: e := b*m: restart: with(MBSymba_r6): linear_modeling({a(t),b(t)}): "
+        "T := rotate('X',a(t))*rotate('Y',b(t)): restart: g := linearize(m^2,{m=k}):"
+    )
+    assert (program.values, program.left_out) == (1, 0)
+    head, _, rest = program.text.partition("b = 3\n")
+    assert "b" not in re.findall(r"\w+", head.rpartition("import")[2])
+    assert '\nb = sb.functions_of_time("b")\na, b = sb.small(a, b)\n' in rest
+    b, k, m = values["b"], sb.symbols("k"), sb.symbols("m")
+    assert (values["e"], values["g"]) == (21, 2 * k * m - k**2)
+    assert sb.diff(b, sb.t) == sb.angular_velocity(values["T"]).components[1]
+
+
 def test_names_of_modules_are_variables_of_the_worksheet() -> None:
     _, values = made("Path := 3: itertools := 4: pickle := Path + itertools: s := pickle:")
     assert values["s"] == 7

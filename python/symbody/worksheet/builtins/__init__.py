@@ -50,6 +50,7 @@ from symbody.worksheet.evaluation.arithmetic import rebuilt
 from symbody.worksheet.evaluation.session import Command, Session
 from symbody.worksheet.printing.print import name_text
 from symbody.worksheet.sheet import syntax
+from symbody.worksheet.values.structure import Tree, tree_of
 from symbody.worksheet.values.value import NULL, Builtin, Reference, String, Unevaluated, Value
 
 __all__ = [
@@ -247,10 +248,19 @@ def operator_call(session: Session, function: Unevaluated, arguments: tuple[Valu
 
 
 def applied_sum(session: Session, function: Expr, arguments: tuple[Value, ...]) -> Value:
-    """Return ``(f + g)(x)``, which is ``f(x) + g(x)``."""
-    names = {each: session.call(each, arguments) for each in _heads(function)}
-    return rebuilt(session, function, names)
+    """Return ``(f + g)(x)``, which is ``f(x) + g(x)``; ``f(a)(x)`` stays as it is."""
+    values: dict[Expr, Value] = {}
+    for each in _heads(tree_of(function)):
+        values[each] = (
+            session.call(each, arguments) if each.kind == "symbol" else Unevaluated(each, arguments)
+        )
+    return rebuilt(session, function, values)
 
 
-def _heads(function: Expr) -> Iterator[Expr]:
-    return iter(each for each in function.free_symbols if each.kind == "symbol")
+def _heads(tree: Tree) -> Iterator[Expr]:
+    """Return what an operator is made of: what stands in its sums, products and powers, less the numbers."""
+    if tree.kind in {"sum", "product", "power"}:
+        for part in tree.parts:
+            yield from _heads(part)
+    elif not tree.value.is_number:
+        yield tree.value

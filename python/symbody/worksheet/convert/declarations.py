@@ -22,7 +22,7 @@ def _declared(names: Names, maker: str) -> Iterator[str]:
     pairs = [
         (text, name)
         for text, name in names.symbols.items()
-        if names.is_function(text) == (maker == "sb.functions_of_time")
+        if names.is_function(text) == (maker == "sb.functions_of_time") and text not in names.behind
     ]
     plain = [name for text, name in pairs if text == name and is_plain(name)]
     for begin in range(0, len(plain), _PER_LINE):

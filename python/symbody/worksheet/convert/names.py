@@ -122,6 +122,7 @@ class Names:
         tyres: the tyres of the program, by their variables.
         used: identifiers that had values before a ``restart``; as symbols, they are declared again.
         late: lines of such declarations, which stand before the statement.
+        behind: identifiers that only such lines declare: at the head of the program, they mean something else.
         reserved: identifiers of the worksheet.
         added: identifiers that only the program has.
         rules: the variable that holds the sheet's own rates of functions of time; nothing without them.
@@ -156,6 +157,7 @@ class Names:
     called: frozenset[str] = frozenset()
     motions: dict[str, str] = field(default_factory=dict)
     acting: set[str] = field(default_factory=set)
+    behind: set[str] = field(default_factory=set)
 
     def own(self, name: str) -> str:
         """Return an identifier for what only the program has a name for."""
@@ -195,8 +197,9 @@ class Names:
         if text in self.used:
             self.used.discard(text)
             self.late.append(f"{text} = {self.declaration(name)}")
-        else:
-            self.symbols[text] = name
+            if text not in self.symbols:
+                self.root().behind.add(text)
+        self.symbols[text] = name
 
     def plain(self, text: str) -> Expr:
         """Return the symbol, or the function of time, that an identifier is declared as."""

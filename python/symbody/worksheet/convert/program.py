@@ -179,11 +179,20 @@ def _add(program: Draft, statement: syntax.Statement, *, keeps: bool) -> bool:
     program.is_code = as_code(program, statement, changed)
     if not program.is_code:
         as_values(program, statement, changed)
+    _declare_again(program, first)
     note_files(program, statement, first)
     entries = syntax.Selection | syntax.Call
     is_entry = isinstance(statement, syntax.Assignment) and isinstance(statement.targets[0], entries)
+    first = len(program.lines)
     update(program, [*changed, *_functions_given(statement)], is_entry=is_entry)
+    _declare_again(program, first)
     return True
+
+
+def _declare_again(program: Draft, first: int) -> None:
+    """Put the declarations that lines need before the first of them, be these code or values."""
+    program.lines[first:first] = program.names.late
+    program.names.late.clear()
 
 
 def _functions_given(statement: syntax.Statement) -> Iterator[str]:

@@ -64,7 +64,7 @@ def as_code(program: Draft, statement: syntax.Statement, changed: Sequence[str])
         program.names.made[identifier(changed[0])] = program.code[0]
     if not is_code(getattr(statement, "value", None)):  # texts of code are not compared
         program.known |= dict.fromkeys(changed, program.code if len(changed) == 1 else [])
-    program.lines += [*program.names.late, *program.code]
+    program.lines += program.code
     if statement.__class__ is not syntax.Empty and not program.procedures.is_definition(statement):
         values = program.names.values
         program.last = (
