@@ -68,6 +68,8 @@ def test_wrong_arguments_are_refused() -> None:
         ("velocity(3);", "velocity: P is 3; expected a POINT or a VECTOR"),
         ("project(P, 5);", "project: T is 5; expected a frame"),
         ("rotate('X', 1, 2);", "rotate: 2; expected a frame, a 4x4 matrix such as translate(x, y, z) * rotate('Z', a)"),
+        ("newton_equations({B, C});", "newton_equations: an expression, C; expected a BODY, a FORCE or a TORQUE"),
+        ("kinetic_energy({B, C});", "kinetic_energy: an expression, C; expected a BODY, a FORCE or a TORQUE"),
         ("state_space([y], t, [y]);", "state_space: y is not a function of time; write y(t) here and in the equations"),
         ("first_order([y], [y], t);", "first_order: y is not a function of time; write y(t) here and in the equations"),
         ("diff(x^2);", "diff: no variable by which x^2 is differentiated; expected diff(e, x)"),

@@ -104,3 +104,9 @@ def test_a_force_in_a_table_is_told_by_its_entry() -> None:
         "F[2] := make_FORCE(make_VECTOR(ground,X,0,0), origin(b[1][frame]), b[1]): newton_equations({c, F[2]}):"
     )
     assert printed(text)[-1] == "<F[2]> FORCE is not valid: it must be applied to a BODY"
+
+
+def test_the_ground_is_shown_by_its_name_as_the_body_on_which_a_force_acts() -> None:
+    assert printed(
+        "with(MBSymba_r6): b := make_BODY(ground,m): show(make_TORQUE(ground,1,0,0,master_frame,b));"
+    )[-1] == ("TORQUE(frame = ground,acting = ground,comps = Matrix([[1], [0], [0], [0]]),reacting = b)")

@@ -22,8 +22,16 @@ CASES = {
     ),
     "a value given later": ("a := 3*floor(w)+w: w := 2.5: a;", ["8.5"]),
     "a call, and a derivative, of which an operator is made": (
-        "f(a,b)(c); sin(x)(3); diff(x(t),t)(0); 2*x(t)(0); (f+sin(x))(3); (f/2-3*g^2)(u);",
-        ["f(a,b)(c)", "sin(x)(3)", "diff(x(t),t)(0)", "2*x(t)(0)", "f(3)+sin(x)(3)", "1/2*f(u)-3*g(u)^2"],
+        "f(a,b)(c); sin(x)(3); diff(x(t),t)(0); 2*x(t)(0); (f+sin(x))(3); (f/2-3*g^2)(u); subs(a=1,f(a)(b));",
+        [
+            "f(a,b)(c)",
+            "sin(x)(3)",
+            "diff(x(t),t)(0)",
+            "2*x(t)(0)",
+            "f(3)+sin(x)(3)",
+            "1/2*f(u)-3*g(u)^2",
+            "f(1)(b)",
+        ],
     ),
     "an operator": ("f := unapply(3*floor(z)+z,z); f(2.5);", ["f := z -> 3*floor(z)+z", "8.5"]),
     "occurrence": ("has(2*Int(sin(s),s=0..x(t)),x(t)), has(2*Int(sin(s),s=0..x(t)),y);", ["true, false"]),

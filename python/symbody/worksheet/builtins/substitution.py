@@ -46,6 +46,13 @@ def substituted(session: Session, value: Value, mapping: Mapping[Value, Value]) 
                 for key, entry in found.entries.items()
             }
         )
+    if (
+        isinstance(found, Unevaluated)
+        and isinstance(found.function, Expr)
+        and found.function.kind != "symbol"
+    ):
+        arguments = tuple(substituted(session, part, mapping) for part in found.arguments)
+        return session.call(substituted(session, found.function, mapping), arguments)
     if parts_of(found):
         return with_parts(found, [substituted(session, part, mapping) for part in parts_of(found)])
     return value

@@ -167,9 +167,10 @@ def gravity(reader: Reader) -> Vector | None:
 
 
 def _bodies(reader: Reader, value: Value) -> list[Body]:
-    found = [
-        item for item in members(reader.session, value) if kind_of(reader.session.resolve(item)) == "BODY"
-    ]
+    items = members(reader.session, value)
+    for item in items:
+        reader.check_object(item)
+    found = [item for item in items if kind_of(reader.session.resolve(item)) == "BODY"]
     if not found:
         raise WorksheetError(f"{reader.where}: no body; expected a body, or a set of bodies")
     return [reader.body(item) for item in found]

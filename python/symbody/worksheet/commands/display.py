@@ -77,6 +77,8 @@ def _field(session: Session, name: str, value: Value, *, by_name: bool) -> Value
     if name == "frame":
         return _frame(session, value, by_name=by_name)
     found = session.resolve(value)
+    if name in {"acting", "reacting"} and isinstance(found, Array):  # the ground, or the moving frame
+        return _frame(session, value, by_name=True)
     if kind_of(found):  # a body or a point: by its name, or as it stands
         return symbol(value.name) if isinstance(value, Reference) else _fields(session, found, by_name=True)
     return _plain(session, found)

@@ -294,8 +294,9 @@ class Reader:
         for item in items:
             if self._is(item, "BODY"):
                 continue
+            self.check_object(item)
             kind = kind_of(self.session.resolve(item))
-            load = self.load(item) if kind in {"", "FORCE", "TORQUE"} else None
+            load = self.load(item) if kind in {"FORCE", "TORQUE"} else None
             if load is not None and any(action.body in bodies for action in load.actions):
                 loads.append(load)
             else:
@@ -313,6 +314,12 @@ class Reader:
                 "shall stay there, give the body that exerts it as the last argument of make_FORCE"
             )
         return bodies, loads
+
+    def check_object(self, value: Value) -> None:
+        """Refuse a member of a system that is no object: a body by a misspelt name would be missing in the result."""
+        found = self.session.resolve(value)
+        if not kind_of(found):
+            raise WorksheetError(f"{self.where}: {described(found)}; expected a BODY, a FORCE or a TORQUE")
 
     def _name(self, value: Value) -> str:
         """Return the name of an object, or that of the entry of a table, ``F[1]``; an empty text for one without."""
