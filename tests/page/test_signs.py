@@ -127,3 +127,19 @@ def test_a_hole_leaves_the_coefficient_of_an_acceleration_positive(axes: str) ->
         assert inertia in latex(equations.matrix_form())
         left, _, right = describe(equations).splitlines()[1].partition(" = ")
         assert parse(left) - parse(right) == equations.residuals[0]
+
+
+def test_differences_of_moments_of_masses_have_one_direction() -> None:
+    (theta, phi), (m_1, m_2, c) = functions_of_time("theta phi"), symbols("m_1 m_2 c")
+    seat = rotate("Z", theta) * translate(0, -a, 0)
+    turned = seat * rotate("Z", phi)
+    rider = [Body(seat, m), Body(turned * translate(0, b, 0), m_1), Body(turned * translate(0, -c, 0), m_2)]
+    equations = newton_euler(System(rider, coordinates=[theta, phi], gravity=GRAVITY))
+    text, formulas = describe(equations), equations.latex()
+    assert "- a*(c*m_2 - b*m_1)*sin(phi)*(2*theta'*phi' + phi'**2)" in text
+    assert (text.count("c*m_2 - b*m_1"), text.count("b*m_1 - c*m_2")) == (7, 0)
+    assert (formulas.count("c m_{2} - b m_{1}"), formulas.count("b m_{1} - c m_{2}")) == (7, 0)
+    (rows,) = [" ".join(text.split("\n", 1)[1].split())]
+    known = {str(leaf): leaf for leaf in (theta, phi, m, m_1, m_2, a, b, c, g)}
+    sides = [row.strip() for row in rows.split("= 0") if row.strip()]
+    assert [parse(side, known) for side in sides] == [*equations.residuals]

@@ -43,7 +43,8 @@ def printed(terms: Iterable[Expr], notation: str, system: Variables, further: Se
         return _listed(tuple(sums), notation, system, direction, further)[1]
 
     definitions, texts = plain if notation == "text" else _listed(terms, notation, system, direction, further)
-    return definitions, in_one_direction(with_own_signs(terms, texts, system, texts_of))
+    moving = [str(each) if notation == "text" else latex(each) for each in (*in_order(system), *further)]
+    return definitions, in_one_direction(with_own_signs(terms, texts, system, texts_of), moving)
 
 
 def _listed(
