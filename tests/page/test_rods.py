@@ -76,3 +76,19 @@ def test_equal_rods_have_a_fraction_for_each_term_where_denominators_differ() ->
 def test_functions_with_the_same_factors_are_added() -> None:
     form = rods("ZZZ", are_equal=True).matrix_form()
     assert "M13 = M31 = 1/3*m*l**2 + 1/2*m*l**2*(cos(q2 + q3) + cos(q3))" in form.description()
+
+
+def test_numbers_of_one_entry_have_no_factor_in_common_behind_a_fraction() -> None:
+    """Rods on a cart whose length is 2*l: their inertia is 4/3*m*l**2."""
+    (x, alpha, beta, s), (m, M, l, L) = functions_of_time("x alpha beta s"), symbols("m M l L")
+    first = Body(translate(x, 0, 0) * rotate("Y", alpha) * translate(0, 0, l), m, Iy=m * l**2 / 3)
+    second = Body(
+        first.frame * translate(0, 0, l) * rotate("Y", beta) * translate(0, 0, l), m, Iy=m * l**2 / 3
+    )
+    double = System([Body(translate(x, 0, 0), M), first, second], coordinates=[x, alpha, beta])
+    assert "(4/3*m*l**2 + 2*m*l**2*cos(beta))*alpha''" in " ".join(describe(newton_euler(double)).split())
+    rod = Body(rotate("Z", alpha) * translate(L / 2, 0, 0), m, Iz=m * L**2 / 12)
+    collar = Body(rotate("Z", alpha) * translate(s, 0, 0), M)
+    sliding = System([rod, collar], coordinates=[alpha, s], gravity=Vector(ground, 0, -symbols("g"), 0))
+    text = describe(newton_euler(sliding))
+    assert "+ g*(M*s + 1/2*L*m)*cos(alpha) = 0" in text

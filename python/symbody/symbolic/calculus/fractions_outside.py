@@ -20,15 +20,38 @@ def with_fractions_outside(form: Expr) -> Expr:
     >>> m, M, l = symbols("m M l")
     >>> with_fractions_outside(l**2 * (5 * m / 4 + M))
     (4*M + 5*m)*l**2/4
+    >>> with_fractions_outside(l**2 * (2 * m / 3 + 2 * M))
+    2*(3*M + m)*l**2/3
+    """
+    made, outside = list[Expr](), Fraction(1)
+    for factor in parts_of(form, "product"):
+        terms = parts_of(factor, "sum")
+        common = _common_fraction(terms) if len(terms) > 1 else Fraction(1)
+        made.append(factor if common == 1 else _core.sum_of([term / common for term in terms]))
+        outside *= common
+    return form if outside == 1 else _core.number(outside) * _core.product_of(made)
+
+
+def with_fraction_inside(form: Expr) -> Expr | None:
+    """Return a product whose fraction is within the only sum, if what moves stands before that; otherwise None.
+
+    >>> from symbody import cos, functions_of_time, symbols
+    >>> (q, s), (m, l) = functions_of_time("q s"), symbols("m l")
+    >>> with_fraction_inside((2 * m * s + m * l) * cos(q) / 2), with_fraction_inside(m * (2 + 3 * cos(q)) / 6)
+    ((m*s + l*m/2)*cos(q), None)
     """
     factors = parts_of(form, "product")
-    made, outside = list[Expr](), 1
-    for factor in factors:
-        terms = parts_of(factor, "sum")
-        common = lcm(*map(_denominator, terms)) if len(terms) > 1 else 1
-        made.append(_core.sum_of([common * term for term in terms]) if common > 1 else factor)
-        outside *= common
-    return form if outside == 1 else _core.number(Fraction(1, outside)) * _core.product_of(made)
+    sums = [factor for factor in factors if factor.kind == "sum"]
+    numbers = [factor for factor in factors if factor.is_number]
+    others = [factor for factor in factors if factor.kind != "sum" and not factor.is_number]
+    if len(sums) != 1 or not numbers or not _moves(sums[0]) or not any(map(_moves, others)):
+        return None
+    inside = _core.sum_of([_core.product_of([*numbers, term]) for term in summands(sums[0])])
+    return _core.product_of([*others, inside])
+
+
+def _moves(factor: Expr) -> bool:
+    return any(leaf.kind == "time_function" for leaf in factor.free_symbols)
 
 
 def with_numbers_inside(form: Expr) -> Expr:
@@ -84,6 +107,15 @@ def with_number_outside(total: Expr) -> Expr:
 
 def _number(term: Expr) -> Expr:
     return _core.product_of([part for part in parts_of(term, "product") if part.is_number])
+
+
+def _common_fraction(terms: Sequence[Expr]) -> Fraction:
+    """Return the fraction that the numbers of terms have in common; 1 if none of them is a fraction."""
+    numbers = [_number(term) for term in terms]
+    denominator = lcm(*map(_denominator, terms))
+    is_exact = not any(each.is_decimal for each in numbers)
+    numerator = gcd(*(each.ratio[0] for each in numbers)) if is_exact else 1
+    return Fraction(numerator, denominator) if denominator > 1 else Fraction(1)
 
 
 def _denominator(term: Expr) -> int:

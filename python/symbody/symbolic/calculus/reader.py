@@ -14,7 +14,7 @@ from .by_products import by_products, has_common_fraction
 from .cost import cost
 from .derivative import substitute
 from .difference import by_differences, with_differences
-from .fractions_outside import with_fractions_outside, with_numbers_inside
+from .fractions_outside import with_fraction_inside, with_fractions_outside, with_numbers_inside
 from .phases import with_phases
 from .readable import readable
 from .reading import (
@@ -223,6 +223,9 @@ class Reader:
         if flat is None or _length(flat) > (_FLAT if has_fraction else 1) * _length(form):
             return form
         is_better = levels(flat) < levels(form) or len({*map(_number_of, summands(flat))}) > 1
+        inside = with_fraction_inside(form) if is_better else None
+        if inside is not None and inside == form and _length(inside) < _length(flat):
+            return inside
         return flat if is_better else form
 
 
