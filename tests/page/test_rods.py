@@ -92,3 +92,15 @@ def test_numbers_of_one_entry_have_no_factor_in_common_behind_a_fraction() -> No
     sliding = System([rod, collar], coordinates=[alpha, s], gravity=Vector(ground, 0, -symbols("g"), 0))
     text = describe(newton_euler(sliding))
     assert "+ g*(M*s + 1/2*L*m)*cos(alpha) = 0" in text
+
+
+@pytest.mark.parametrize(("half", "coefficient"), [(0.5, "1/3"), (0.25, "0.4375/3"), (0.3, "0.52/3")])
+def test_a_decimal_that_meets_a_fraction_is_shown_exactly(half: float, coefficient: str) -> None:
+    """0.5**2 + 1/12 is 1/3; no digits are lost, as they would be in 0.3333333333333333."""
+    m, l = symbols("m l")
+    (q,) = functions_of_time(["q"])
+    body = Body(rotate("Z", q) * translate(half * l, 0, 0), m, 0, 0, m * l**2 / 12)
+    equations = newton_euler(System([body], coordinates=[q]))
+    row = describe(equations).splitlines()[-1].strip()
+    assert row == f"{coefficient}*m*l**2*q'' = 0"
+    assert parse(f"{coefficient}*m*l**2", {"m": m, "l": l}) == equations.mass_matrix[0, 0]

@@ -59,8 +59,7 @@ impl<D: Dialect> Writer<'_, D> {
             term.written_factors().into_iter().partition(|factor| factor.exponent.is_negative());
         let (mut numerator, mut denominator) = fraction(&term.coefficient);
         if self.dialect.fractions().lead(&above, &below, denominator.as_ref()) {
-            numerator = term.coefficient.abs().to_string();
-            denominator = None;
+            numerator.extend(denominator.take().map(|denominator| format!("/{denominator}")));
         }
         let has_number = numerator != "1" || above.is_empty();
         if has_number {
@@ -222,10 +221,12 @@ pub(super) fn indices(orders: &[u32]) -> String {
     out.join(",")
 }
 
-/// Numerator and denominator of the size of a number; decimals have no denominator, unless their digits never end.
+/// Numerator and denominator of the size of a number; decimals have no denominator, unless their digits never end. An
+/// integer above a denominator has no decimal point.
 pub(super) fn fraction(number: &Number) -> (String, Option<String>) {
     let size = number.abs();
     if let Some((numerator, denominator)) = size.decimal_over_integer() {
+        let numerator = numerator.with_decimal(!numerator.is_integer());
         (numerator.to_string(), Some(denominator.to_string()))
     } else if is_fraction(&size) {
         (size.numerator().to_string(), Some(size.denominator().to_string()))

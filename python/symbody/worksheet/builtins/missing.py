@@ -13,7 +13,7 @@ _BY_PURPOSE = {
         "verify "
         "coeftayl gcdex "
         "frontend powsubs trigsubs radnormal compoly sqrfree resultant discrim sturm realroot content "
-        "primpart prem divide roots irreduc completesquare asubs fnormal shake evalr"
+        "primpart prem divide roots irreduc completesquare asubs shake evalr"
     ),
     "assumptions": "about coulditbe property",
     "numbers": (
@@ -34,7 +34,7 @@ _BY_PURPOSE = {
         "mulrow mulcol addrow addcol angle orthog definite"
     ),
     "pictures": (
-        "phaseportrait DEplot fieldplot contourplot densityplot tubeplot listplot animate3d matrixplot inequal "
+        "phaseportrait DEplot fieldplot contourplot densityplot tubeplot animate3d matrixplot inequal "
         "conformal replot"
     ),
     "texts and files": "latex fscanf scanf readdata writedata writeto appendto",
