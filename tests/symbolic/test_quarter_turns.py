@@ -7,7 +7,19 @@ from collections.abc import Callable
 
 import pytest
 
-from symbody import Expr, cos, derivation, expand_trig, functions_of_time, number, pi, sin, symbols, tan
+from symbody import (
+    Expr,
+    SymbodyError,
+    cos,
+    derivation,
+    expand_trig,
+    functions_of_time,
+    number,
+    pi,
+    sin,
+    symbols,
+    tan,
+)
 
 x, y, z = symbols("x y z")
 q = functions_of_time("q")
@@ -66,3 +78,13 @@ def test_long_and_deep_sums_keep_their_pi() -> None:
     for each in many:
         chain = chain + each
     assert cos(chain) == -sin(chain - pi / 2)
+
+
+@pytest.mark.parametrize("count", [3, 10**9 + 7, 10**16 + 61, 10**25 + 3])
+def test_quarter_turns_of_any_number_are_known_where_a_sum_hides_them(count: int) -> None:
+    angle = number(count) * pi / 2
+    hidden = angle * sin(x) ** 2 + angle * cos(x) ** 2
+    assert cos(hidden) == 0
+    assert sin(hidden) == (1 if count % 4 == 1 else -1)
+    with pytest.raises(SymbodyError, match="tan is not defined at"):
+        tan(hidden)

@@ -14,13 +14,10 @@ use crate::graph::{Combination, Content, Flags, Graph, Id, NumberId, View};
 use crate::value::{Adics, Coefficient, Extension, Field, Number, coprime_factors};
 
 use super::adic_point::{AdicPoint, POINTS, POINTS_WITHOUT_SIGNS, TRIALS};
-use super::integer_point::Rationals;
+use super::integer_point::{Rationals, is_long};
 
 /// Larger sums and products have no content.
 const SEARCH: usize = 4096;
-
-/// Numbers of more bits may make values of more digits than two lanes hold.
-const LONG: u64 = 40;
 
 impl Graph {
     /// The content of a node, without the primes that are squares in a field; `None` if it is one.
@@ -107,9 +104,7 @@ impl Graph {
         let literals: Vec<Number> =
             numbers.into_iter().map(|number| self.get_number(NumberId(number)).clone()).collect();
         let roots: Vec<Id> = of.nodes().collect();
-        let are_long = literals
-            .iter()
-            .any(|number| number.numerator().bits() > LONG || number.denominator().bits() > LONG);
+        let are_long = literals.iter().any(is_long);
         let pairs = self.at_pairs_of_points(&roots, are_long);
         let shared = pairs.iter().flatten().flat_map(|pair| shared_at(pair, of, &sums));
         let all = literals.iter().cloned().chain(bases).chain(shared).filter(|number| !number.is_zero());

@@ -22,6 +22,9 @@ const DRAWN: u64 = 3;
 /// The lanes from whose values a number of many digits is found.
 const LANES_FOR_LONG_NUMBERS: usize = 16;
 
+/// Numbers of more bits may make values of more digits than two lanes hold.
+const LONG: u64 = 40;
+
 /// The largest power of two that is recognised.
 const MOST_DOUBLINGS: i64 = 20_000;
 
@@ -161,6 +164,11 @@ impl Rationals {
     }
 }
 
+/// Whether values made of a number may have more digits than two lanes hold.
+pub(super) fn is_long(number: &Number) -> bool {
+    number.numerator().bits() > LONG || number.denominator().bits() > LONG
+}
+
 impl Graph {
     /// The value of a node at an integer point, if it is a rational number there.
     pub(super) fn at_integers(&self, root: Id, point: IntegerPoint<'_>) -> Option<Number> {
@@ -174,12 +182,15 @@ impl Graph {
             point = point.with_poles_zero();
             values = self.rationals(&order, point);
         }
-        values.get(root).or_else(|| {
+        let found = values.get(root).or_else(|| {
             let radicals = self.radicals(&order, |id| values.get(id))?;
             mean_of_conjugates(&radicals, |conjugation, field| {
                 let point = IntegerPoint { conjugation: Some(conjugation), ..point };
                 self.values_at(&order, point, field).remove(&root)
             })
+        });
+        found.or_else(|| {
+            self.long_number_of(&order, |field| self.values_at(&order, point, field).remove(&root))
         })
     }
 
@@ -245,13 +256,34 @@ impl Graph {
             growth(field, point).or_else(|| growth(field, point.with_poles_zero()))
         };
         let [first, second] = FieldId::HASH.map(|field| somehow(field, point));
-        rational(fingerprint([&first?, &second?])).or_else(|| {
+        let found = rational(fingerprint([&first?, &second?])).or_else(|| {
             let values = self.rationals(&order, point.with_poles_zero());
             let radicals = self.radicals(&order, |id| values.get(id))?;
             mean_of_conjugates(&radicals, |conjugation, field| {
                 somehow(field, IntegerPoint { conjugation: Some(conjugation), ..point })
             })
-        })
+        });
+        found.or_else(|| self.long_number_of(&order, |field| somehow(field, point)))
+    }
+
+    /// The number of many digits that has these values in lanes, if one of these nodes holds such a number.
+    fn long_number_of(&self, order: &[Id], value: impl Fn(FieldId) -> Option<Quadratic>) -> Option<Number> {
+        if !order.iter().any(|&id| self.holds_long_number(id)) {
+            return None;
+        }
+        let fields = FieldId::others(0).take(LANES_FOR_LONG_NUMBERS);
+        let values: Option<Vec<_>> = fields.map(|field| Some((field, value(field)?))).collect();
+        likely_number(values?.into_iter())
+    }
+
+    /// Whether a node holds a number of many digits itself.
+    fn holds_long_number(&self, id: Id) -> bool {
+        let is_long = |number| is_long(self.get_number(number));
+        match self.view(id) {
+            View::Number(number) | View::Scale(number, _) => is_long(number),
+            View::Sum(terms) => terms.iter().any(|(number, _)| is_long(number)),
+            _ => false,
+        }
     }
 
     /// The nodes below a node and itself, children first, if they are not many.
