@@ -1,7 +1,7 @@
 //! Products of roots that lanes draw: what is known of them by form.
 //!
-//! u**r u**s = u**(r + s) and (u**r v**s)**n = u**(r n) v**(s n) hold for principal powers and an integer n, and (c u)**r is
-//! c**r u**r for a positive number c. Lanes know it by value, but for roots that they draw.
+//! For principal powers, u**r u**s = u**(r + s), (u**r v**s)**n = u**(r n) v**(s n) for an integer n, and (c u)**r = c**r u**r
+//! for a positive number c. The lanes know these laws by value, except for roots that they draw.
 
 use crate::graph::{Graph, Id};
 use crate::value::Number;

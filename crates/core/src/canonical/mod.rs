@@ -34,6 +34,7 @@ mod hidden_number;
 mod linear_system;
 mod multiple_of_pi;
 mod nested_root;
+mod piecewise;
 mod power;
 mod product;
 mod rebuild;
