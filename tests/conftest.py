@@ -13,6 +13,7 @@ import shutil
 import signal
 from collections import Counter
 from collections.abc import Generator
+from tempfile import TemporaryDirectory
 
 import pytest
 
@@ -27,13 +28,16 @@ MISSING = "missing programs"
 """The property of a skipped test that lists what it misses."""
 
 
-def pytest_configure() -> None:
+def pytest_configure(config: pytest.Config) -> None:
     """Let Ctrl-C act, which some tests press: shells start what runs in the background with it ignored.
 
-    All code is compiled anew, and nothing is left in the user's folder. JAX compiles what runs once without its
-    optimisation, which takes longer than what it saves.
+    All processes of one run share a new cache, and nothing is left in the user's folder. JAX compiles what runs once
+    without its optimisation, which takes longer than what it saves.
     """
-    os.environ["SYMBODY_CACHE"] = "off"
+    if "PYTEST_XDIST_WORKER" not in os.environ:
+        kept = TemporaryDirectory(prefix="symbody-tests-")
+        config.add_cleanup(kept.cleanup)
+        os.environ["SYMBODY_CACHE"] = kept.name
     os.environ.setdefault("JAX_DISABLE_MOST_OPTIMIZATIONS", "1")
     if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:
         signal.signal(signal.SIGINT, signal.default_int_handler)

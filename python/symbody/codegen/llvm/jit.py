@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
-from functools import cache, partial
+from functools import cache, lru_cache, partial
 from importlib.metadata import version
 from typing import Any
 
@@ -20,7 +20,7 @@ except (
     llvm, _failure = None, error
 
 from symbody.codegen.llvm.assembly import Assembly
-from symbody.codegen.llvm.object_cache import kept_or_made
+from symbody.codegen.llvm.object_cache import SHORTEST, kept_or_made
 from symbody.errors import CodegenError
 from symbody.symbolic.given.arguments import brief
 from symbody.symbolic.numeric.kernel import kernel_address
@@ -149,8 +149,19 @@ def _objects(texts: Sequence[str]) -> list[bytes]:
     objects = []
     for number, text in enumerate(texts, 1):
         _WATCHER.get()(number, len(texts))
-        objects.append(kept_or_made(_identity(), text, partial(_object, text)))
+        objects.append(_short_object(text) if len(text) < SHORTEST else _long_object(text))
     return objects
+
+
+@lru_cache(maxsize=256)
+def _short_object(text: str) -> bytes:
+    """Return the machine code of a module from this process, which remembers the last ones: a few MB of them."""
+    return _object(text)
+
+
+def _long_object(text: str) -> bytes:
+    """Return the machine code of a module from the folder that processes share."""
+    return kept_or_made(_identity(), text, partial(_object, text))
 
 
 @cache

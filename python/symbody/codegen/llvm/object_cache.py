@@ -18,13 +18,13 @@ from pathlib import Path
 from symbody.files.cache_folder import VARIABLE, folder, is_own
 from symbody.files.replacement import TEMPORARY, replacements
 
-__all__ = ["BOUND", "VARIABLE", "folder", "kept_or_made"]
+__all__ = ["BOUND", "SHORTEST", "VARIABLE", "folder", "kept_or_made"]
 
 BOUND = 256 << 20
 """The largest size of the folder, in bytes; the least recently used files are removed."""
 
-_SHORTEST = 8_000
-"""The shortest text of a module that is kept, in characters: shorter ones compile within a few ms."""
+SHORTEST = 8_000
+"""The shortest text of a module to keep here, in characters: shorter ones compile within some ms."""
 
 _DIGEST = hashlib.sha256().digest_size
 _SUFFIX = ".symbody.o"
@@ -40,7 +40,7 @@ def kept_or_made(identity: str, text: str, make: Callable[[], bytes]) -> bytes:
         text: the module.
         make: compiles it.
     """
-    place = _place(identity, text) if len(text) >= _SHORTEST else None
+    place = _place(identity, text)
     if place is None:
         return make()
     found = _read(place)
