@@ -57,7 +57,8 @@ def test_a_roller_on_an_arm_is_driven_by_what_spins_it(start: float) -> None:
     motion = sb.simulate(
         equations, {}, {post.coordinate: start, D(post.coordinate): 1.0}, t=np.linspace(0, 2, 51)
     )
-    force = motion.evaluate(sb.reaction(equations, on_ground, frame=sb.ground).force.components)
+    with pytest.warns(sb.ModelNotice, match="R, post and hub share them by minimum norm"):
+        force = motion.evaluate(sb.reaction(equations, on_ground, frame=made.frame(arm)).force.components)
     spin = motion.evaluate([D(hub.coordinate, 2)])[0]
-    assert_allclose(np.linalg.norm(force, axis=0), np.abs(J * spin / r), rtol=1e-6)
-    assert_allclose(np.linalg.norm(force, axis=0), np.linalg.norm(force[:, 0]), rtol=1e-5)
+    assert_allclose(np.abs(force[1]), np.abs(J * spin / r), rtol=1e-6)
+    assert_allclose(force[1], force[1, 0], rtol=1e-5)

@@ -8,6 +8,8 @@ import pytest
 
 ANY_PLACE = "ignore:.*from which the body moves away:symbody.errors.ModelNotice"
 """The filter of the notice about these forces."""
+SHARED = "ignore:.*share them by minimum norm:symbody.errors.ModelNotice"
+"""That of the notice about random loops whose joints hold the same: laws hold however they share it."""
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
@@ -15,3 +17,4 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item in items:
         if item.path.is_relative_to(Path(__file__).parent):
             item.add_marker(pytest.mark.filterwarnings(ANY_PLACE))
+            item.add_marker(pytest.mark.filterwarnings(SHARED))

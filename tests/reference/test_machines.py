@@ -41,6 +41,8 @@ from tests.reference import machines
 from tests.reference.machines import LARGE, LEGS, MACHINES, Machine
 from tests.repeated import repeated
 
+pytestmark = pytest.mark.filterwarnings("ignore:.*share them by minimum norm")
+
 Array = NDArray[np.float64]
 GRAVITY = Vector(ground, 0, 0, -9.81)
 

@@ -77,3 +77,80 @@ def test_reactions_at_rest_and_of_a_motion_at_rest_agree(made, expected) -> None
     np.testing.assert_allclose(rest.evaluate(forces), expected, atol=1e-9)
     np.testing.assert_allclose(motion.evaluate(forces)[:, -1], expected, atol=1e-9)
     np.testing.assert_allclose(inverse.evaluate(forces)[:, -1], expected, atol=1e-9)
+
+
+def cranks(closing: tuple[int, ...]) -> tuple[sb.Mechanism, list[sb.Joint]]:
+    """A bar on three heavy cranks of one length, two of whose pins close loops."""
+    bar, links = (
+        sb.Link("bar", m, 1, 1, 1, center=(0.1, 0, 0)),
+        [sb.Link(f"crank{k}", 0.1 * m) for k in range(3)],
+    )
+    roots = [sb.revolute(f"R{k}", sb.ground, link, axis="Y", at=(k, 0, 0)) for k, link in enumerate(links)]
+    pins = [
+        sb.revolute(f"P{k}", link, bar, axis="Y", at=(0, 0, -l), to=(k, 0, 0), loop=k + 3 in closing or None)
+        for k, link in enumerate(links)
+    ]
+    return sb.assemble([*roots, *pins]), [*roots, *pins]
+
+
+def four_bar(closing: tuple[int, ...]) -> tuple[sb.Mechanism, list[sb.Joint]]:
+    """A four-bar whose weight acts across its plane, which no joint needs the others to hold."""
+    a, bar, c = (
+        sb.Link(name, m, 1, 1, 1, center=(x, 0, 0)) for name, x in (("a", 0.2), ("bar", 0.3), ("c", 0.1))
+    )
+    pins = [
+        sb.revolute("J0", sb.ground, a),
+        sb.revolute("J1", a, bar, at=(0.5, 0, 0), loop=1 in closing or None),
+        sb.revolute("J2", bar, c, at=(0.6, 0, 0.1), loop=2 in closing or None),
+        sb.revolute("J3", sb.ground, c, at=(0.9, 0, 0.1), to=(0.5, 0, 0), loop=3 in closing or None),
+    ]
+    return sb.assemble(pins), pins
+
+
+@pytest.mark.parametrize(
+    ("made", "choices", "turned"),
+    [(cranks, [(4, 5), (3, 4)], 0.0), (four_bar, [(3,), (1,), (2,)], 1.0)],
+)
+@pytest.mark.filterwarnings("ignore")
+def test_reactions_do_not_depend_on_which_joint_closes_the_loop(made, choices, turned) -> None:
+    """They are the least of the wrenches of all joints that hold the bodies up, here by an independent solution."""
+    found = []
+    for closing in choices:
+        mechanism, joints = made(closing)
+        first = joints[0].coordinate
+        equations = sb.newton_euler(mechanism.system(gravity=WEIGHT))
+        near = {"phi_J1": -0.9, "phi_J2": -1.3, "phi_J3": -1.2}
+        guess = {q: near.get(q.name, 0.0) for q in mechanism.coordinates if q is not first}
+        rest = sb.equilibrium(equations, NUMBERS, fixed={first: turned}, guess=guess)
+        held = [sb.reaction(equations, joint, frame=sb.ground) for joint in joints]
+        found.append(
+            rest.evaluate([c for each in held for c in (*each.force.components, *each.moment.components)])
+        )
+    for other in found[1:]:
+        np.testing.assert_allclose(other, found[0], atol=1e-9)
+    size = np.linalg.norm(found[0])
+    np.testing.assert_allclose(size, least(mechanism, joints, rest, equations), rtol=1e-9)
+
+
+def least(mechanism, joints, rest, equations) -> float:
+    """Return the least norm of forces and couples across the axes of joints that balance the weights and the drive."""
+    links = list(mechanism.bodies)
+    rows = np.zeros((6 * len(links), 6 * len(joints)))
+    load = np.zeros(6 * len(links))
+    for i, body in enumerate(links):
+        center = rest.evaluate(sb.project(body.center_of_mass, sb.ground).coordinates)
+        load[6 * i : 6 * i + 3] = -NUMBERS[g] * rest.evaluate([body.mass + 0 * m])[0] * np.array([0, 0, 1])
+        for k, joint in enumerate(joints):
+            placed = mechanism.joint(joint)
+            at = rest.evaluate(sb.project(placed.point, sb.ground).coordinates) - center
+            for (name, _), sign in zip(placed.ends, (-1, 1), strict=True):
+                if name == body.name:
+                    cross = np.array([[0, -at[2], at[1]], [at[2], 0, -at[0]], [-at[1], at[0], 0]])
+                    rows[6 * i : 6 * i + 6, 6 * k : 6 * k + 6] += sign * np.block(
+                        [[np.eye(3), np.zeros((3, 3))], [cross, np.eye(3)]]
+                    )
+    axis = 1 if joints[0].pair.turns == "Y" else 2
+    kept = [k for k in range(6 * len(joints)) if k % 6 != 3 + axis]
+    first = next(k for k, body in enumerate(links) if body.name == mechanism.joint(joints[0]).ends[1][0])
+    load[6 * first + 3 + axis] += sum(rest.holding.values())
+    return float(np.linalg.norm(np.linalg.pinv(rows[:, kept]) @ -load))

@@ -9,11 +9,12 @@ from symbody.dynamics.formalism.euler import euler_equations
 from symbody.dynamics.formalism.generalized_force import generalized_force
 from symbody.dynamics.formalism.gibbs_appell import gibbs_appell
 from symbody.dynamics.formalism.hamilton import hamilton
+from symbody.dynamics.formalism.held import Reaction
 from symbody.dynamics.formalism.kane import kane
 from symbody.dynamics.formalism.lagrange import lagrange, lagrange_equations
 from symbody.dynamics.formalism.newton import newton_equations
 from symbody.dynamics.formalism.newton_euler import newton_euler
-from symbody.dynamics.formalism.reaction import Reaction, reaction
+from symbody.dynamics.formalism.reaction import reaction
 from symbody.dynamics.linearization import linear_program as _linear_program  # noqa: F401  enters the programs
 from symbody.dynamics.linearization.linear import Linear
 from symbody.dynamics.linearization.linearize import linearize

@@ -345,7 +345,7 @@ def _rebuilt(system: System, parts: Sequence[Any]) -> System:
         name=system.name,
     )
     if system.left_out:
-        whole = whole.leaving_out([whole.multipliers.index(multiplier) for multiplier in system.left_out])
+        whole = whole.leaving_out([whole.multipliers.index(each) for each in system.left_out], system.borne)
     return whole.eliminating(speeds, momenta) if speeds else whole
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from copy import copy
 from itertools import count
 from types import MappingProxyType
@@ -40,6 +40,12 @@ Conditions: TypeAlias = Annotated[
     Sequence[Condition],
     "a list of expressions that are zero, such as [x**2 + y**2 - l**2]",
 ]
+
+Borne: TypeAlias = Callable[["Variables"], Sequence[Expr]]
+
+
+def _multipliers_of(variables: Variables) -> Sequence[Expr]:
+    return variables.multipliers
 
 
 class Variables:
@@ -87,6 +93,8 @@ class Variables:
         """The speeds that constraints made dependent, each by the independent ones; none unless `eliminating` did."""
         self.left_out: dict[Expr, Constraint] = {}
         """The constraints that follow from the others, by their multipliers; see `leaving_out`."""
+        self.borne: Borne = _multipliers_of
+        """What redundant constraints share: the function of the system that returns it; see there."""
         self.whole: Variables = self
         """The same with all constraints, in its own speeds; mostly itself."""
         self.momenta: dict[Expr, Expr] = {}
@@ -246,8 +254,10 @@ class Variables:
 
     @cached_property
     def _shares(self) -> tuple[Expr, ...]:
-        kept = [k for k, each in enumerate(self.whole.multipliers) if each not in self.left_out]
-        return shared_multipliers(self.whole.velocity_gradients, kept, self.multipliers)
+        whole = self.whole
+        kept = [k for k, each in enumerate(whole.multipliers) if each not in self.left_out]
+        borne = self.borne(whole)
+        return shared_multipliers(whole.velocity_gradients, kept, self.multipliers, whole.multipliers, borne)
 
     @cached_property
     def velocity_gradients(self) -> Matrix:
@@ -260,7 +270,7 @@ class Variables:
         own = dict(zip(kept, self.multipliers, strict=True))
         return substitute(tuple(expressions), own | dict.fromkeys(self.left_out, number(0)))
 
-    def leaving_out(self, places: Collection[int]) -> Self:
+    def leaving_out(self, places: Collection[int], borne: Borne) -> Self:
         """Return the same without some constraints, which follow from the others.
 
         The multipliers of those that are kept get other names, since they bear what all would share: those of all
@@ -268,8 +278,10 @@ class Variables:
 
         Args:
             places: their places among the constraints.
+            borne: the function of the system that returns what this norm is of, linear in the multipliers.
         """
         reduced = self._copied()
+        reduced.borne = borne
         kept = [k for k in range(len(self.conditions)) if k not in places]
         reduced.conditions = tuple(self.conditions[k] for k in kept)
         reduced.multipliers = tuple(self._of_kept(self.multipliers[k].name) for k in kept)
@@ -416,7 +428,9 @@ def _rebuilt(variables: Variables, parts: Sequence[Any]) -> Variables:
     )
     made.check()
     if variables.left_out:
-        made = made.leaving_out([made.multipliers.index(multiplier) for multiplier in variables.left_out])
+        made = made.leaving_out(
+            [made.multipliers.index(each) for each in variables.left_out], variables.borne
+        )
     if not speeds:
         return made
     pairs = (

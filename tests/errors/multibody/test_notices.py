@@ -140,8 +140,8 @@ NOTICES: list[tuple[Callable[[], object], list[str]]] = [
         [
             (
                 "reaction: revolute Q holds what other joints hold already, so that the forces of its loop are "
-                "statically indeterminate; it is taken to exert none; leave it out, or put a bushing in its "
-                "place to share them"
+                "statically indeterminate: Q and P share them by minimum norm; leave out what bears nothing, or put "
+                "bushings with the stiffnesses of the structure in their places"
             )
         ],
     ),
@@ -150,8 +150,8 @@ NOTICES: list[tuple[Callable[[], object], list[str]]] = [
         [
             (
                 "reaction: revolute ring holds what other joints hold already, so that the forces of its loop are "
-                "statically indeterminate; it is taken to exert none, as if it only gave gear mesh its angle, and the "
-                "other joints carry all"
+                "statically indeterminate: ring and C share them by minimum norm; gear mesh needs ring for its angle, "
+                "and it counts as a bearing like the others"
             )
         ],
     ),
@@ -160,8 +160,9 @@ NOTICES: list[tuple[Callable[[], object], list[str]]] = [
         [
             (
                 "reaction: the contact of rolling K holds by itself, as other joints keep the height of the wheel, so "
-                "that the wheel is taken to carry no load, and these joints carry it; to know the loads of wheels, "
-                "leave the height and the attitude of what they carry free, as with a free joint"
+                "that the forces of its loop are statically indeterminate: K, P and H share them by minimum norm; to "
+                "know the loads of wheels, leave the height and the attitude of what they carry free, as with a free "
+                "joint"
             )
         ],
     ),

@@ -99,14 +99,19 @@ def rest(**options: object) -> Equilibrium:
 
 
 def beads() -> float:
-    """Ask for the derivative of a multiplier of a constraint that is there twice."""
+    """Ask for the derivative of a multiplier of a constraint that is there twice: the sum of both is known."""
     bead = Body(translate(x, y, 0), m)
     circle = x**2 + y**2 - l**2
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ModelNotice)
         eqs = newton_euler(System([bead], (), [x, y], [circle, circle], Vector(ground, 0, -g, 0)))
         found = equilibrium(eqs, {m: 1.0, l: 2.0, g: 9.81}, guess={x: 0.1, y: -1.0})
-    return found.sensitivity(eqs.multipliers[0], by=m)
+    one, other = eqs.multipliers
+    assert found.sensitivity(one + other, by=m) == pytest.approx(
+        -9.81 / (2 * 2.0)
+    )  # m g = 2 y (lambda1 + lambda2)
+    assert found.sensitivity(y, by=l) == pytest.approx(-1.0)
+    return found.sensitivity(one, by=m)
 
 
 def folded() -> float:
@@ -368,9 +373,9 @@ MISTAKES: list[Mistake] = [
         errors.SimulationError,
         beads,
         (
-            "equilibrium.sensitivity: the position doesn't determine all multipliers, as constraints depend on each "
-            "other, and the derivatives of those of minimum norm aren't known; expected an expression without "
-            "multipliers"
+            "equilibrium.sensitivity: the position doesn't determine lambda1, as constraints depend on each other, and "
+            "the derivatives of their shares aren't known; expected an expression without them, or in which they "
+            "balance the same loads"
         ),
     ),
     (

@@ -7,11 +7,12 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 
 from symbody.multibody import Variables
+from symbody.multibody.variables import Borne
 
 from .equations import Assembly, Derived, Equations
 
 
-def leaving_out(eqs: Equations, places: Collection[int]) -> Equations:
+def leaving_out(eqs: Equations, places: Collection[int], borne: Borne) -> Equations:
     """Return the equations without some constraints, which follow from the others: ``M u' = f + A^T lambda``.
 
     A and lambda lose rows; M and f stay, and the motion is the same. How rigid bodies share a load among redundant
@@ -20,13 +21,14 @@ def leaving_out(eqs: Equations, places: Collection[int]) -> Equations:
     Args:
         eqs: the equations of motion.
         places: the places of these constraints among all.
+        borne: the function of the system that returns what they share.
     """
-    return _leaving_out(eqs, tuple(sorted(places)))
+    return _leaving_out(eqs, tuple(sorted(places)), borne)
 
 
 @lru_cache(maxsize=64)
-def _leaving_out(eqs: Equations, places: tuple[int, ...]) -> Equations:
-    system = eqs.system.leaving_out(places)
+def _leaving_out(eqs: Equations, places: tuple[int, ...], borne: Borne) -> Equations:
+    system = eqs.system.leaving_out(places, borne)
     return replace(
         eqs, system=system, derive=Derived(system.without_left_out(eqs.residuals)), assemble=_Inherited(eqs)
     )

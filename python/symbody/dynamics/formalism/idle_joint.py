@@ -1,32 +1,65 @@
-"""Joints that close a loop without effect, because other joints hold already what they hold: notices of them."""
+"""Joints of loops that hold what other joints hold already: notices of how they share it."""
 
 from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
 
 from symbody.errors import notify
 from symbody.multibody import System
 from symbody.multibody.joint.placed_joint import PlacedJoint
+from symbody.symbolic import Expr
+from symbody.symbolic.given.wording import joined_by_and
 
-__all__ = ["tell_idle"]
+from .joint_reaction import cut_loops, label
+
+__all__ = ["tell_shared"]
 
 
-def tell_idle(system: System, placed: PlacedJoint) -> None:
-    """Give a notice of a joint that closes a loop, and holds what other joints hold already: all, or a wheel's load."""
-    if placed.closures and not placed.opens and not placed.active:
-        notify(
-            f"reaction: {placed} holds what other joints hold already, so that the forces of its loop are statically "
-            f"indeterminate; it is taken to exert none{_way_out(system, placed)}"
+def tell_shared(system: System, placed: PlacedJoint, idle: Mapping[str, Expr]) -> None:
+    """Give notices of joints that hold what others hold already, on whose share the reaction of a joint depends.
+
+    Args:
+        system: the system.
+        placed: the joint.
+        idle: the intensities of conditions that hold by themselves, by name, if they aren't zero.
+    """
+    for closing in [placed] if not placed.opens else [other for other, _ in cut_loops(system, placed)]:
+        text = _fault(closing, idle)
+        if text:
+            names = joined_by_and([closing.name, *_sharing(system, closing)])
+            notify(f"reaction: {text}: {names} share them by minimum norm{_way_out(system, closing)}")
+
+
+def _fault(closing: PlacedJoint, idle: Mapping[str, Expr]) -> str:
+    """Return what a joint holds that others hold, too; nothing if it exerts nothing by that."""
+    held = [each.name for each in closing.closures if label(closing, each) in idle]
+    loads = "the forces of its loop are statically indeterminate"
+    if "contact" in {each.name for each in closing.closures} - {*closing.constraining}:
+        height = "other joints keep the height of the wheel"
+        return f"the contact of {closing} holds by itself, as {height}, so that {loads}"
+    if closing.closures and not closing.active:
+        return f"{closing} holds what other joints hold already, so that {loads}"
+    if held:
+        names = joined_by_and([f"{closing.name}.{name}" for name in held])
+        return f"{names} hold what other joints hold already, so that {loads}"
+    return ""
+
+
+def _sharing(system: System, closing: PlacedJoint) -> Iterator[str]:
+    """Yield the names of the joints of the tree that are on the loop which a joint closes."""
+    for joint in system.joints:
+        if joint.opens and joint.closures and any(other is closing for other, _ in cut_loops(system, joint)):
+            yield joint.name
+
+
+def _way_out(system: System, closing: PlacedJoint) -> str:
+    """Return what to do about it."""
+    if any(each.name == "contact" for each in closing.closures):
+        return (
+            "; to know the loads of wheels, leave the height and the attitude of what they carry free, as with a free "
+            "joint"
         )
-    elif not placed.opens and "contact" in {each.name for each in placed.closures} - {*placed.constraining}:
-        notify(
-            f"reaction: the contact of {placed} holds by itself, as other joints keep the height of the wheel, so that "
-            "the wheel is taken to carry no load, and these joints carry it; to know the loads of wheels, leave the "
-            "height and the attitude of what they carry free, as with a free joint"
-        )
-
-
-def _way_out(system: System, placed: PlacedJoint) -> str:
-    """Return what to do about an idle joint, or which gear it serves, as that of the ring of a planetary gear does."""
-    gears = [other for other in system.joints if placed.joint in other.joint.pair.coupled]
+    gears = [other for other in system.joints if closing.joint in other.joint.pair.coupled]
     if gears:
-        return f", as if it only gave {gears[0]} its angle, and the other joints carry all"
-    return "; leave it out, or put a bushing in its place to share them"
+        return f"; {gears[0]} needs {closing.name} for its angle, and it counts as a bearing like the others"
+    return "; leave out what bears nothing, or put bushings with the stiffnesses of the structure in their places"

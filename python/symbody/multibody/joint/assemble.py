@@ -39,7 +39,7 @@ def assemble(joints: Joints, *, tolerance: Tolerance = 0.0) -> Mechanism:
     chosen is printed by ``show(mechanism)``.
 
     Conditions that hold at every position by themselves, such as those across the plane of a plane mechanism, make no
-    constraints. What they would exert cannot be known from rigid bodies, and `reaction` takes it for zero. A notice
+    constraints. What they exert cannot be known from rigid bodies: `reaction` gives what is of minimum norm. A notice
     tells of conditions that hold but for rounded dimensions.
 
     Args:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.dynamics.equations.leaving_out import leaving_out
+from symbody.dynamics.formalism.self_stress import borne
 from symbody.simulation.constraint.overconstraint import overconstraint
 from symbody.simulation.model.model import with_equations
 from symbody.symbolic import Expr
@@ -42,5 +43,5 @@ def without_redundant(
     found = overconstraint(kinematics, p, t, q, others)
     if found is None or found in others:
         return task if found is None else others[found]
-    reduced = leaving_out(model.equations, found.choice)
+    reduced = leaving_out(model.equations, found.choice, borne)
     return replace(task, model=with_equations(task.model, reduced), redundancy=found)

@@ -29,6 +29,9 @@ _UNBALANCED = 1e-7
 _FAINT = 1e-4
 """The ratio to the largest terms that counts, where all terms of an equation are rounding errors."""
 
+_OPEN = 1e-6
+"""How much an unknown may move without effect, relative to one that is free, and count as determined."""
+
 
 @dataclass(frozen=True, eq=False)
 class DrivingLoads:
@@ -119,8 +122,10 @@ class DrivingLoads:
 
     def solution(
         self, instants: Array, trajectory: Trajectory, values: Mapping[Expr, float]
-    ) -> tuple[Array, Array]:
-        """Return loads and multipliers, one row for each instant; minimum-norm multipliers for dependent constraints.
+    ) -> tuple[Array, Array, NDArray[np.bool_]]:
+        """Return loads, multipliers, and whether these are determined, one row for each instant.
+
+        Those of dependent constraints are of minimum norm.
 
         Raises:
             SimulationError: loads are not determined, or the equations are not balanced or not finite.
@@ -134,13 +139,14 @@ class DrivingLoads:
         left = np.einsum("kij,kj->ki", B, x) + r
         self._check_balanced(instants, left, sizes + np.einsum("kij,kj->ki", np.abs(B), np.abs(x)))
         self._check_determined(instants, determined[:, : len(self.names)])
-        return x[:, : len(self.names)], x[:, len(self.names) :]
+        n = len(self.names)
+        return x[:, :n], x[:, n:], determined[:, n:] > 1 - _OPEN
 
     def at(self, time: float, motion: Array, values: Mapping[Expr, float]) -> tuple[Array, Array]:
         """Return loads and multipliers at an instant, of (q, u, u', z)."""
         n, k = len(self.equations.coordinates), len(self.equations.speeds)
         parts = np.split(motion[None], [n, n + k, n + 2 * k], axis=1)
-        loads, multipliers = self.solution(np.array([time]), Trajectory(*parts), values)
+        loads, multipliers, _ = self.solution(np.array([time]), Trajectory(*parts), values)
         return loads[0], multipliers[0]
 
     def _check_finite(self, instants: Array, r: Array, B: Array) -> None:
@@ -167,7 +173,7 @@ class DrivingLoads:
             )
 
     def _check_determined(self, instants: Array, determined: Array) -> None:
-        is_open = determined < 1 - 1e-6
+        is_open = determined < 1 - _OPEN
         if is_open.any():
             k = int(np.argmax(is_open.any(axis=1)))
             names = [name for name, left in zip(self.names, is_open[k], strict=True) if left]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import NoReturn
 
@@ -16,6 +16,8 @@ from symbody.errors import ArgumentError, ModelError, SimulationError
 from symbody.multibody import Variables
 from symbody.multibody.joint.freedom import Freedom
 from symbody.simulation.constraint.kinematics import Kinematics, kinematics_of
+from symbody.simulation.constraint.least_norm import inverse_and_kernel
+from symbody.simulation.constraint.shared_load import shared_load
 from symbody.simulation.given.given_input import substitute_inputs
 from symbody.simulation.given.odd_values import warn_of_odd_values
 from symbody.simulation.given.parameter import parameters_among
@@ -240,7 +242,9 @@ def inverse_dynamics(
     along = driven.driving if unknowns is None else ()
     equations = driving_loads(eqs, kinematics.given, along, loads, _WHERE)
     with reporting(_WHERE):
-        forces, multipliers = equations.solution(driven.instants, driven.trajectory, driven.parameters)
+        forces, multipliers, determined = equations.solution(
+            driven.instants, driven.trajectory, driven.parameters
+        )
     positions = dict(zip(eqs.coordinates, driven.trajectory.coordinates.T, strict=True))
     if not isinstance(motion, Motion):  # a simulation has told it
         known = {**driven.parameters, **positions, symbolic_time: driven.instants}
@@ -257,8 +261,19 @@ def inverse_dynamics(
         given,
         dict(zip(rates.states, driven.trajectory.states.T, strict=True)),
     )
+    if not determined.all():
+        found = _shared(found)
     tell_passed_efforts(limited_drives(eqs.system, loads), found.t, found.evaluate, _WHERE)
     return found
+
+
+def _shared(found: InverseDynamics) -> InverseDynamics:
+    """Return the same with the multipliers of dependent constraints of which joints bear the least."""
+    system, count = found.system, len(found)
+    gradients = found.evaluate(system.velocity_gradients.entries)
+    A = np.moveaxis(gradients.reshape(len(system.multipliers), len(system.speeds), count), -1, 0)
+    free = [inverse_and_kernel(each.T)[1] for each in A]
+    return replace(found, multipliers=shared_load(system, found.multipliers, free, found.evaluate))
 
 
 def _beside(

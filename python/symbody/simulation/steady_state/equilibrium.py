@@ -11,29 +11,30 @@ from numpy.typing import ArrayLike, NDArray
 
 from symbody.dynamics import Equations
 from symbody.errors import ModelError, SimulationError, notify
-from symbody.multibody import System, Variables
+from symbody.multibody import Variables
 from symbody.multibody.joint.freedom import Freedom
-from symbody.simulation.constraint.consistent_position import listed_values, positions
+from symbody.simulation.constraint.consistent_position import positions
 from symbody.simulation.constraint.kinematics import kinematics_of
 from symbody.simulation.constraint.opposite_axes import check_senses
 from symbody.simulation.given.odd_values import warn_of_odd_values
 from symbody.simulation.given.values import given_inputs, parameter_values, state_values
 from symbody.simulation.given.watched_limit import tell_passed_limits
-from symbody.simulation.model.undefined_force import undefined_force
 from symbody.simulation.motion.reading import Reading
 from symbody.simulation.steady_state.force_balance import Balance
-from symbody.symbolic import Expr, ExprLike, free_symbols, number, substitute, time_derivative
+from symbody.symbolic import Expr, ExprLike, free_symbols
 from symbody.symbolic import t as time
 from symbody.symbolic.expression.html_table import html_table
-from symbody.symbolic.given.arguments import brief, with_known_names
 from symbody.symbolic.given.arguments import expression as as_expression
+from symbody.symbolic.given.arguments import with_known_names
 from symbody.symbolic.given.wording import joined_by_and
 from symbody.symbolic.numeric.deficiency import reporting
 
 from .failed_balance import not_isolated, unbalanced
 from .implicit_slopes import ImplicitSlopes
+from .rest_fault import check_finite, check_kinematics
 from .rest_position import RestPosition
-from .steady_conditions import SteadyConditions, conditions_of
+from .steady_conditions import conditions_of
+from .undetermined_forces import UndeterminedForces
 from .value_table import HEADER, value_rows
 
 __all__ = ["Equilibrium", "equilibrium"]
@@ -138,6 +139,24 @@ class Equilibrium(Mapping[Expr, float]):
     def t(self) -> float:
         """The time, in s."""
         return self._solution.balance.t
+
+    def sharing(self, undetermined: UndeterminedForces) -> Equilibrium:
+        """Return the same with the multipliers and holding forces of which joints bear the least.
+
+        Args:
+            undetermined: the forces that the balance doesn't determine.
+        """
+        if not undetermined.idle:
+            return self
+        balance = self._solution.balance
+        forces = undetermined.shared(lambda wanted: self._values(wanted, _WHERE))
+        m = len(balance.equations.constraints)
+        return replace(
+            self,
+            multipliers=_named(balance.equations.multipliers, forces[:m]),
+            holding=_named(balance.order, forces[m:]),
+            slopes=replace(self._solution, forces=forces),
+        )
 
     @property
     def _solution(self) -> ImplicitSlopes:
@@ -299,7 +318,7 @@ def equilibrium(
         given = given_inputs(eqs, inputs, where=_WHERE, parameters=parameters, example="0")
         place = _place(eqs, parameters, guess, fixed, t or 0.0, given)
         numbers = {name: float(np.asarray(value)) for name, value in (parameters or {}).items()}
-        found = replace(_result(place), inputs=given, parameters=numbers)
+        found = replace(_result(place), inputs=given, parameters=numbers).sharing(place.undetermined)
         notices = list(place.notices(at_instant=t is not None))
     for notice in notices:
         notify(f"{_WHERE}: {notice}")
@@ -327,7 +346,7 @@ def _place(
     """
     kinematics = kinematics_of(eqs, given)
     conditions = conditions_of(eqs, kinematics.given)
-    _check_kinematics(conditions)
+    check_kinematics(conditions)
     p = parameter_values(conditions.parameters, parameters, where=_WHERE, beside=eqs.system.state_names)
     has_states = bool(eqs.states)
     fixed_values = state_values(
@@ -350,31 +369,10 @@ def _place(
     q = positions(kinematics, of_constraints, t, held, at, where=_WHERE)
     q = np.append(q, [fixed_values.get(state, near.get(state, 0.0)) for state in eqs.states])
     solution = _solved(problem, q)
-    _check_finite(problem, solution)
+    check_finite(problem, solution)
     check_senses(kinematics, of_constraints, t, solution[0][: len(eqs.coordinates)], _WHERE)
     _check_single(problem, solution)
     return RestPosition(problem, kinematics, of_constraints, *solution)
-
-
-def _check_kinematics(conditions: SteadyConditions) -> None:
-    """Check that no coordinate moves at zero speeds, as ``x' = y - x`` in kinematics: that would be no rest.
-
-    Raises:
-        ModelError: a rate of a coordinate that the user wrote depends on positions or states at zero speeds.
-    """
-    system = conditions.equations.system
-    if not isinstance(system, System):
-        return
-    written = {*system.chosen, *(q for q in system.coordinates if time_derivative(q) in system.eliminated)}
-    at_rest = dict.fromkeys(system.speeds, number(0))
-    for q in (q for q in system.coordinates if q in written):
-        (drift,) = substitute([system.kinematics[time_derivative(q)]], at_rest)
-        if not drift.free_symbols.isdisjoint(conditions.positions):
-            raise ModelError(
-                f"{_WHERE}: the kinematics move {q} at zero speeds, {time_derivative(q)} = {brief(drift)}, and don't "
-                "tell which force holds it; expected a constraint instead: "
-                f"constraints=[time_derivative({q}) - ({brief(drift)})]"
-            )
 
 
 def _result(place: RestPosition) -> Equilibrium:
@@ -409,32 +407,6 @@ def _solved(problem: Balance, start: Array) -> tuple[Array, Array]:
     if found.solution is None:
         raise SimulationError(unbalanced(problem, *found.nearest, _WHERE))
     return found.solution
-
-
-def _check_finite(problem: Balance, solution: tuple[Array, Array]) -> None:
-    """Check that the equations have derivatives at an equilibrium.
-
-    Raises:
-        SimulationError: they have none, as at the end of a damper whose direction is not determined.
-    """
-    q, forces = solution
-    is_rounded = np.abs(q) <= _ROUNDED * max(1.0, np.abs(q).max())
-    near = np.where(is_rounded, 0.0, q)  # where a search ends beside the place
-    if problem.is_finite(q, forces) and problem.is_finite(near, forces):
-        return
-    q = near
-    eqs, conditions = problem.equations, problem.conditions
-    place = dict(zip(conditions.positions, q, strict=True))
-    known = dict(zip(conditions.parameters, problem.p, strict=True)) | {time: problem.t} | place
-    cause = undefined_force(eqs.system, conditions.given, known | dict.fromkeys(eqs.speeds, 0.0))
-    raise SimulationError(
-        f"{_WHERE}: the equations of motion are not finite at rest at "
-        f"{listed_values(conditions.positions, place)}, nor are those of small motions; {cause or _STRANGE}"
-    )
-
-
-_ROUNDED = 1e-12
-_STRANGE = "look for a division by zero, or for a root that vanishes there"
 
 
 def _check_single(problem: Balance, solution: tuple[Array, Array]) -> None:

@@ -72,7 +72,7 @@ class ImplicitSlopes:
             SimulationError: the solution has no derivative by it.
         """
         conditions, symbol = self.balance.conditions, self._symbol(by)
-        by_x, by_forces = self._moved(symbol, needs_forces=self._holds_forces(expression))
+        by_x, by_forces, free = self._moved(symbol)
         moved = dict(zip(conditions.variables, by_x, strict=True))
         moved |= dict(zip(self.balance.equations.multipliers, by_forces, strict=False))
         if symbol not in moved:
@@ -80,7 +80,31 @@ class ImplicitSlopes:
         names = sorted(free_symbols([expression]) & moved.keys(), key=str)
         slopes = jacobian([expression], names).row(0) if names else ()
         known = {name: values[name] for name in free_symbols(list(slopes))}
-        return float(sum(float(s.evaluate(known)) * moved[n] for s, n in zip(slopes, names, strict=True)))
+        found = {name: float(slope.evaluate(known)) for name, slope in zip(names, slopes, strict=True)}
+        self._check_determined(found, free)
+        return float(sum(slope * moved[name] for name, slope in found.items()))
+
+    def _check_determined(self, slopes: Mapping[Expr, float], free: Array) -> None:
+        """Check that an expression doesn't change with what the position leaves open.
+
+        Args:
+            slopes: its derivatives.
+            free: the directions in which multipliers and holding forces may change without effect, as columns.
+
+        Raises:
+            SimulationError: it contains multipliers that aren't determined.
+        """
+        multipliers = self.balance.equations.multipliers
+        open_ones = np.abs(free[: len(multipliers)]).max(axis=1, initial=0.0) > _FREE
+        row = np.array([slopes.get(each, 0.0) for each in multipliers])
+        if np.abs(row @ free[: len(multipliers)]).max(initial=0.0) > _FREE * np.abs(row).max(initial=0.0):
+            is_asked = (open_ones & (row != 0)).tolist()
+            names = [str(each) for each, is_open in zip(multipliers, is_asked, strict=True) if is_open]
+            raise SimulationError(
+                f"{self.where}: the position doesn't determine {joined_by_and(names, most=12)}, as constraints depend "
+                "on each other, and the derivatives of their shares aren't known; expected an expression without them, "
+                "or in which they balance the same loads"
+            )
 
     def _symbol(self, by: Any) -> Expr:
         """Return the symbol, or the fixed variable, that stands for what was given."""
@@ -101,15 +125,11 @@ class ImplicitSlopes:
             f"{joined_by_and(given, most=12, last='or')}"
         )
 
-    def _holds_forces(self, expression: Expr) -> bool:
-        return not free_symbols([expression]).isdisjoint(self.balance.equations.multipliers)
-
-    def _moved(self, by: Expr, *, needs_forces: bool) -> tuple[Array, Array]:
-        """Return the derivatives of the variables and of the forces.
+    def _moved(self, by: Expr) -> tuple[Array, Array, Array]:
+        """Return the derivatives of the variables and of the forces, and directions in which forces are not determined.
 
         Args:
             by: the symbol or the fixed variable.
-            needs_forces: whether the derivatives of the multipliers are wanted.
 
         Raises:
             SimulationError: there are none.
@@ -131,16 +151,11 @@ class ImplicitSlopes:
                 f"{self.where}: the conditions don't determine the derivatives by {by}: this is a fold, or a place "
                 "where branches meet; expected another place on the branch"
             )
-        if needs_forces and np.abs(kernel[count:]).max(initial=0.0) > _FREE:
-            raise SimulationError(
-                f"{self.where}: the position doesn't determine all multipliers, as constraints depend on each other, "
-                "and the derivatives of those of minimum norm aren't known; expected an expression without multipliers"
-            )
         by_x = np.zeros(width)
         by_x[is_free] = found[:count]
         if by in balance.fixed:
             by_x[balance.conditions.variables.index(by)] = 1.0
-        return by_x, unit * found[count:]
+        return by_x, unit * found[count:], kernel[count:]
 
     def _jacobian(self, slopes: Array, unit: float) -> Array:
         """Return the derivatives of the conditions by the free variables, and by forces over their unit."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -86,6 +87,7 @@ def steady(
         x = without_whole_turns(problem, x, forces)
         undetermined = UndeterminedForces(problem.balance, x, forces)
         found = SteadyMotion(problem, x, undetermined.least_forces)
+        found = replace(found, forces=undetermined.shared(found.evaluate))
     text = undetermined.notice()
     if text:
         notify(f"{_WHERE}: {text}")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -10,9 +11,10 @@ from numpy.typing import NDArray
 
 from symbody.multibody.named_constraint import named_constraints
 from symbody.multibody.shared_multiplier import HOW_TO_SHARE
+from symbody.simulation.constraint.shared_load import shared_load
 from symbody.simulation.constraint.singular_position import dependent_rows
 from symbody.simulation.steady_state.force_balance import Balance
-from symbody.symbolic import Matrix
+from symbody.symbolic import Expr, Matrix
 from symbody.symbolic.given.wording import joined_by_and
 
 __all__ = ["UndeterminedForces"]
@@ -43,6 +45,21 @@ class UndeterminedForces:
     def least_forces(self) -> Array:
         """The least forces in balance."""
         return self.problem.least_forces(self.x, self.forces, self.idle)
+
+    def shared(self, evaluate: Callable[[Sequence[Expr]], Array]) -> Array:
+        """Return the forces in balance with the least of what joints bear.
+
+        Args:
+            evaluate: the function that returns the values of expressions at the least forces.
+        """
+        if not self.idle:
+            return self.least_forces
+        free, system = (
+            np.linalg.svd(np.array(self.idle), full_matrices=False)[2].T,
+            self.problem.equations.system,
+        )
+        shared: Array = shared_load(system, self.least_forces[None], [free], evaluate)[0]
+        return shared
 
     @cached_property
     def groups(self) -> list[NDArray[np.intp]]:
