@@ -79,6 +79,15 @@ def belt() -> object:
     return sb.reaction(sb.newton_euler(system), "P")
 
 
+def door_by_hand() -> object:
+    """Take the reaction of the second hinge of a door whose wheel a constraint of the user keeps."""
+    knob = sb.revolute("K", a, b)
+    hinges = [sb.revolute(name, ground, a, at=(0, 0, z), to=(0, 0, z)) for name, z in (("P", 0), ("Q", 1))]
+    one, other = hinges[0].coordinate, knob.coordinate
+    system = sb.assemble([*hinges, knob]).system(constraints=[one * other - 1])
+    return sb.reaction(sb.newton_euler(system), "Q")
+
+
 def displaced_spring() -> object:
     x = sb.functions_of_time("x")
     block = sb.Body(sb.translate(x, 0, 0), 1, name="block")
@@ -142,6 +151,16 @@ NOTICES: list[tuple[Callable[[], object], list[str]]] = [
                 "reaction: revolute Q holds what other joints hold already, so that the forces of its loop are "
                 "statically indeterminate: Q and P share them by minimum norm; leave out what bears nothing, or put "
                 "bushings with the stiffnesses of the structure in their places"
+            )
+        ],
+    ),
+    (
+        door_by_hand,
+        [
+            (
+                "reaction: other joints hold already what Q.x, Q.y, Q.z, Q.about x and Q.about y would hold, and a "
+                "constraint that isn't one of a joint acts on unknown parts, so that it isn't known what they share: "
+                "revolute Q is taken to exert none of it"
             )
         ],
     ),

@@ -12,7 +12,7 @@ from symbody.symbolic.given.wording import joined_by_and
 
 from .joint_reaction import cut_loops, label
 
-__all__ = ["tell_shared"]
+__all__ = ["tell_shared", "tell_unknown"]
 
 
 def tell_shared(system: System, placed: PlacedJoint, idle: Mapping[str, Expr]) -> None:
@@ -34,15 +34,31 @@ def _fault(closing: PlacedJoint, idle: Mapping[str, Expr]) -> str:
     """Return what a joint holds that others hold, too; nothing if it exerts nothing by that."""
     held = [each.name for each in closing.closures if label(closing, each) in idle]
     loads = "the forces of its loop are statically indeterminate"
-    if "contact" in {each.name for each in closing.closures} - {*closing.constraining}:
+    if _rests(closing):
         height = "other joints keep the height of the wheel"
         return f"the contact of {closing} holds by itself, as {height}, so that {loads}"
     if closing.closures and not closing.active:
         return f"{closing} holds what other joints hold already, so that {loads}"
     if held:
         names = joined_by_and([f"{closing.name}.{name}" for name in held])
-        return f"{names} hold what other joints hold already, so that {loads}"
+        return f"{names} {'hold' if held[1:] else 'holds'} what other joints hold already, so that {loads}"
     return ""
+
+
+def _rests(closing: PlacedJoint) -> bool:
+    """Whether a wheel closes a loop on a plane from which other joints keep it."""
+    return "contact" in {each.name for each in closing.closures} - {*closing.constraining}
+
+
+def tell_unknown(placed: PlacedJoint) -> None:
+    """Give a notice of what a joint that closes a loop holds beside others, if it isn't known how they share it."""
+    held = [each.name for each in placed.closures if each.name not in placed.constraining]
+    if not placed.opens and held:
+        names = joined_by_and([f"{placed.name}.{name}" for name in held])
+        notify(
+            f"reaction: other joints hold already what {names} would hold, and a constraint that isn't one of a joint "
+            f"acts on unknown parts, so that it isn't known what they share: {placed} is taken to exert none of it"
+        )
 
 
 def _sharing(system: System, closing: PlacedJoint) -> Iterator[str]:
@@ -54,7 +70,7 @@ def _sharing(system: System, closing: PlacedJoint) -> Iterator[str]:
 
 def _way_out(system: System, closing: PlacedJoint) -> str:
     """Return what to do about it."""
-    if any(each.name == "contact" for each in closing.closures):
+    if _rests(closing):
         return (
             "; to know the loads of wheels, leave the height and the attitude of what they carry free, as with a free "
             "joint"

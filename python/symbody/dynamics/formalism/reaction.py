@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import Annotated, Any, TypeAlias
 
 from symbody.dynamics.equations.equations import Equations
@@ -12,12 +12,12 @@ from symbody.geometry.given.argument import checked
 from symbody.multibody import Body, Link, System
 from symbody.multibody.joint.joint import Joint
 from symbody.multibody.joint.placed_joint import PlacedJoint
-from symbody.symbolic import MOTION, cost, derivation, simplify
+from symbody.symbolic import MOTION, Expr, cost, derivation, simplify
 from symbody.symbolic.given.arguments import brief, given_twice
 
 from .held import Reaction, on_part
-from .idle_joint import tell_shared
-from .joint_reaction import joint_reaction, part_name, tell_couplings
+from .idle_joint import tell_shared, tell_unknown
+from .joint_reaction import joint_reaction, multipliers_by_name, part_name, tell_couplings
 from .part import body_of, cut_joints, things_of
 from .self_stress import shares
 
@@ -100,12 +100,22 @@ def reaction_in(
             return _readable(on_part(system, bodies, about, frame))
         if placed.opens:
             tell_couplings(system)
-        idle = shares(system, placed)
-        tell_shared(system, placed, idle)
-        found = joint_reaction(system, placed, idle)
+        found = joint_reaction(system, placed, _shares(system, placed))
         found = found.about(placed.acting_point if about is None else about)
         found = found.projected(placed.parent_side if frame is None else frame)
         return _on_side(_readable(found), placed, on)
+
+
+def _shares(system: System, placed: PlacedJoint) -> Mapping[str, Expr]:
+    """Return the intensities of conditions that hold by themselves, and tell of them."""
+    multipliers_by_name(system)
+    try:
+        idle = shares(system, placed)
+    except ModelError:  # of the reaction of a joint of the tree, it is an error
+        tell_unknown(placed)
+        return {}
+    tell_shared(system, placed, idle)
+    return idle
 
 
 SHORT = 100

@@ -36,20 +36,14 @@ __all__ = ["borne", "shares"]
 
 
 def shares(system: System, placed: PlacedJoint) -> Mapping[str, Expr]:
-    """Return the intensities of conditions that hold by themselves, of which the reaction of a joint may depend.
+    """Return the intensities of conditions that hold by themselves, on which the reaction of a joint may depend.
 
-    There are none where no loop is cut, or where a constraint of the user acts on unknown parts.
+    There are none where no loop is cut.
+
+    Raises:
+        ModelError: a constraint of the user acts on unknown parts.
     """
-    if placed.opens and not any(cut_loops(system, placed)):
-        return {}
-    return _known(system)
-
-
-def _known(system: System) -> Mapping[str, Expr]:
-    try:
-        return idle_intensities(system)
-    except ModelError:
-        return {}
+    return {} if placed.opens and not any(cut_loops(system, placed)) else idle_intensities(system)
 
 
 def borne(system: Variables) -> tuple[Expr, ...]:
