@@ -49,8 +49,9 @@ from symbody.symbolic import (
     time_derivative,
 )
 from tests.laws.evaluation import value
+from tests.repeated import repeated
 
-SEEDS = range(60)
+SEEDS = [*range(30), *repeated(range(30, 60))]
 SMALL = mpmath.mpf(10) ** -25
 
 x, y = symbols("x y")
