@@ -9,6 +9,7 @@ are counted by lines alone. The limits are those at which CONTRIBUTING asks to t
 from __future__ import annotations
 
 import ast
+from collections import deque
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -57,10 +58,19 @@ class File:
 Sized = TypeVar("Sized", File, Function)
 
 
+def statements(tree: ast.AST) -> Iterator[ast.AST]:
+    """Yield the parts of a tree that may define functions: expressions, which are most of it, define none."""
+    waiting = deque([tree])
+    while waiting:
+        node = waiting.popleft()
+        yield node
+        waiting += [child for child in ast.iter_child_nodes(node) if not isinstance(child, ast.expr)]
+
+
 def python_file(path: Path, root: Path, layer: str) -> File:
     """Return the sizes of a file of Python."""
     text, name = path.read_text(encoding="utf-8"), path.relative_to(root).as_posix()
-    found = ast.walk(ast.parse(text))
+    found = statements(ast.parse(text))
     functions = [_function(node, name) for node in found if isinstance(node, Definition)]
     return File(name, layer, len(text.splitlines()), tuple(functions))
 

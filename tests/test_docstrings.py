@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import symbody
+from scripts.sizes import statements
 
 HOME = Path(symbody.__file__).parent
 MANY = 5
@@ -19,7 +20,7 @@ def test_each_public_name_has_an_example() -> None:
 
 def _functions(tree: ast.AST) -> Iterator[tuple[ast.FunctionDef, str]]:
     """Yield functions with the docstring that describes their arguments: for a constructor also that of its class."""
-    for node in ast.walk(tree):
+    for node in statements(tree):
         if isinstance(node, ast.ClassDef):
             described = ast.get_docstring(node) or ""
             for method in node.body:

@@ -8,6 +8,7 @@ import subprocess
 import sys
 import typing
 from collections.abc import Callable, Iterable, Iterator
+from functools import cache
 from importlib.util import find_spec
 from inspect import getfile, isabstract, isfunction
 from itertools import islice
@@ -174,7 +175,7 @@ def test_followed_recipes_keep_what_other_tests_ask_of_the_package(copy: Path) -
         "tests/laws/test_joints.py",
     ]
     files += [path for path in FILES if "frame" in path or "multibody" in path]
-    chosen = "not followed and (not method or leapfrog) and (not test_joints or pin_in_slot)"
+    chosen = "not followed and not imports and (not method or leapfrog) and (not test_joints or pin_in_slot)"
     options = ["-q", "--noconftest", "-p", "no:cacheprovider", "-k", chosen]
     printed = run(copy, copy, "-m", "pytest", *options, "-rA", *files)
     assert re.search(r"^PASSED tests/laws/test_joints.py::.*pin_in_slot", printed, re.MULTILINE)
@@ -222,6 +223,7 @@ def compare_formalisms(system: System) -> None:
     np.testing.assert_allclose(lambdify(leaves, list(one.residuals))(*values), expected, rtol=1e-8, atol=1e-9)
 
 
+@cache
 def systems() -> list[System]:
     return [random_system(seed) for seed in range(60)] + [random_floating_system(seed) for seed in range(20)]
 

@@ -50,6 +50,7 @@ def test_no_file_lies_in_a_folder_without_a_sign() -> None:
     assert {path.parent for path in HOME.rglob("*.py")} == {HOME, *FOLDERS}
 
 
+@pytest.mark.repeated
 def test_imports_go_down_only_and_nowhere_in_a_circle() -> None:
     """The contracts of pyproject.toml, which `make lint` checks as well."""
     command = [sys.executable, "-c", "from importlinter.cli import lint_imports_command as lint; lint()"]
