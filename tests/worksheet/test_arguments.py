@@ -83,6 +83,12 @@ def test_messages_name_what_was_found(statement: str, message: str) -> None:
     assert failures(MODEL + statement) == [message]
 
 
+def test_first_order_counts_equations() -> None:
+    interpreter = Interpreter()
+    printed("with(MBSymba_r6): first_order([diff(x(t),t,t), x(t)], [x(t)], t):", interpreter=interpreter)
+    assert interpreter.session.notices == ["first_order: 2 equations for 1 coordinate; expected as many"]
+
+
 @pytest.mark.parametrize(
     ("torque", "notices"),
     [

@@ -40,6 +40,16 @@ CASES = {
         "c := x > 0: true and not c; false or c; c and y > 0; not (3 > 2); false and c;",
         ["x <= 0", "0 < x", "(0 < x) and (0 < y)", "false", "false"],
     ),
+    "names without a value stay in operators of logic": (
+        (
+            "not a; not not a; a and b; not (a or b) and c; true and b; a and false; a or true; a xor b; evalb(a and b); "
+            "h := (x > 3) and deep: x := 5: h; deep := true: h; map(`not`, [true, false]);"
+        ),
+        [
+            *("not a", "a", "a and b", "not (a or b) and c", "b", "false", "true", "a xor b", "a and b"),
+            *("deep", "true", "[false, true]"),
+        ],
+    ),
     "assumptions": (
         (
             "e := sqrt(m^2)*abs(k): assume(m > 0): e; is(m > 0), is(-m > 0); sqrt(k^2) assuming k > 0; "

@@ -26,6 +26,10 @@ CASES = {
     "at another argument it has none": ("x(t) := V*t: x(0);", ["x(0)"]),
     "a name made by concatenation": ("e := FzB(t): k := B: Fz||k(t) := 0: FzB(t);", ["0"]),
     "a function that becomes an operator": ("e := h(2)+h(t): h := x -> x^2: e;", ["t^2+4"]),
+    "the head of a call": (
+        "e := f(q)(z): q := 3: e; f := x -> y -> x*y: e; e := g(k)(z): g(2) := sin: k := 2: e;",
+        ["f(3)(z)", "3*z", "sin(z)"],
+    ),
     "the old value in a cycle": ("theta := 3*u: theta := subs(u=v, theta): theta;", ["3*v"]),
     "a frame and a point": (
         "T := translate(a,0,0): P := origin(T): a := 5: comp_X(P,ground);",

@@ -5,6 +5,13 @@ import pytest
 from tests.worksheet.printed_by import failures, printed
 
 CASES = {
+    "row operations change the matrix itself only in place": (
+        (
+            "with(LinearAlgebra): A := <<1|2>,<3|4>>: RowOperation(A,[2,1],-3); A; "
+            "RowOperation(A,[2,1],-3,inplace=true): A;"
+        ),
+        ["Matrix([[1, 2], [0, -2]])", "Matrix([[1, 2], [3, 4]])", "Matrix([[1, 2], [0, -2]])"],
+    ),
     "a quotient by a matrix is a product by its inverse": (
         "A := Matrix([[1,2],[3,4]]): 2/A - 2*A^(-1); (1/A) . A; evalm(1/matrix([[2,0],[0,4]]));",
         ["Matrix([[0, 0], [0, 0]])", "Matrix([[1, 0], [0, 1]])", "matrix([[1/2, 0], [0, 1/4]])"],
@@ -190,3 +197,24 @@ def test_parts_that_do_not_fit_are_reported() -> None:
 def test_vectors_of_different_sizes_have_no_product() -> None:
     (found,) = failures("LinearAlgebra[DotProduct](<1,2>, <1,2,3>);")
     assert "DotProduct: vectors of 2 and 3 components; expected as many" in found
+
+
+def test_operations_on_rows_and_special_matrices_say_what_they_expect() -> None:
+    sheet = (
+        "with(LinearAlgebra): with(linalg): A := matrix([[0,1],[2,3]]): addrow(A,1,2); mulrow(A,3,k); "
+        "RowOperation(A,[1,2,2]); pivot(A,1,1); ConstantMatrix(c,x); band([1,2],3); blockmatrix(2,2,[A,A]); "
+        "MatrixPower(A,n); GenerateEquations(A,[x,y],[1]); diverge([x,y],[x]); curl([x,y],[x,y]);"
+    )
+    assert failures(sheet) == [
+        "addrow: 3 arguments; expected 4",
+        "mulrow: expected an index from 1 to 2",
+        "RowOperation: expected (A, i, factor), (A, [i, j]) or (A, [i, j], factor)",
+        "pivot: the entry (1, 1) is zero; expected another place",
+        "ConstantMatrix: expected the number of rows and columns",
+        "band: 2 entries; expected an odd number of them",
+        "blockmatrix: 2 blocks; expected 2 x 2",
+        "MatrixPower: expected a square matrix and a whole number",
+        "GenerateEquations: 2 rows and 1 right sides; expected as many",
+        "diverge: 2 components and 1 variables; expected as many",
+        "curl: 2 components; expected three",
+    ]

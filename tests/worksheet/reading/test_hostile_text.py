@@ -34,6 +34,11 @@ def read(text: str) -> None:
             pass
 
 
+@pytest.mark.parametrize("text", ["proc()k,w", "(proc()for k do"])
+def test_a_remark_at_the_end_of_a_procedure_that_is_never_closed(text: str) -> None:
+    read(text)
+
+
 @pytest.mark.parametrize("seed", range(4))
 def test_random_texts(seed: int) -> None:
     chance = random.Random(seed)

@@ -419,7 +419,6 @@ _OLD: dict[str, Command] = {
     "scalarmul": scaled,
     "crossprod": cross,
     "dotprod": dot,
-    "innerprod": dot,
     "norm": norm,
     "submatrix": sub_matrix,
     "row": row,

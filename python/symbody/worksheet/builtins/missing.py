@@ -23,15 +23,15 @@ _BY_PURPOSE = {
         "arccosh arctanh sech csch coth"
     ),
     "matrices": (
-        "curl diverge laplacian blockmatrix toeplitz vandermonde wronskian geneqns QRdecomp "
+        "toeplitz vandermonde wronskian QRdecomp "
         "LUdecomp cholesky svd singularvals rowspan colspan "
-        "JordanForm LUDecomposition QRDecomposition SingularValues ConditionNumber ConstantMatrix "
+        "JordanForm LUDecomposition QRDecomposition SingularValues ConditionNumber "
         "ConstantVector MatrixFunction RandomMatrix RandomVector BandMatrix ToeplitzMatrix HilbertMatrix "
-        "HessianMatrix CompanionMatrix CharacteristicMatrix MinimalPolynomial SchurForm HermitianTranspose "
-        "OuterProductMatrix VectorAngle BilinearForm GramSchmidt LeastSquares ColumnSpace RowSpace SumBasis "
-        "IntersectionBasis IsDefinite IsOrthogonal IsUnitary JordanBlockMatrix ColumnOperation RowOperation "
-        "Pivot Permanent MatrixPower KroneckerProduct exponential jordan frobenius hadamard swaprow swapcol "
-        "mulrow mulcol addrow addcol angle orthog definite"
+        "HessianMatrix CompanionMatrix MinimalPolynomial SchurForm HermitianTranspose "
+        "GramSchmidt LeastSquares ColumnSpace RowSpace SumBasis "
+        "IntersectionBasis IsDefinite IsOrthogonal IsUnitary JordanBlockMatrix "
+        "Permanent KroneckerProduct exponential jordan frobenius hadamard "
+        "orthog definite iszero cond backsub forwardsub copyinto colspace rowspace leastsqrs htranspose hilbert"
     ),
     "pictures": (
         "phaseportrait DEplot fieldplot contourplot densityplot tubeplot animate3d matrixplot inequal "

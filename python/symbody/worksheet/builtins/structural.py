@@ -11,6 +11,7 @@ from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, number
 from symbody.worksheet.evaluation.arithmetic import scalar
 from symbody.worksheet.evaluation.condition import compared, is_type, truth
+from symbody.worksheet.evaluation.logic import decided
 from symbody.worksheet.evaluation.current import flattened
 from symbody.worksheet.evaluation.entrywise import parts_of, with_parts
 from symbody.worksheet.evaluation.session import Command, Session, sequence
@@ -412,8 +413,9 @@ def _basic_type(value: Value) -> str | None:
 
 
 def holds(session: Session, relation: Value) -> Value:
-    """evalb(c), is(c): whether a condition holds."""
-    return Boolean(truth(session, relation))
+    """evalb(c), is(c): whether a condition holds; names without a value, and what is made of them, come back."""
+    found = relation if isinstance(relation, Relation) else decided(session, relation)
+    return found if isinstance(found, Expr | Unevaluated) else Boolean(truth(session, relation))
 
 
 def side(which: str) -> Command:

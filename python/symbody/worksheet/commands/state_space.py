@@ -28,6 +28,10 @@ def first_order(session: Session, equations: Value, variables: Value, *time: Val
     del time
     residuals = _residuals(session, equations, "first_order")
     q = _functions_of_time(session, variables, "first_order")
+    if len(residuals) != len(q):
+        session.notice(
+            f"first_order: {counted(len(residuals), 'equation')} for {counted(len(q), 'coordinate')}; expected as many"
+        )
     speeds = [time_function(f"{each.name}[dot]") for each in q]
     rates = {time_derivative(each): u for each, u in zip(q, speeds, strict=True)}
     accelerations = {time_derivative(each, 2): time_derivative(u) for each, u in zip(q, speeds, strict=True)}

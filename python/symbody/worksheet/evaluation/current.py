@@ -13,6 +13,7 @@ from typing import Any, Protocol
 from symbody.errors import ExpressionError, WorksheetError
 from symbody.symbolic import Expr, UndefinedFunction, free_symbols, pi, t, time_derivative
 from symbody.symbolic.expression.traverse import post_order
+from symbody.worksheet.evaluation.logic import LOGIC
 from symbody.worksheet.printing.print import sort_key
 from symbody.worksheet.values.complex_number import normal
 from symbody.worksheet.values.naming import symbol
@@ -183,17 +184,25 @@ def _container(session: State, value: Any, *, arrays: bool) -> Value:
         return value if start is value.start and stop is value.stop else Range(start, stop)
     if isinstance(value, Unevaluated):
         arguments = tuple(_argument(session, each, arrays=arrays) for each in value.arguments)
-        function = value.function
-        if isinstance(function, Expr) and function.kind == "symbol" and function.name in session.names:
-            return session.call(function, arguments)
-        return replace(value, arguments=arguments)
+        return _unevaluated(session, value, arguments)
     return value  # type: ignore[no-any-return]
+
+
+def _unevaluated(session: State, value: Unevaluated, arguments: tuple[Value, ...]) -> Value:
+    """Return a call with the function and the arguments of now: ``f(3)(z)`` of ``f(q)(z)``, if q has become 3."""
+    function = value.function
+    if not isinstance(function, Expr) or function.kind != "symbol":
+        head = current(session, function)
+        return replace(value, arguments=arguments) if head == function else session.call(head, arguments)
+    is_new = function.name in session.names or (function.name in LOGIC and arguments != value.arguments)
+    return session.call(function, arguments) if is_new else replace(value, arguments=arguments)
 
 
 def _argument(session: State, value: Value, *, arrays: bool) -> Value:
     """A field of an object that is shown by a name stays so: ``frame = ground``."""
-    if isinstance(value, Relation) and isinstance(value.right, Expr) and value.right.kind == "symbol":
-        return value
+    match value:
+        case Relation("=", _, Expr(kind="symbol")):
+            return value
     return current(session, value, arrays=arrays)
 
 

@@ -4,19 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from typing import Any, TypeAlias
+from typing import Any
 
 from symbody.worksheet import builtins
 from symbody.worksheet.builtins.sets import joined_by
 from symbody.worksheet.evaluation import arithmetic
 from symbody.worksheet.evaluation.assumptions import positive_names, under
-from symbody.worksheet.evaluation.condition import can_not_be_decided, compared, truth
+from symbody.worksheet.evaluation.condition import compared
+from symbody.worksheet.evaluation.logic import LOGIC, joined, negation
 from symbody.worksheet.evaluation.session import Session
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.value import (
     Array,
-    Boolean,
     Listed,
     Range,
     Relation,
@@ -39,10 +39,7 @@ def _prefix(session: Session, node: syntax.Prefix) -> Value:
     if node.operator == "-":
         return arithmetic.negated(session, value)
     if node.operator == "not":
-        found = _decided(session, value)
-        if isinstance(found, Relation):
-            return Relation(_OPPOSITES[found.operator], found.right, found.left)
-        return Boolean(None if found is None else not found)
+        return negation(session, value)
     if node.operator == "$":
         return builtins.repeated(session, value)
     return value
@@ -58,19 +55,12 @@ def _postfix(session: Session, node: syntax.Postfix) -> Value:
     return value
 
 
-_Decision: TypeAlias = bool | Relation | None
-"""Whether a condition holds; None for FAIL, and the relation itself where that can't be told."""
-
-#: What holds, with the sides exchanged, where a relation doesn't.
-_OPPOSITES = {"<": "<=", "<=": "<"}
-
-
 def _infix(session: Session, node: syntax.Infix) -> Value:
     operator = node.operator
     if node.elementwise:
         return _entrywise(session, operator, session.evaluate(node.left), session.evaluate(node.right))
-    if operator in ("and", "or", "xor", "implies"):
-        return _logical(session, node)
+    if operator in LOGIC:
+        return joined(session, operator, session.evaluate(node.left), lambda: session.evaluate(node.right))
     if operator == "$":
         return builtins.dollar(session, node.left, node.right)
     if operator in _FOLDED:
@@ -112,45 +102,6 @@ def _folded(session: Session, node: syntax.Infix) -> Value:
     for each in reversed(chain):
         total = _operated(session, each.operator, total, session.evaluate(each.right))
     return total
-
-
-def _logical(session: Session, node: syntax.Infix) -> Value:
-    """Return what an operator of logic gives; what can't be decided stays in it."""
-    left = _decided(session, session.evaluate(node.left))
-    if node.operator == "and" and left is False:
-        return Boolean(truth=False)
-    if node.operator == "or" and left is True:
-        return Boolean(truth=True)
-    right = _decided(session, session.evaluate(node.right))
-    if isinstance(left, Relation) or isinstance(right, Relation):
-        return _undecided(node.operator, left, right)
-    if left is None or right is None:
-        return Boolean(None)
-    results = {
-        "and": left and right,
-        "or": left or right,
-        "xor": left != right,
-        "implies": not left or right,
-    }
-    return Boolean(results[node.operator])
-
-
-def _decided(session: Session, value: Value) -> _Decision:
-    """Return whether a condition holds; a relation of which that can't be told comes back."""
-    if isinstance(value, Relation) and value.operator in _OPPOSITES:
-        return value if can_not_be_decided(session, value) else truth(session, value)
-    return truth(session, value)
-
-
-def _undecided(operator: str, left: _Decision, right: _Decision) -> Value:
-    """Return ``true and c`` and ``false or c`` as c, and other conditions as they stand."""
-    neutral = {"and": True, "or": False}.get(operator)
-    if isinstance(right, Relation) and left is neutral is not None:
-        return right
-    if isinstance(left, Relation) and right is neutral is not None:
-        return left
-    sides = (each if isinstance(each, Relation) else Boolean(each) for each in (left, right))
-    return Unevaluated(symbol(operator), tuple(sides))
 
 
 def _entrywise(session: Session, operator: str, left: Value, right: Value) -> Value:

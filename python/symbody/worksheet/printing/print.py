@@ -305,6 +305,10 @@ def bounded_text(value: Array, texts: list[str]) -> str:
     return f"{name}({', '.join(bounds[:1] if is_list else bounds)}, [{content}])"
 
 
+#: Operators whose results stand in brackets within others.
+_LOOSE = frozenset({"and", "or", "xor", "implies"})
+
+
 def _unevaluated(value: Unevaluated, style: Style) -> str:
     function = text_of(value.function, style)
     arguments = value.arguments
@@ -321,16 +325,21 @@ def _unevaluated(value: Unevaluated, style: Style) -> str:
         "intersect",
         "and",
         "or",
+        "xor",
+        "implies",
     ):
         operator = function.strip("`")
         joint = operator if operator in "+-*/^" else f" {operator} "
         return joint.join(_factor(each, style) for each in arguments)
+    if function.strip("`") == "not":
+        return f"not {_factor(arguments[0], style)}"
     return f"{function}({','.join(text_of(each, style) for each in arguments)})"
 
 
 def _factor(value: Value, style: Style) -> str:
     text = text_of(value, style)
     loose = isinstance(value, Relation | Sequence | Range)
+    loose = loose or (isinstance(value, Unevaluated) and getattr(value.function, "name", "") in _LOOSE)
     loose = loose or (isinstance(value, Expr) and tree_of(value).kind == "sum")
     return f"({text})" if loose else text
 
