@@ -9,6 +9,10 @@ CASES = {
         "e := diff(x(t),t)+x(t)+f(2): eval(e, [x=(t->sin(t)), f=(z->z^2)]), eval(x(3), x=(u->u^2));",
         ["cos(t)+sin(t)+4, 9"],
     ),
+    "indices and heads of indexed names": (
+        "subs(i=2, a[i]+diff(q[i](t),t)), subs(a=b, a[1]+c[1]), subs(a=3, a[1]), subs(a[1]=a[2], a[2]=a[1], a[1]*a[3]);",
+        ["a[2]+diff(q[2](t),t), b[1]+c[1], a[1], a[1]*a[3]"],
+    ),
     "one after the other": (
         "subs(u=2,v=u,u+v);",
         ["u+2"],

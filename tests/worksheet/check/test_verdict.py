@@ -26,6 +26,12 @@ def test_each_statement_has_a_verdict() -> None:
     ]
 
 
+def test_aliases_are_what_they_stand_for() -> None:
+    text = "> alias(s=sin, w=omega(t)):\n> diff(w,t)*s(a-b);\n\n-s(b-a)*diff(omega(t),t)\n"
+    assert check(text) == [Verdict(2, "equal")]
+    assert [each.kind for each in check(text.replace("diff(omega(t),t)", "w"))] == ["differs"]
+
+
 def test_a_statement_may_fail_in_the_file_too() -> None:
     text = '> error "bad";\n\nError, bad\n\n> b := 2;\n\nb := 2\n'
     assert check(text) == [Verdict(1, "equal", "it fails in the file too"), Verdict(5, "equal")]

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, number
+from symbody.worksheet.builtins.arrays import array_of
 from symbody.worksheet.builtins.files import output_path
 from symbody.worksheet.builtins.texts import unparsed
 from symbody.worksheet.evaluation.arithmetic import scalar
@@ -229,7 +230,7 @@ _OPTIONS = {
 
 
 def _lines(session: Session, value: Value, name: str, *, shares: bool) -> list[str]:
-    found = session.resolve(value)
+    found = _by_rows(session, session.resolve(value))
     if isinstance(found, Array):
         return _matrix_lines(session, found, name, shares=shares)
     if isinstance(found, Listed | MapleSet):
@@ -246,6 +247,12 @@ def _lines(session: Session, value: Value, name: str, *, shares: bool) -> list[s
             f"CodeGeneration[Matlab]: {session.text(value)[:60]} is no expression and no matrix"
         )
     return _assignment_lines(session, [Relation("=", symbol(name), found)], shares=shares)
+
+
+def _by_rows(session: Session, value: Value) -> Value:
+    """Return a list of lists as a matrix."""
+    is_matrix = isinstance(value, Listed) and value.items and isinstance(value.items[0], Listed)
+    return array_of(session, value, "CodeGeneration") if is_matrix else value
 
 
 def _assignment_lines(session: Session, equations: list[Relation], *, shares: bool) -> list[str]:
@@ -310,7 +317,7 @@ def _program(session: Session, value: Value, name: str, language: Language, *, s
     """
     if language is LANGUAGES["C"] and isinstance(session.resolve(value), ProcedureValue):
         return _c_function(session, value, shares=shares)
-    results = list(_named_results(session, session.resolve(value), name, language))
+    results = list(_named_results(session, _by_rows(session, session.resolve(value)), name, language))
     names, rights = [name for name, _ in results], [right for _, right in results]
     lines: list[str] = []
     if shares:

@@ -11,9 +11,9 @@ from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, number
 from symbody.worksheet.evaluation.arithmetic import scalar
 from symbody.worksheet.evaluation.condition import compared, is_type, truth
-from symbody.worksheet.evaluation.logic import decided
 from symbody.worksheet.evaluation.current import flattened
 from symbody.worksheet.evaluation.entrywise import parts_of, with_parts
+from symbody.worksheet.evaluation.logic import decided
 from symbody.worksheet.evaluation.session import Command, Session, sequence
 from symbody.worksheet.printing.print import sort_key
 from symbody.worksheet.values.naming import symbol
@@ -43,6 +43,8 @@ _WORD = re.compile(r"[^\W\d]\w*")
 def operands(session: Session, value: Value) -> tuple[Value, ...]:
     """Return the operands of a value: of a scalar, those of the printed structure."""
     if isinstance(value, Expr):
+        if value.kind == "symbol" and value.name in session.indexed:
+            return session.indexed[value.name][1]  # of a[i]: i
         return tuple(part.value for part in _parts(tree_of(value)))
     if isinstance(value, Reference):
         return (session.resolve(value),)
@@ -86,14 +88,16 @@ def op(session: Session, first: Value, *rest: Value) -> Value:
     if place is None:
         raise WorksheetError(f"op: {session.text(first)[:60]} is not an integer")
     if place == 0:
-        return _head(value)
+        return _head(session, value)
     if not 0 < abs(place) <= len(parts):
         raise WorksheetError(f"op: improper op or subscript selector: {place} of {len(parts)} operands")
     return session.current(parts[place - 1 if place > 0 else place])
 
 
-def _head(value: Value) -> Value:
+def _head(session: Session, value: Value) -> Value:
     if isinstance(value, Expr):
+        if value.kind == "symbol" and value.name in session.indexed:
+            return symbol(session.indexed[value.name][0])
         tree = tree_of(value)
         names = {"sum": "+", "product": "*", "power": "^", "derivative": "diff", "name": "symbol"}
         if tree.kind == "number":
@@ -391,7 +395,7 @@ def whattype(session: Session, *values: Value) -> Value:
         return symbol("exprseq")
     (value,) = values
     kind = _basic_type(value)
-    return symbol(kind) if kind else _head(value)
+    return symbol(kind) if kind else _head(session, value)
 
 
 _ARRAY_TYPES = {"Vector": "Vector[column]", "RowVector": "Vector[row]", "matrix": "array", "vector": "array"}

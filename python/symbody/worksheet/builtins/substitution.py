@@ -73,7 +73,7 @@ def _in_array(session: Session, array: Array, mapping: Mapping[Value, Value]) ->
 
 
 def _in_scalar(session: Session, value: Expr, mapping: Mapping[Value, Value]) -> Value:
-    within = _in_unknown_calls(session, value, mapping)
+    within = _in_unknown_calls(session, value, mapping) | _in_indices(session, value, mapping)
     complete = _with_derivatives(value, {**mapping, **_operated(session, value, mapping), **within})
     if not complete:
         return value
@@ -92,6 +92,26 @@ def _in_unknown_calls(session: Session, value: Expr, mapping: Mapping[Value, Val
             found = substituted(session, call, mapping)
             if found != call:
                 made[leaf] = scalar(session, called_again(session, session.current(found), call))
+    return made
+
+
+def _in_indices(session: Session, value: Expr, mapping: Mapping[Value, Value]) -> dict[Value, Value]:
+    """Return what indexed names and their functions become: ``a[2]`` of ``a[i]``, if i is replaced by 2."""
+    made: dict[Value, Value] = {}
+    for leaf in value.free_symbols:
+        base, indices = session.indexed.get(leaf.name, ("", ()))
+        if not base or leaf in mapping:
+            continue
+        head = mapping.get(symbol(base), symbol(base))
+        new = tuple(substituted(session, each, mapping) for each in indices)
+        if (head == symbol(base) and new == indices) or (isinstance(head, Expr) and head.kind != "symbol"):
+            continue
+        found = session.select(head, new)
+        if leaf.kind == "symbol":
+            made[leaf] = found
+        elif isinstance(found, Expr) and found.kind == "symbol":
+            moved = UndefinedFunction(found.name)(t)
+            made[leaf] = time_derivative(moved, leaf.order) if leaf.order else moved
     return made
 
 

@@ -33,13 +33,23 @@ class Block:
 
 @dataclass(frozen=True, slots=True)
 class Output:
-    """An output of the run: its text, its cell, its line, and its statement, of which several may come from a loop."""
+    """An output of the run.
+
+    Attributes:
+        text: its text.
+        cell: the number of its cell.
+        line: its line.
+        number: that of its statement, of which several may come from a loop.
+        statement: the statement.
+        aliases: what names in it stand for.
+    """
 
     text: str
     cell: int
     line: int
     number: int
     statement: syntax.Statement | None = None
+    aliases: tuple[tuple[str, str], ...] = ()
 
 
 #: The weights of what two outputs have in common; a place directly below a statement outweighs the texts.

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from typing import TypeAlias
 
 from symbody.symbolic import Expr, number, subs, symbol, t
-from symbody.worksheet.check.printed import NotComparable, functions_in, place_of, printed, value_of
+from symbody.worksheet.check.printed import NotComparable, Printed, functions_in, place_of, printed, value_of
 from symbody.worksheet.check.rounded import nearly_equal
 from symbody.worksheet.printing.print import text_of
 from symbody.worksheet.sheet import syntax
+from symbody.worksheet.sheet.within import replaced
 from symbody.worksheet.values.value import (
     Listed,
     MapleSet,
@@ -33,12 +36,17 @@ _OPERATORS = frozenset({"->", "proc"})
 _COUNTED = frozenset({"additions", "multiplications", "divisions", "functions", "assignments", "subscripts"})
 
 
-def difference(theirs: str, ours: str, *, in_any_order: bool = False) -> str:
+Aliases: TypeAlias = tuple[tuple[str, str], ...]
+"""What names of the worksheet stand for, as texts."""
+
+
+def difference(theirs: str, ours: str, aliases: Aliases = (), *, in_any_order: bool = False) -> str:
     """Return where a run's output differs from the file's, or "" if it doesn't.
 
     Args:
         theirs: the file's output.
         ours: that of the run.
+        aliases: what names in both stand for.
         in_any_order: whether the items of lists and sequences may stand in any order.
 
     Raises:
@@ -47,15 +55,23 @@ def difference(theirs: str, ours: str, *, in_any_order: bool = False) -> str:
     frames = sys.getrecursionlimit()
     sys.setrecursionlimit(max(frames, _FRAMES))  # a sum is as deep as it has terms
     try:
-        return _difference(theirs, ours, in_any_order=in_any_order)
+        file, run = (_without(aliases, printed(text)) for text in (theirs, ours))
+        return _difference(file, run, ours, in_any_order=in_any_order)
     except RecursionError:
         raise NotComparable("it has too many terms") from None
     finally:
         sys.setrecursionlimit(frames)
 
 
-def _difference(theirs: str, ours: str, *, in_any_order: bool) -> str:
-    file, run = printed(theirs), printed(ours)
+def _without(aliases: Aliases, output: Printed) -> Printed:
+    """Return an output with what the aliases in it stand for: ``sin(x)`` for ``s(x)``, which is odd."""
+    expression = output.expression
+    for name, text in aliases:
+        expression = replaced(expression, name, printed(text).expression)
+    return replace(output, expression=expression)
+
+
+def _difference(file: Printed, run: Printed, ours: str, *, in_any_order: bool) -> str:
     names = functions_in(file.expression) | functions_in(run.expression)
     if file.name != run.name:
         return f"the file has {file.name or 'a value'}, the run {run.name or 'a value'}"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from symbody.worksheet.check.align import Block, Output, aligned
 from symbody.worksheet.check.code import code_difference
@@ -131,7 +131,7 @@ def _doubted(cells: Sequence[Cell], outputs: Sequence[Output]) -> Iterator[Verdi
             if not above:
                 continue
             text = line.text.strip()
-            printed = next((each for each in above if _is_equal(text, each.text)), None)
+            printed = next((each for each in above if _is_equal(text, each)), None)
             output = printed or above[-1]
             seen.add(output.number)
             if printed:
@@ -178,7 +178,7 @@ def _outputs(outcomes: Sequence[Outcome]) -> Iterator[Output]:
         for text in outcome.printed:
             for line in text.split("\n") if is_text else [text]:
                 if line.strip() and not _DRAWING.fullmatch(line):
-                    yield Output(line, outcome.cell, outcome.line, number, outcome.statement)
+                    yield Output(line, outcome.cell, outcome.line, number, outcome.statement, outcome.aliases)
 
 
 def _blocks(cells: Sequence[Cell]) -> Iterator[Block]:
@@ -217,7 +217,9 @@ def _verdict(block: Block, output: Output, outputs: Sequence[Output]) -> Verdict
         return Verdict(output.line, "not comparable", str(error))
     if not reason:
         return Verdict(output.line, "equal", "as far as it is printed" if is_cut(block.text) else "")
-    if lists_a_table(output.statement) and not difference(block.text, output.text, in_any_order=True):
+    if lists_a_table(output.statement) and not difference(
+        block.text, output.text, output.aliases, in_any_order=True
+    ):
         return Verdict(output.line, "equal", "in another order, because tables are unordered")
     if isinstance(output.statement, syntax.For) and _is_elsewhere(block, output, outputs):
         return Verdict(output.line, "equal", "in another order, because sets are unordered")
@@ -229,12 +231,12 @@ def _verdict(block: Block, output: Output, outputs: Sequence[Output]) -> Verdict
 def _difference(block: Block, output: Output) -> str:
     """Return where an output differs: as a text below ``printf``, else by value."""
     if not prints_text(output.statement):
-        return difference(block.text, output.text)
+        return difference(block.text, output.text, output.aliases)
     reason = text_difference(block.text, output.text)
     if not reason or not isinstance(output.statement, syntax.For | syntax.If):
         return reason
     try:  # a loop prints values too
-        return difference(block.text, output.text) and reason
+        return difference(block.text, output.text, output.aliases) and reason
     except NotComparable:
         return reason
 
@@ -251,13 +253,13 @@ def _declared(block: Block, output: Output) -> Verdict:
 def _is_elsewhere(block: Block, output: Output, outputs: Sequence[Output]) -> bool:
     """Whether a loop over a set printed the value in another pass."""
     text = _INDEX.sub("", block.text)
-    others = (_INDEX.sub("", other.text) for other in outputs if other.number == output.number)
-    return any(_is_equal(text, other) for other in others)
+    others = (other for other in outputs if other.number == output.number)
+    return any(_is_equal(text, replace(other, text=_INDEX.sub("", other.text))) for other in others)
 
 
-def _is_equal(theirs: str, ours: str) -> bool:
+def _is_equal(theirs: str, ours: Output) -> bool:
     try:
-        return not difference(theirs, ours)
+        return not difference(theirs, ours.text, ours.aliases)
     except NotComparable:
         return False
 

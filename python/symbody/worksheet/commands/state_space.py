@@ -28,16 +28,27 @@ def first_order(session: Session, equations: Value, variables: Value, *time: Val
     del time
     residuals = _residuals(session, equations, "first_order")
     q = _functions_of_time(session, variables, "first_order")
-    if len(residuals) != len(q):
-        session.notice(
-            f"first_order: {counted(len(residuals), 'equation')} for {counted(len(q), 'coordinate')}; expected as many"
-        )
+    _check_count(session, residuals, q)
     speeds = [time_function(f"{each.name}[dot]") for each in q]
     rates = {time_derivative(each): u for each, u in zip(q, speeds, strict=True)}
     accelerations = {time_derivative(each, 2): time_derivative(u) for each, u in zip(q, speeds, strict=True)}
     kinematic = [Relation("=", rate, u) for rate, u in rates.items()]
     dynamic = [Relation("=", each, number(0)) for each in substitute(tuple(residuals), accelerations | rates)]
     return Sequence((Listed((*q, *speeds)), Listed((*kinematic, *dynamic))))
+
+
+def _check_count(session: Session, residuals: list[Expr], q: list[Expr]) -> None:
+    """Tell the user of equations that are fewer than coordinates, or more than these and other states."""
+    rates = {each.name for residual in residuals for each in residual.free_symbols if _is_rate(each)}
+    others = rates - {each.name for each in q}
+    if not len(q) <= len(residuals) <= len(q) + len(others):
+        session.notice(
+            f"first_order: {counted(len(residuals), 'equation')} for {counted(len(q), 'coordinate')}; expected as many"
+        )
+
+
+def _is_rate(variable: Expr) -> bool:
+    return variable.kind == "time_function" and variable.order > 0
 
 
 def state_space(

@@ -9,6 +9,7 @@ from contextlib import suppress
 from symbody.errors import WorksheetError
 from symbody.worksheet.evaluation.notices import in_maple_words
 from symbody.worksheet.interpreter.interpret import Interpreter, Stop
+from symbody.worksheet.printing.print import text_of
 from symbody.worksheet.reading import located, names_in_code, statements
 from symbody.worksheet.sheet.outcome import Outcome
 from symbody.worksheet.sheet.source import Cell, Remark, SyntaxMistake
@@ -73,4 +74,6 @@ def _executed(number: int, cell: Cell, statement: Statement, interpreter: Interp
             error = located(cell, statement.place, text)
     told = map(in_maple_words, [*session.notices, *(str(warning.message) for warning in raised)])
     notices = tuple(dict.fromkeys(notice for notice in told if notice))
-    return Outcome(number, statement.place.line, statement, tuple(session.lines), error, notices)
+    aliases = tuple((name, text_of(value)) for name, value in session.options.aliases.items())
+    printed = tuple(session.lines)
+    return Outcome(number, statement.place.line, statement, printed, error, notices, aliases=aliases)

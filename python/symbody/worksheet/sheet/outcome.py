@@ -21,6 +21,7 @@ class Outcome:
         error: why it failed, with the place; "" if it didn't.
         notices: what the user should know that Maple doesn't print.
         remark: text that was taken for a remark; then there is no statement, and notices tell of code in it.
+        aliases: what names stand for behind the statement, by ``alias``, as texts.
     """
 
     cell: int
@@ -30,3 +31,4 @@ class Outcome:
     error: str = ""
     notices: tuple[str, ...] = ()
     remark: str | None = None
+    aliases: tuple[tuple[str, str], ...] = ()
