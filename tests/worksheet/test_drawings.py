@@ -31,6 +31,32 @@ def legend_of(axes: Any) -> list[str]:
     return [] if legend is None else [text.get_text() for text in legend.get_texts()]
 
 
+def test_each_curve_of_a_motion_has_options_of_its_own() -> None:
+    axes = axes_of(
+        "s := dsolve({diff(x(t),t) = -x(t), x(0) = 1}, numeric): "
+        "odeplot(s, [[t, x(t), color = red], [t, -x(t), thickness = 3]], 0..1, linestyle = dash)"
+    )
+    one, other = axes.get_lines()
+    assert (one.get_color(), other.get_linewidth(), one.get_linestyle()) == ("red", 3.0, "--")
+    assert other.get_ydata()[0] == pytest.approx(-1)
+
+
+def test_shapes_wait_for_the_values_of_their_names() -> None:
+    interpreter = Interpreter()
+    sheet = (
+        "with(plots): with(plottools): link := line([0,0], [L*cos(q),L], color = blue): link; "
+        "both := display(link, circle([0,0],r)): both; L := 2: r := 1:"
+    )
+    assert printed(sheet, None, interpreter) == [
+        "line([0, 0],[L*cos(q), L],color = blue)",
+        "display(line([0, 0],[L*cos(q), L],color = blue),circle([0, 0],r))",
+    ]
+    printed("subs(q=0, both):", None, interpreter)
+    plot = interpreter.session.last[0]
+    assert isinstance(plot, Plot)
+    assert pieces_of(plot)[0].points.tolist() == [[0, 0], [2, 2]]
+
+
 def test_one_curve_names_its_axes() -> None:
     axes = axes_of('plot(sin(x), x = 0..2, title = "A sine")')
     assert (axes.get_xlabel(), axes.get_ylabel(), axes.get_title()) == ("x", "sin(x)", "A sine")

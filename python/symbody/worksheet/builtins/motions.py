@@ -42,6 +42,7 @@ else:
 __all__ = ["COMMANDS", "PACKAGES"]
 
 Column: TypeAlias = "NDArray[np.float64]"
+Curve: TypeAlias = tuple[list[Expr], tuple[Relation, ...]]
 _POINTS = 200
 """Points of a curve, unless the sheet says how many."""
 
@@ -132,11 +133,16 @@ def odeplot(session: Session, solution: Value, what: Value | None = None, *optio
     count = int(time_of(session, named["numpoints"], "odeplot")) if "numpoints" in named else _POINTS
     session.limits.check_items(count)
     times = np.linspace(first, last, max(count, 2))
-    curves = []
-    for axes in _axes(session, motion, what):
-        columns = motion.rows(session, [*times], axes)
-        curves.append(Piece("curve", columns, tuple(session.text(each) for each in axes)))
-    return Plot("curves", tuple(styled(session, curves, named)), tuple(named.items()))
+    wanted = _axes(session, motion, what)
+    curves = [
+        Piece("curve", motion.rows(session, [*times], axes), tuple(session.text(each) for each in axes))
+        for axes, _ in wanted
+    ]
+    pieces = styled(session, curves, named)
+    for k, (_, own) in enumerate(wanted):
+        if own:
+            pieces[k] = styled(session, [curves[k]], named | plot_options(session, list(own)))[0]
+    return Plot("curves", tuple(pieces), tuple(named.items()))
 
 
 def _motion(session: Session, solution: Value) -> NumericSolution | None:
@@ -149,14 +155,16 @@ def _motion(session: Session, solution: Value) -> NumericSolution | None:
     return made if isinstance(made, NumericSolution) else None
 
 
-def _axes(session: Session, motion: NumericSolution, what: Value | None) -> list[list[Expr]]:
-    """Return the expressions of the axes, curve by curve."""
+def _axes(session: Session, motion: NumericSolution, what: Value | None) -> list[Curve]:
+    """Return the expressions of the axes, curve by curve, with the options of each: ``[t, x(t), color = red]``."""
     found = None if what is None or isinstance(what, Range) else session.current(what)
     if not isinstance(found, Listed):
-        return [[motion.results[0], motion.results[1]]]
+        return [([motion.results[0], motion.results[1]], ())]
     items: list[Any] = [session.current(each) for each in found.items]
-    if all(isinstance(each, Expr) for each in items):
-        return [items]
+    own = tuple(each for each in items if isinstance(each, Relation))
+    axes = [each for each in items if not isinstance(each, Relation)]
+    if axes and all(isinstance(each, Expr) for each in axes):
+        return [(axes, own)]
     return [axes for each in items if isinstance(each, Listed) for axes in _axes(session, motion, each)]
 
 

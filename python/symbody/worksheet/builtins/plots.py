@@ -31,6 +31,7 @@ from symbody.worksheet.values.value import (
     Relation,
     Sequence,
     String,
+    Unevaluated,
     Value,
 )
 
@@ -175,12 +176,30 @@ def _points(session: Session, value: Value) -> NDArray[np.float64] | None:
 
 def display(session: Session, *arguments: Value) -> Value:
     """plots[display]([p, q, ...] [, insequence = true]): drawings over each other, or one after the other."""
-    plots = [each for argument in arguments for each in _plots(session, argument)]
+    made = tuple(_current_drawing(session, each) for each in arguments)
+    if any(_waits(each) for each in made):
+        return Unevaluated(Builtin("display", display), made)
+    plots = [each for argument in made for each in _plots(session, argument)]
     options = plot_options(session, list(arguments))
     moves = options.get("insequence") == Boolean(truth=True)
     data = tuple(plots) if moves else tuple(piece for each in plots for piece in pieces_of(each))
     inner = {name: value for each in plots for name, value in each.options}
     return Plot("animation" if moves else "curves", data, tuple((inner | options).items()))
+
+
+def _current_drawing(session: Session, value: Value) -> Value:
+    """Return drawings as they are now: shapes whose names have values by now are drawn."""
+    found = session.resolve(value)
+    if isinstance(found, Listed | MapleSet | Sequence):
+        return Listed(tuple(_current_drawing(session, each) for each in found.items))
+    return session.current(found) if isinstance(found, Unevaluated) else value
+
+
+def _waits(value: Value) -> bool:
+    """Whether a drawing holds shapes that have no numbers yet."""
+    if isinstance(value, Listed):
+        return any(map(_waits, value.items))
+    return isinstance(value, Unevaluated) and isinstance(value.function, Builtin)
 
 
 def _plots(session: Session, value: Value) -> list[Plot]:
@@ -247,12 +266,25 @@ def _one_text(session: Session, value: Value) -> Plot:
 # --- plottools ---
 
 
+def _is_open(session: Session, value: Value) -> bool:
+    """Whether a place or a size contains names without a value."""
+    found = session.current(session.resolve(value))
+    if isinstance(found, Expr):
+        return not found.is_constant
+    if isinstance(found, Range):
+        return any(_is_open(session, each) for each in (found.start, found.stop))
+    parts = found.entries if isinstance(found, Array) else getattr(found, "items", ())
+    return any(_is_open(session, each) for each in parts)
+
+
 def _shape(
     kind: str, outline: Callable[[Session, tuple[Value, ...]], NDArray[np.float64]], usage: str
 ) -> Command:
     def shape(session: Session, *arguments: Value) -> Value:
-        options = plot_options(session, list(arguments))
         plain = tuple(each for each in arguments if not isinstance(each, Relation))
+        if any(_is_open(session, each) for each in plain):
+            return Unevaluated(Builtin(usage.partition("(")[0], shape), arguments)
+        options = plot_options(session, list(arguments))
         try:
             points = outline(session, plain)
         except (IndexError, ValueError) as fault:

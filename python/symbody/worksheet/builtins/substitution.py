@@ -18,7 +18,15 @@ from symbody.worksheet.evaluation.entrywise import parts_of, with_parts
 from symbody.worksheet.mechanics import frame_face
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.structure import Tree, tree_of, walk
-from symbody.worksheet.values.value import Array, ProcedureValue, Reference, Table, Unevaluated, Value
+from symbody.worksheet.values.value import (
+    Array,
+    Builtin,
+    ProcedureValue,
+    Reference,
+    Table,
+    Unevaluated,
+    Value,
+)
 
 if TYPE_CHECKING:
     from symbody.worksheet.evaluation.session import Session
@@ -46,16 +54,17 @@ def substituted(session: Session, value: Value, mapping: Mapping[Value, Value]) 
                 for key, entry in found.entries.items()
             }
         )
-    if (
-        isinstance(found, Unevaluated)
-        and isinstance(found.function, Expr)
-        and found.function.kind != "symbol"
-    ):
+    if isinstance(found, Unevaluated) and not _is_name(found.function):
         arguments = tuple(substituted(session, part, mapping) for part in found.arguments)
         return session.call(substituted(session, found.function, mapping), arguments)
     if parts_of(found):
         return with_parts(found, [substituted(session, part, mapping) for part in parts_of(found)])
     return value
+
+
+def _is_name(head: Value) -> bool:
+    """Whether the head of a call is a name, or what has no parts; a shape that had no numbers is drawn again."""
+    return not isinstance(head, Builtin) and not (isinstance(head, Expr) and head.kind != "symbol")
 
 
 def _is_key(value: Value) -> bool:

@@ -100,7 +100,17 @@ def one_line(text: PythonText, target: syntax.Expression, value: syntax.Expressi
     changed = _entry_of_matrix(text, target, value)
     if changed:
         return changed
+    match target, value:
+        case syntax.Name(), syntax.Call(function=syntax.Name(name="seq")):
+            made = text.text(value)  # a sequence, which lists and calls open
+            if isinstance(text.value(made), list):
+                return _written(text, target, f"({made[1:-1]},)" if _is_plain(made) else f"tuple({made})")
     return _written(text, target, _single(text, value))
+
+
+def _is_plain(written: str) -> bool:
+    """Whether a list is written out."""
+    return isinstance(ast.parse(written, mode="eval").body, ast.List)
 
 
 def _single(text: PythonText, value: syntax.Expression) -> str:

@@ -26,6 +26,7 @@ from symbody.worksheet.convert.operations import grouped
 from symbody.worksheet.convert.picture_calls import PICTURES
 from symbody.worksheet.convert.polynomial_calls import POLYNOMIALS
 from symbody.worksheet.convert.quadrature_calls import QUADRATURE
+from symbody.worksheet.convert.row_calls import ROWS
 from symbody.worksheet.convert.selections import indexed
 from symbody.worksheet.convert.sequences import item
 from symbody.worksheet.convert.spectrum_calls import SPECTRUM
@@ -46,6 +47,7 @@ _TABLES = (
     CONDITIONS,
     CONSTRUCTORS,
     MATRICES,
+    ROWS,
     LISTS,
     NUMBERS,
     MOTIONS,

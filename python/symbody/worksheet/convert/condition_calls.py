@@ -9,6 +9,7 @@ from symbody.symbolic import Expr, Matrix
 from symbody.worksheet.convert.names import NoText
 from symbody.worksheet.convert.operations import grouped
 from symbody.worksheet.convert.operators import condition
+from symbody.worksheet.convert.parameter_types import type_test
 from symbody.worksheet.convert.writer import Arguments, Writer
 from symbody.worksheet.sheet import syntax
 
@@ -63,11 +64,34 @@ def _member(text: Writer, arguments: Arguments) -> str:
     return f"{text.text(arguments[0])} in {text.text(arguments[1])}"
 
 
+def _typed(text: Writer, arguments: Arguments) -> str:
+    """Return ``type(x, BODY)``: whether a value is of a class."""
+    whole, kind = arguments
+    test = type_test(kind, grouped(text.text(whole)))
+    if not test:
+        raise NoText("type")
+    return test
+
+
+def _names_of(text: Writer, arguments: Arguments) -> str:
+    """Return ``indets(e)`` of an expression, a list or a matrix: its variables."""
+    (whole,) = arguments
+    written = text.text(whole)
+    found = text.value(written)
+    if isinstance(found, Matrix):
+        return f"[*sb.symbolic.free_symbols({grouped(written)}.entries)]"
+    if isinstance(found, dict):
+        raise NoText("indets")
+    return f"[*sb.symbolic.free_symbols({written if isinstance(found, list) else f'[{written}]'})]"
+
+
 CONDITIONS: Mapping[str, Call] = {
     **dict.fromkeys(("if", "ifelse"), _chosen),
     **dict.fromkeys(("evalb", "is"), _truth),
     "piecewise": _pieces,
     "has": _has,
     "member": _member,
+    "type": _typed,
+    "indets": _names_of,
 }
 """Writers by the names of commands."""

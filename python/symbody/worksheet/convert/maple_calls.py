@@ -230,7 +230,7 @@ def _converted(text: Writer, arguments: Arguments) -> str:
     if isinstance(word, syntax.Name) and word.name == "listlist" and isinstance(found, Matrix):
         return f"{grouped(whole)}.tolist()"
     if isinstance(word, syntax.Name) and word.name in {"list", "set"}:
-        if isinstance(found, tuple):
+        if isinstance(found, tuple | np.ndarray):
             return f"list({whole})"
         if isinstance(found, list):
             return whole

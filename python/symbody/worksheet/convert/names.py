@@ -130,6 +130,7 @@ class Names:
         called: names that the sheet calls, or whose procedures it asks for.
         motions: the equations of motions, by their variables.
         acting: procedures that change tables or other names of the sheet, or print: they are called for that.
+        own_functions: names whose value is the function of time of that name: ``theta := theta(t)``.
         bare: identifiers of symbols that have the name of a function of time, as V in ``V(t) = V``.
     """
 
@@ -158,6 +159,7 @@ class Names:
     motions: dict[str, str] = field(default_factory=dict)
     acting: set[str] = field(default_factory=set)
     behind: set[str] = field(default_factory=set)
+    own_functions: frozenset[str] = frozenset()
 
     def own(self, name: str) -> str:
         """Return an identifier for what only the program has a name for."""
@@ -177,7 +179,7 @@ class Names:
         """Return the identifier of a symbol that may have the name of a function of time."""
         known = self.values.get(identifier(name))
         is_function = isinstance(known, Expr) and known.kind == "time_function" and known.name == name
-        if name not in self.functions or not (known is None or is_function):
+        if name not in self.functions or name in self.own_functions or not (known is None or is_function):
             return self.text(name)
         text = f"{identifier(name)}_"
         self.values.setdefault(text, symbol(name))
@@ -270,6 +272,7 @@ class Names:
             self.rules,
             self.sets,
             self.called,
+            own_functions=self.own_functions,
         )
 
     def value(self, text: str) -> Any:

@@ -8,7 +8,7 @@ from symbody.worksheet.convert.names import Names, identifier
 from symbody.worksheet.printing.source_text import source_text
 from symbody.worksheet.sheet import syntax
 
-__all__ = ["type_tests"]
+__all__ = ["type_test", "type_tests"]
 
 _NUMBERS = {
     **dict.fromkeys(("numeric", "float", "rational", "fraction"), "sb.number({0}).is_number"),
@@ -53,7 +53,7 @@ def type_tests(name: str, parameters: Sequence[syntax.Parameter], names: Names) 
         variable = identifier(each.name)
         if each.type is None:
             continue
-        test = _test(each.type, variable)
+        test = type_test(each.type, variable)
         if test and names.value(test):
             yield f"if not ({test}):" if _joins(test) else f"if not {test}:"
             yield (
@@ -62,7 +62,7 @@ def type_tests(name: str, parameters: Sequence[syntax.Parameter], names: Names) 
             )
 
 
-def _test(kind: syntax.Expression, variable: str) -> str:
+def type_test(kind: syntax.Expression, variable: str) -> str:
     """Return the test of a type; nothing if Python has none like it."""
     match kind:
         case syntax.Name(name=name) if name in _NUMBERS:
@@ -70,7 +70,7 @@ def _test(kind: syntax.Expression, variable: str) -> str:
         case syntax.Name(name=name) if name in _CLASSES:
             return f"isinstance({variable}, {_CLASSES[name]})"
         case syntax.Call(function=syntax.Name(name="list" | "set"), arguments=(inner,)):
-            one = _test(inner, "each")
+            one = type_test(inner, "each")
             return f"isinstance({variable}, list)" + (
                 f" and all({one} for each in {variable})" if one else ""
             )
@@ -78,7 +78,7 @@ def _test(kind: syntax.Expression, variable: str) -> str:
             classes = [_CLASSES.get(str(getattr(each, "name", ""))) for each in items]
             if all(classes):
                 return f"isinstance({variable}, {' | '.join(filter(None, classes))})"
-            tests = [_test(each, variable) for each in items]
+            tests = [type_test(each, variable) for each in items]
             return " or ".join(f"({each})" if _joins(each) else each for each in tests) if all(tests) else ""
     return ""
 

@@ -28,6 +28,7 @@ from symbody.worksheet.convert.sheet_names import (
     called_names,
     functions_of_time,
     named_sets,
+    own_functions,
     sided_names,
     solved_names,
     substituted_names,
@@ -85,6 +86,7 @@ def converted(cells: Sequence[Cell], title: str, session: Session | None = None)
         values_of=set(substituted_names(cells)),
         reserved=frozenset(map(identifier, names_in_code(cells))),
         called=frozenset(called_names(cells)),
+        own_functions=frozenset(own_functions(cells)),
     )
     program = Draft(tuple(cells), Interpreter(session), names, PythonText(names), Procedures(names))
     program.interpreter.session.draws = False

@@ -18,6 +18,7 @@ __all__ = [
     "functions_of_time",
     "named_sets",
     "names_in",
+    "own_functions",
     "sided_names",
     "solved_names",
     "substituted_names",
@@ -29,6 +30,20 @@ def functions_of_time(cells: Sequence[Cell]) -> Iterator[str]:
     for cell in cells:
         for item in statements(cell):
             yield from functions_in(item)
+
+
+def own_functions(cells: Sequence[Cell]) -> Iterator[str]:
+    """Return the names to which the sheet assigns their own functions of time: ``theta := theta(t)``."""
+    for cell in cells:
+        for item in statements(cell):
+            match item:
+                case syntax.Assignment(
+                    targets=(syntax.Name(name=name),),
+                    value=syntax.Call(
+                        function=syntax.Name(name=function), arguments=(syntax.Name(name="t"),)
+                    ),
+                ) if name == function:
+                    yield name
 
 
 def solved_names(cells: Sequence[Cell]) -> Iterator[str]:

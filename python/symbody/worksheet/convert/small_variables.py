@@ -10,6 +10,7 @@ from symbody.symbolic import Expr, Matrix, small, subs
 from symbody.worksheet.convert.names import Names, NoText, identifier
 from symbody.worksheet.convert.operations import SUM, grouped
 from symbody.worksheet.convert.scalar_text import scalar_text
+from symbody.worksheet.convert.sequences import item as several
 from symbody.worksheet.convert.writer import Writer
 from symbody.worksheet.sheet import syntax
 
@@ -86,12 +87,27 @@ def _deviations(text: Writer, node: syntax.Expression) -> Iterator[tuple[str, st
         match item:
             case syntax.Infix(operator="=", left=left, right=right):
                 yield _variable(text, left), text.text(right)
+            case syntax.Call(function=syntax.Name(name="seq" | "op")):
+                found = text.value(f"[{several(text, item)}]")
+                yield from ((_declared(text.names, each), "") for each in _checked(found))
             case _ if not _is_small_anyway(text, item):
                 yield _variable(text, item), ""
 
 
 def _variables(text: Writer, node: syntax.Expression) -> Sequence[Expr]:
-    found = text.value(text.text(node))
+    return _checked(text.value(text.text(node)))
+
+
+def _declared(names: Names, variable: Expr) -> str:
+    """Return the identifier of a variable whose name is made by concatenation."""
+    name = identifier(variable.name)
+    if name not in names.symbols:
+        names.functions |= {variable.name} if variable.kind == "time_function" else set()
+        names.declare(variable.name)
+    return name
+
+
+def _checked(found: object) -> Sequence[Expr]:
     if not isinstance(found, list) or not all(isinstance(each, Expr) and each.is_variable for each in found):
         raise NoText("linear_modeling")
     return found

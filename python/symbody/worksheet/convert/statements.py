@@ -179,7 +179,7 @@ def _for(text: PythonText, loop: syntax.For) -> list[str]:
     before = [
         f"{name} = {{}}"
         for name, made in inner.values.items()
-        if made == {} or _is_new_table(text, name, made)
+        if (isinstance(made, dict) and not made) or _is_new_table(text, name, made)
     ]
     return [*before, head, *(line for line in body if line.strip() not in before)]
 

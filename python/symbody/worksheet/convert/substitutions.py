@@ -102,9 +102,9 @@ def _change(text: Writer, change: syntax.Expression) -> str:
         return made
     if isinstance(found, tuple) and len(found) == 2 and isinstance(found[0], Expr):
         return f"dict([{made}])"
-    if isinstance(found, list) and all(isinstance(each, tuple) for each in found):
+    if isinstance(found, list | tuple) and all(isinstance(each, tuple) for each in found):
         return f"dict({made})"
-    if isinstance(found, list) and all(isinstance(each, dict) for each in found):
+    if isinstance(found, list | tuple) and all(isinstance(each, dict) for each in found):
         return f"{{key: value for each in {made} for key, value in each.items()}}"
     raise NoText("subs")
 

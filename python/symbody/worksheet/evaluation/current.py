@@ -21,6 +21,7 @@ from symbody.worksheet.values.value import (
     NULL,
     Array,
     Boolean,
+    Builtin,
     Listed,
     MapleSet,
     ProcedureValue,
@@ -193,7 +194,12 @@ def _unevaluated(session: State, value: Unevaluated, arguments: tuple[Value, ...
     function = value.function
     if not isinstance(function, Expr) or function.kind != "symbol":
         head = current(session, function)
-        return replace(value, arguments=arguments) if head == function else session.call(head, arguments)
+        is_drawn = isinstance(head, Builtin) and arguments != value.arguments  # a shape that had no numbers
+        return (
+            session.call(head, arguments)
+            if head != function or is_drawn
+            else replace(value, arguments=arguments)
+        )
     is_new = function.name in session.names or (function.name in LOGIC and arguments != value.arguments)
     return session.call(function, arguments) if is_new else replace(value, arguments=arguments)
 
