@@ -210,3 +210,8 @@ def test_constants_and_extrema_have_the_words_of_their_languages() -> None:
         "cg = fmax(a, b);",
         "cg = math.inf",
     ]
+
+
+def test_lists_of_rows_are_matrices() -> None:
+    sheet = 'CodeGeneration[Matlab]([[a,b],[c,d]], resultname = "M"); codegen[C]([[a],[b]]);'
+    assert printed(sheet) == ["M = [a b; c d;];", "t0[0] = a;\nt0[1] = b;"]

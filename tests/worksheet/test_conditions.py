@@ -42,7 +42,8 @@ CASES = {
     ),
     "names without a value stay in operators of logic": (
         (
-            "not a; not not a; a and b; not (a or b) and c; true and b; a and false; a or true; a xor b; evalb(a and b); "
+            "not a; not not a; a and b; not (a or b) and c; true and b; a and false; a or true; a xor b; "
+            "evalb(a and b); "
             "h := (x > 3) and deep: x := 5: h; deep := true: h; map(`not`, [true, false]);"
         ),
         [

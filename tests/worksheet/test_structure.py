@@ -9,6 +9,10 @@ CASES = {
         "op(a+b*c); op(2,u=v); op([1,2],[[1,2],3]); op(0,f(x)); op(1..2,[a,b,c]);",
         ["b*c, a", "v", "2", "f", "a, b"],
     ),
+    "operands of indexed names": (
+        "op(0,a[i]), op(a[i]), op(a[1,2]), nops(a[1,2]), op(0,q[1](t)), map(op, [b[1],b[2]]);",
+        ["a, i, 1, 2, 2, q[1], [1, 2]"],
+    ),
     "counts": (
         "nops(a+b+c), nops(a*b), nops([a,b]), nops({a,a}), nops(x), nops(u=v);",
         ["3, 2, 2, 1, 1, 2"],

@@ -10,7 +10,10 @@ CASES = {
         ["cos(t)+sin(t)+4, 9"],
     ),
     "indices and heads of indexed names": (
-        "subs(i=2, a[i]+diff(q[i](t),t)), subs(a=b, a[1]+c[1]), subs(a=3, a[1]), subs(a[1]=a[2], a[2]=a[1], a[1]*a[3]);",
+        (
+            "subs(i=2, a[i]+diff(q[i](t),t)), subs(a=b, a[1]+c[1]), subs(a=3, a[1]), "
+            "subs(a[1]=a[2], a[2]=a[1], a[1]*a[3]);"
+        ),
         ["a[2]+diff(q[2](t),t), b[1]+c[1], a[1], a[1]*a[3]"],
     ),
     "one after the other": (

@@ -100,12 +100,7 @@ def one_line(text: PythonText, target: syntax.Expression, value: syntax.Expressi
     changed = _entry_of_matrix(text, target, value)
     if changed:
         return changed
-    match target, value:
-        case syntax.Name(), syntax.Call(function=syntax.Name(name="seq")):
-            made = text.text(value)  # a sequence, which lists and calls open
-            if isinstance(text.value(made), list):
-                return _written(text, target, f"({made[1:-1]},)" if _is_plain(made) else f"tuple({made})")
-    return _written(text, target, _single(text, value))
+    return _written(text, target, _single(text, target, value))
 
 
 def _is_plain(written: str) -> bool:
@@ -113,10 +108,13 @@ def _is_plain(written: str) -> bool:
     return isinstance(ast.parse(written, mode="eval").body, ast.List)
 
 
-def _single(text: PythonText, value: syntax.Expression) -> str:
-    """Return the text of a value; ``op(L)`` of a list with a single item is this item."""
+def _single(text: PythonText, target: syntax.Expression, value: syntax.Expression) -> str:
+    """Return the text of a value; ``op(L)`` of a list with a single item is this item, and a sequence is a tuple."""
     written = text.text(value)
     match value:
+        case syntax.Call(function=syntax.Name(name="seq")) if isinstance(target, syntax.Name):
+            if isinstance(text.value(written), list):  # lists and calls open it
+                return f"({written[1:-1]},)" if _is_plain(written) else f"tuple({written})"
         case syntax.Call(function=syntax.Name(name="op"), arguments=(_,)):
             found = text.value(written)
             if isinstance(found, list) and len(found) == 1:

@@ -13,9 +13,9 @@ from typing import Any, Protocol
 from symbody.errors import ExpressionError, WorksheetError
 from symbody.symbolic import Expr, UndefinedFunction, free_symbols, pi, t, time_derivative
 from symbody.symbolic.expression.traverse import post_order
-from symbody.worksheet.evaluation.logic import LOGIC
 from symbody.worksheet.printing.print import sort_key
 from symbody.worksheet.values.complex_number import normal
+from symbody.worksheet.values.logic_words import LOGIC
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.value import (
     NULL,

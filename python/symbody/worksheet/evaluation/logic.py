@@ -13,13 +13,10 @@ from symbody.worksheet.values.value import Boolean, Relation, Unevaluated, Value
 if TYPE_CHECKING:
     from symbody.worksheet.evaluation.session import Session
 
-__all__ = ["LOGIC", "decided", "joined", "negation"]
+__all__ = ["decided", "joined", "negation"]
 
 Decision: TypeAlias = bool | Relation | Expr | Unevaluated | None
 """Whether a condition holds; None for FAIL, and the condition itself where that can't be told."""
-
-LOGIC = frozenset({"and", "or", "xor", "implies", "not"})
-"""The operators, by their names."""
 
 #: What holds, with the sides exchanged, where an inequality doesn't.
 _OPPOSITES = {"<": "<=", "<=": "<"}

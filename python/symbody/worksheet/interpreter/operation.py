@@ -11,9 +11,10 @@ from symbody.worksheet.builtins.sets import joined_by
 from symbody.worksheet.evaluation import arithmetic
 from symbody.worksheet.evaluation.assumptions import positive_names, under
 from symbody.worksheet.evaluation.condition import compared
-from symbody.worksheet.evaluation.logic import LOGIC, joined, negation
+from symbody.worksheet.evaluation.logic import joined, negation
 from symbody.worksheet.evaluation.session import Session
 from symbody.worksheet.sheet import syntax
+from symbody.worksheet.values.logic_words import LOGIC
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.value import (
     Array,

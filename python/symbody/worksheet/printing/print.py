@@ -13,6 +13,7 @@ from symbody.worksheet.printing.source_text import procedure_text, source_text
 from symbody.worksheet.sheet.greek_letters import GREEK
 from symbody.worksheet.values.decimals import decimal_text
 from symbody.worksheet.values.integers import number_text, shown_number
+from symbody.worksheet.values.logic_words import LOGIC, NEGATION
 from symbody.worksheet.values.structure import Tree, is_negative, tree_of
 from symbody.worksheet.values.value import (
     Array,
@@ -306,7 +307,7 @@ def bounded_text(value: Array, texts: list[str]) -> str:
 
 
 #: Operators whose results stand in brackets within others.
-_LOOSE = frozenset({"and", "or", "xor", "implies"})
+_LOOSE = LOGIC - {NEGATION}
 
 
 def _unevaluated(value: Unevaluated, style: Style) -> str:
