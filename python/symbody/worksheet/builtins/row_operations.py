@@ -34,7 +34,15 @@ def _place(where: str, index: Value, count: int) -> int:
 
 
 def _added(session: Session, rows: _Rows, changed: int, other: int, factor: Value) -> None:
-    """Add a multiple of another row to a row."""
+    """Add a multiple of another row to a row.
+
+    Args:
+        session: the session.
+        rows: all rows, of which one changes.
+        changed: the place of that one.
+        other: the place of the other row.
+        factor: what this is multiplied by.
+    """
     rows[changed] = [
         binary(session, "+", a, binary(session, "*", factor, b))
         for a, b in zip(rows[changed], rows[other], strict=True)

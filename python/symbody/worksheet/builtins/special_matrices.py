@@ -102,7 +102,15 @@ def subvector(session: Session, value: Value, rows: Value, columns: Value) -> Va
 def extended(
     session: Session, value: Value, rows: Value, columns: Value, content: Value | None = None
 ) -> Value:
-    """extend(A, n, m, c): n rows and m columns more, of c; of zeros if it isn't given."""
+    """extend(A, n, m, c): n rows and m columns more, of c.
+
+    Args:
+        session: the session.
+        value: A.
+        rows: n.
+        columns: m.
+        content: c, zero by default.
+    """
     array = array_of(session, value, "extend")
     n, m = (_count("extend", each) for each in (rows, columns))
     made = filled(session, array.rows + n, array.columns + m, None, "matrix")
