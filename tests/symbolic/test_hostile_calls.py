@@ -135,7 +135,7 @@ def _long(count: int) -> _core.Expr:
     return _core.application("f", [_core.symbol(f"x{k}") for k in range(count)])
 
 
-GIANTS = {"deep": lambda: _deep(20_000), "wide": lambda: _wide(30_000), "long": lambda: _long(40_000)}
+GIANTS = {"deep": lambda: _deep(20_000), "wide": lambda: _wide(15_000), "long": lambda: _long(40_000)}
 """Expressions that are too large for the many calls."""
 
 CALLS_OF_GIANTS: dict[str, Callable[[_core.Expr], object]] = {
