@@ -6,6 +6,13 @@ from symbody.worksheet.interpreter.interpret import Interpreter
 from tests.worksheet.printed_by import failures, printed
 
 CASES = {
+    "assign gives entries of tables and matrices values": (
+        (
+            "assign({c[1]=2, d=3}): c[1], d; assign('g[2]',7): g[2]; M := Matrix(1,2): assign('M[1,2]'=5): M; "
+            "assign(solve({h[1]+h[2]=3, h[1]-h[2]=1}, {h[1],h[2]})): h[1];"
+        ),
+        ["2, 3", "7", "Matrix([[0, 5]])", "2"],
+    ),
     "one unknown alone": (
         "solve(a*x+b=0,x); solve(z^2-4,z);",
         ["-b/a", "2, -2"],

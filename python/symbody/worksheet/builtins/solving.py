@@ -14,6 +14,7 @@ from symbody.worksheet.builtins.unknowns import names_of_unknowns, with_names
 from symbody.worksheet.evaluation.arithmetic import scalar
 from symbody.worksheet.evaluation.at_numbers import calls_functions, value_at
 from symbody.worksheet.evaluation.current import set_of
+from symbody.worksheet.evaluation.select import assigned_entry
 from symbody.worksheet.evaluation.session import Command, Session, sequence
 from symbody.worksheet.mathematics.closed_roots import (
     is_complex,
@@ -38,6 +39,7 @@ from symbody.worksheet.values.value import (
     Range,
     Relation,
     Sequence,
+    Table,
     Unevaluated,
     Value,
 )
@@ -413,8 +415,22 @@ def assign(session: Session, *solutions: Value) -> Value:
     return NULL
 
 
+def _assign_entry(session: Session, base: str, indices: tuple[Value, ...], right: Value) -> None:
+    """Give an entry of a table or a matrix a value; a name without value becomes a table."""
+    holder = session.resolve(session.current(symbol(base)))
+    if not isinstance(holder, Table | Array):
+        _assign_one(session, symbol(base), Table({indices: right}))
+        return
+    assigned_entry(session, holder, indices, right)
+    while base in session.indexed:
+        base = session.indexed[base][0]
+    session.touch(base)
+
+
 def _assign_one(session: Session, left: Expr, right: Value) -> None:
-    if left.kind == "symbol":
+    if left.kind == "symbol" and left.name in session.indexed:
+        _assign_entry(session, *session.indexed[left.name], right)
+    elif left.kind == "symbol":
         session.assign(left.name, right)
     elif left.kind in ("time_function", "application") and not (left.kind == "time_function" and left.order):
         arguments = left.args or (symbol("t"),)

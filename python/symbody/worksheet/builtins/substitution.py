@@ -111,7 +111,7 @@ def _in_indices(session: Session, value: Expr, mapping: Mapping[Value, Value]) -
         base, indices = session.indexed.get(leaf.name, ("", ()))
         if not base or leaf in mapping:
             continue
-        head = mapping.get(symbol(base), symbol(base))
+        head = substituted(session, symbol(base), mapping)
         new = tuple(substituted(session, each, mapping) for each in indices)
         if (head == symbol(base) and new == indices) or (isinstance(head, Expr) and head.kind != "symbol"):
             continue
