@@ -68,6 +68,12 @@ def test_a_modulus_whose_rest_is_known_in_the_form_of_a_quotient_ends() -> None:
         pytest.param(1212, 1200, id="the derivative of a constant in which a symbol cancels"),
         pytest.param(1215, 4946, id="derivatives at a pole that fills an interval"),
         pytest.param(1225, 2783, id="the content of the root in a sine of an arc cosine"),
+        pytest.param(1428, 3021, id="a power of 2 whose exponent is 1 by a number of 84 bits"),
+        pytest.param(1540, 3433, id="a sum with a logarithm that is zero at the point of integers"),
+        pytest.param(1704, 990, id="the content of a sum of sines of an angle and of its half"),
+        pytest.param(1727, 780, id="a content that a sum with a root of a number makes"),
+        pytest.param(1706, 2033, id="a condition with a prime in one of two values"),
+        pytest.param(1732, 4289, id="the root of a number of 83 bits, a product of two"),
         # more signs in one form of an argument than in the other; roots of what contains units of order 109
         *repeated([(1102, 4196), (1108, 414), (1108, 3914)]),
     ],

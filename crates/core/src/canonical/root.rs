@@ -33,13 +33,13 @@ impl Graph {
         }
     }
 
-    /// Move the powers of primes to the coefficient and the factors: exponents lie in [0, 1), and those of 1/2 share a
-    /// square root.
+    /// Move the powers of primes to the coefficient and the factors: exponents lie in [0, 1), and those of 1/2 share
+    /// square roots of numbers that can be factored again.
     pub(super) fn settle_primes(&mut self, out: &mut Collector) {
         if out.primes.is_empty() {
             return;
         }
-        let mut radicand = Number::integer(1);
+        let mut radicands: Vec<Number> = Vec::new();
         for (prime, exponent) in std::mem::take(&mut out.primes) {
             let prime = Number::whole(prime);
             let whole = exponent.floor();
@@ -48,15 +48,23 @@ impl Graph {
                 out.coefficient.mul(&power.expect("a prime factor of a number that is not too large"));
             let fraction = exponent.sub(&whole);
             if fraction == Number::rational(1, 2) {
-                radicand = radicand.mul(&prime);
+                match radicands.last_mut().filter(|known| fits_word(&known.mul(&prime))) {
+                    Some(known) => *known = known.mul(&prime),
+                    None => radicands.push(prime),
+                }
             } else if !fraction.is_zero() {
                 out.factors.push((self.number(&prime), fraction));
             }
         }
-        if !radicand.is_one() {
+        for radicand in radicands {
             out.factors.push((self.number(&radicand), Number::rational(1, 2)));
         }
     }
+}
+
+/// Whether an integer is so short that all of its prime factors are found.
+fn fits_word(number: &Number) -> bool {
+    number.numerator().bits() <= u64::BITS.into()
 }
 
 /// Multiply by a power of a number.

@@ -14,10 +14,7 @@ use super::node::in_hash_lanes;
 
 /// How many points there are at which arguments are zero. At as many others sines and exponentials are drawn: these serve
 /// where a value is zero at all of the first.
-pub(super) const POINTS: u16 = 6;
-
-/// How many of them are enough where no signs and roots are.
-pub(super) const POINTS_WITHOUT_SIGNS: u16 = 2;
+pub(super) const POINTS: u16 = 5;
 
 /// How often a point is drawn again if it has no roots of some values.
 pub(super) const TRIALS: u16 = 24;

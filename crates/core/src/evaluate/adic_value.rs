@@ -1,7 +1,8 @@
 //! The values of nodes at points of the q-adic integers, where variables and functions are drawn.
 //!
 //! At the first points the argument of a sine or an exponential is zero but for its atoms (see [`argument`](super::argument)),
-//! whose angles and exponentials are known, so that the addition theorems hold. Signs are those of a lane.
+//! whose angles and exponentials are known, so that the addition theorems hold. At the others it is drawn (see
+//! [`drawn_argument`](super::drawn_argument)). Signs are those of a lane.
 
 use rustc_hash::FxHashMap;
 
@@ -106,20 +107,26 @@ impl Graph {
         if function.is_choice() {
             return Some(self.adic_choice(function, args, values, at));
         }
-        if !at.has_plain_arguments() {
-            return None;
-        }
+        let is_plain = at.has_plain_arguments();
+        let angle = || match is_plain {
+            true => Some(self.adic_angle(args[0], values, at)),
+            false => self.drawn_angle(args[0], at),
+        };
+        let exponential = || match is_plain {
+            true => Some(self.adic_exponential(args[0], values, at)),
+            false => self.drawn_exponential(args[0], at),
+        };
         let quotient = |a: &Adic<C>, b: &Adic<C>| adics.mul(a, &adics.power(b, -1));
         Some(match function {
-            Function::Sin => self.adic_angle(args[0], values, at).1,
-            Function::Cos => self.adic_angle(args[0], values, at).0,
+            Function::Sin => angle()?.1,
+            Function::Cos => angle()?.0,
             Function::Tan => {
-                let (cos, sin) = self.adic_angle(args[0], values, at);
+                let (cos, sin) = angle()?;
                 quotient(&sin, &cos)
             }
-            Function::Exp => self.adic_exponential(args[0], values, at),
+            Function::Exp => exponential()?,
             Function::Sinh | Function::Cosh | Function::Tanh => {
-                let exponential = self.adic_exponential(args[0], values, at);
+                let exponential = exponential()?;
                 let inverse = adics.power(&exponential, -1);
                 let minus = adics.mul(&adics.integer(&(-1).into()), &inverse);
                 let (sinh, cosh) = (adics.add(&exponential, &minus), adics.add(&exponential, &inverse));
@@ -129,7 +136,7 @@ impl Graph {
                     _ => quotient(&sinh, &cosh),
                 }
             }
-            Function::Power => {
+            Function::Power if is_plain => {
                 let number = self.number_in_lane(args[1], at.lane());
                 self.adic_general_power(args[0], &number, values, at)
             }

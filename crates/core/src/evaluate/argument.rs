@@ -298,6 +298,24 @@ mod tests {
     use crate::error::Error;
     use crate::graph::Assumption;
 
+    /// log(a) = (L**2 - (a + 1)**2)/(L + a + 1) + a + 1 - log(12) for L = log(12*a), with 2 for a + 1 at a point of integers.
+    #[test]
+    fn a_logarithm_is_found_beside_what_has_a_pole_at_the_point_of_integers() -> Result<(), Error> {
+        let g = &mut Graph::new();
+        let (a, twelve, two) = (g.symbol("a", Assumption::Positive), g.integer(12), Number::integer(2));
+        let (number, more) = (g.apply(Function::Log, &[twelve])?, g.add(a, Id::ONE));
+        let product = g.mul(twelve, a)?;
+        let logarithm = g.apply(Function::Log, &[product])?;
+        let (square, other) = (g.pow_number(logarithm, &two)?, g.pow_number(more, &two)?);
+        let (difference, sum) = (g.sub(square, other), g.add(logarithm, more));
+        let quotient = g.div(difference, sum)?;
+        let whole = g.add(quotient, more);
+        let argument = g.sub(whole, number);
+        let exponential = g.apply(Function::Exp, &[argument])?;
+        assert!(g.same(exponential, a));
+        Ok(())
+    }
+
     /// cosh(sqrt(u v)/sqrt(u)) for u = b + 1, whose sign no lane knows, and cosh(sqrt(v)).
     #[test]
     fn an_even_function_does_not_hide_the_sign_of_a_root() -> Result<(), Error> {

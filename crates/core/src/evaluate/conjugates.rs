@@ -3,7 +3,8 @@
 //! At a point of integers the length sqrt(x^2 + y^2) is a root such as sqrt(13). Roots of different primes are linearly
 //! independent over the rational numbers [Besicovitch 1940], so the rational part of a value is the mean of its conjugates,
 //! in which each q^(1/n) of a prime q is multiplied by a root e^(2 pi i k/n) of one. Like the value, it is additive, and
-//! it is that of every form. A root inside a root has no rational part here.
+//! it is that of every form. A root inside a root has no rational part here. The product of the conjugates, the norm, is
+//! rational as well: a prime in the content of a value divides it.
 
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -11,10 +12,13 @@ use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
 
 use crate::graph::{Flags, Graph, Id, View};
-use crate::value::{Element, FieldId, Number, Quadratic, fingerprint, prime_factors};
+use crate::value::{Element, FieldId, Number, Quadratic, fingerprint, likely_number, prime_factors};
 
 /// The most conjugates of a value.
 const MOST_CONJUGATES: i64 = 64;
+
+/// The lanes from whose values a norm is found: it has many digits, being a product.
+const LANES_FOR_NORMS: usize = 32;
 
 type Powers = BTreeMap<BigInt, i64>;
 
@@ -33,6 +37,11 @@ pub(super) struct Conjugation<'a> {
 }
 
 impl Radicals {
+    /// How many conjugations there are.
+    pub(super) fn count(&self) -> usize {
+        self.conjugations().count()
+    }
+
     /// All conjugations.
     pub(super) fn conjugations(&self) -> impl Iterator<Item = Conjugation<'_>> {
         let count = self.degrees.iter().map(|(_, degree)| degree).product();
@@ -110,6 +119,25 @@ pub(super) fn mean_of_conjugates(
     };
     let [first, second] = FieldId::HASH.map(mean);
     rational(fingerprint([&first?, &second?]))
+}
+
+/// The product of the conjugates of a value that a point of integers has in a field.
+pub(super) fn norm_of_conjugates(
+    radicals: &Radicals,
+    value: impl Fn(&Conjugation<'_>, FieldId) -> Option<Quadratic>,
+) -> Option<Number> {
+    let norm = |field: FieldId| {
+        let f = field.field();
+        radicals
+            .conjugations()
+            .try_fold(f.one(), |product, conjugation| Some(f.mul(&product, &value(&conjugation, field)?)))
+    };
+    let [first, second] = FieldId::HASH.map(norm);
+    rational(fingerprint([&first?, &second?])).or_else(|| {
+        let fields = FieldId::others(0).take(LANES_FOR_NORMS);
+        let norms: Option<Vec<_>> = fields.map(|field| Some((field, norm(field)?))).collect();
+        likely_number(norms?.into_iter())
+    })
 }
 
 /// The rational number that has a value, if that is not too large.

@@ -10,10 +10,10 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use std::collections::BTreeSet;
 
-use crate::graph::{Combination, Content, Flags, Graph, Id, NumberId, View};
+use crate::graph::{Combination, Content, Graph, Id, NumberId, View};
 use crate::value::{Adics, Coefficient, Extension, Field, Number, coprime_factors};
 
-use super::adic_point::{AdicPoint, POINTS, POINTS_WITHOUT_SIGNS, TRIALS};
+use super::adic_point::{AdicPoint, POINTS, TRIALS};
 use super::integer_point::{Rationals, is_long};
 
 /// Larger sums and products have no content.
@@ -107,7 +107,19 @@ impl Graph {
         let are_long = literals.iter().any(is_long);
         let pairs = self.at_pairs_of_points(&roots, are_long);
         let shared = pairs.iter().flatten().flat_map(|pair| shared_at(pair, of, &sums));
-        let all = literals.iter().cloned().chain(bases).chain(shared).filter(|number| !number.is_zero());
+        let is_rational =
+            |pair: &[Rationals; 2]| pair.iter().all(|at| number_of(of, |id| at.get(id)).is_some());
+        let norms = match pairs.iter().flatten().all(is_rational) {
+            true => None,
+            false => self.norms_at_pair_of_points(of),
+        };
+        let all = literals
+            .iter()
+            .cloned()
+            .chain(bases)
+            .chain(shared)
+            .chain(norms.iter().flat_map(in_common))
+            .filter(|number| !number.is_zero());
         let primes = coprime_factors(all.map(|number| number.abs()));
         let common =
             pairs.filter(|_| self.is_polynomial(nodes)).and_then(|[pair, _]| common_value(&pair, of));
@@ -140,14 +152,10 @@ impl Graph {
     }
 
     fn valuation_in<C: Coefficient>(&self, of: Combination, order: &[Id], adics: &Adics<C>) -> Number {
-        let has_signs = of.nodes().any(|id| self.flags(id).has(Flags::BRANCH));
-        let count = if has_signs { POINTS } else { POINTS_WITHOUT_SIGNS };
-        // It is the same at all points, but where it depends on signs and on the choice between opposite roots.
-        let least = |first: u16| {
-            let found = (first..first + count).filter_map(|point| self.valuation_at(of, order, adics, point));
-            found.min_by(|a, b| a.abs().compare(&b.abs()))
+        let usual = |first: u16| {
+            usual((first..first + POINTS).filter_map(|point| self.valuation_at(of, order, adics, point)))
         };
-        least(0).or_else(|| least(POINTS)).unwrap_or_else(|| Number::integer(0))
+        usual(0).or_else(|| usual(POINTS)).unwrap_or_else(|| Number::integer(0))
     }
 
     /// The power of the prime in a combination at a point, where that is not zero and nothing has a pole.
@@ -185,6 +193,23 @@ impl Graph {
     }
 }
 
+/// What the power of a prime is at most of some points: that of the first two if they agree, and else the median of an odd
+/// number of them.
+///
+/// It is the same at all points, but by a rare chance, and where it depends on signs and on the choice between opposite
+/// roots. The median of a multiple is that of the multiples, and that of a reciprocal is the opposite one.
+fn usual(mut found: impl Iterator<Item = Number>) -> Option<Number> {
+    let first = found.next()?;
+    let Some(second) = found.next() else { return Some(first) };
+    if first == second {
+        return Some(first);
+    }
+    let mut all: Vec<_> = [first, second].into_iter().chain(found).collect();
+    all.truncate((all.len() - 1) | 1);
+    all.sort_by(Number::compare);
+    Some(all.swap_remove(all.len() / 2))
+}
+
 /// The greatest common divisor of the values of a polynomial at two points of integers, if they are not too large: a prime
 /// that is in no denominator of the polynomial is in its content only if it divides this number.
 fn common_value(points: &[Rationals; 2], of: Combination) -> Option<BigInt> {
@@ -202,11 +227,14 @@ fn number_of(of: Combination, number: impl Fn(Id) -> Option<Number>) -> Option<N
 fn shared_at([first, second]: &[Rationals; 2], of: Combination, nodes: &[Id]) -> Vec<Number> {
     let of_combination = |values: &Rationals| number_of(of, |id| values.guess(id));
     let pairs = nodes.iter().map(|&id| first.guess(id).zip(second.guess(id)));
-    let shared = pairs.chain([of_combination(first).zip(of_combination(second))]).flatten().map(|(a, b)| {
-        let common = |a: BigInt, b: BigInt| Number::whole(a.gcd(&b));
-        [common(a.numerator(), b.numerator()), common(a.denominator(), b.denominator())]
-    });
-    shared.flatten().collect()
+    let shared = pairs.chain([of_combination(first).zip(of_combination(second))]).flatten();
+    shared.flat_map(|(a, b)| in_common(&[a, b])).collect()
+}
+
+/// The common factors of two numbers above and below the line.
+fn in_common([a, b]: &[Number; 2]) -> [Number; 2] {
+    let common = |a: BigInt, b: BigInt| Number::whole(a.gcd(&b));
+    [common(a.numerator(), b.numerator()), common(a.denominator(), b.denominator())]
 }
 
 fn not_one(powers: impl Iterator<Item = (BigInt, Number)>) -> Option<Content> {
@@ -217,7 +245,56 @@ fn not_one(powers: impl Iterator<Item = (BigInt, Number)>) -> Option<Content> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::graph::Assumption;
+    use crate::error::Error;
+    use crate::graph::{Assumption, Function};
+
+    /// The content of primes from 61 up.
+    fn content(g: &Graph, id: Id) -> Vec<(BigInt, Number)> {
+        g.find_content(Combination::node(id), 61).iter().flat_map(|content| content.to_vec()).collect()
+    }
+
+    /// The difference of the squares of b + a and b - a, by 4: the product of both, in another form.
+    fn product_by_squares(g: &mut Graph, a: Id, b: Id) -> Result<Id, Error> {
+        let two = Number::integer(2);
+        let squares = [g.add(b, a), g.sub(b, a)].map(|base| g.pow_number(base, &two));
+        let [plus, minus] = squares;
+        let difference = g.sub(plus?, minus?);
+        let quarter = g.number_id(&Number::rational(1, 4));
+        Ok(g.scale(quarter, difference))
+    }
+
+    #[test]
+    fn a_sum_with_a_root_of_a_number_holds_the_primes_that_it_makes() -> Result<(), Error> {
+        let g = &mut Graph::new();
+        let (two, cube_root) = (g.integer(2), Number::rational(1, 3));
+        let root = g.pow_number(two, &cube_root)?;
+        let twice = product_by_squares(g, root, two)?;
+        let terms = [(3, 1, twice), (67, 109, root)];
+        let terms = terms.map(|(over, under, node)| (g.number_id(&Number::rational(over, under)), node));
+        let sum = g.sum(&terms); // (6 + 67/109) root
+        let expected = [(103, 1), (109, -1)].map(|(prime, power)| (prime.into(), Number::integer(power)));
+        assert_eq!(content(g, sum), expected);
+        Ok(())
+    }
+
+    #[test]
+    fn sines_of_an_angle_and_of_its_half_have_one_content() -> Result<(), Error> {
+        let g = &mut Graph::new();
+        let x = g.symbol("x", Assumption::Real);
+        let half = g.number_id(&Number::rational(1, 2));
+        let half = g.scale(half, x);
+        let (sine, cosine) = (g.apply(Function::Sin, &[half])?, g.apply(Function::Cos, &[half])?);
+        let product = g.mul(sine, cosine)?;
+        let (sine, number) = (g.apply(Function::Sin, &[x])?, g.integer(67));
+        // ((67 + sin(x))**2 - (67 - 2*sin(x/2)*cos(x/2))**2)/4
+        let two = g.number_id(&Number::integer(2));
+        let (plus, twice) = (g.add(number, sine), g.scale(two, product));
+        let minus = g.sub(number, twice);
+        let [plus, minus] = [plus, minus].map(|base| g.pow_number(base, &Number::integer(2)));
+        let difference = g.sub(plus?, minus?);
+        assert_eq!(content(g, difference), [(67.into(), Number::integer(1))]);
+        Ok(())
+    }
 
     /// The primes from 37 up that the content of a sum of multiples of x and y may hold.
     fn primes_of_sum(x: Number, y: Number) -> Vec<BigInt> {

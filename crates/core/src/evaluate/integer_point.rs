@@ -7,10 +7,10 @@
 
 use rustc_hash::FxHashMap;
 
-use crate::graph::{Atom, Generator, Graph, Id, View};
+use crate::graph::{Atom, Combination, Generator, Graph, Id, View};
 use crate::value::{Element, Field, FieldId, Key, Number, Quadratic, fingerprint, likely_number};
 
-use super::conjugates::{Conjugation, mean_of_conjugates, rational};
+use super::conjugates::{Conjugation, mean_of_conjugates, norm_of_conjugates, rational};
 
 /// Larger expressions have no value here.
 const MOST_NODES: usize = 4096;
@@ -22,8 +22,14 @@ const DRAWN: u64 = 3;
 /// The lanes from whose values a number of many digits is found.
 const LANES_FOR_LONG_NUMBERS: usize = 16;
 
+/// Values of nodes in all conjugates are not found if they are more.
+const MOST_CONJUGATE_VALUES: usize = 4096;
+
 /// Numbers of more bits may make values of more digits than two lanes hold.
 const LONG: u64 = 40;
+
+/// The steps over which the growth with an atom is measured, in this order until nothing has a pole at their ends.
+const STEPS: [i64; 3] = [1, 5, 7];
 
 /// The largest power of two that is recognised.
 const MOST_DOUBLINGS: i64 = 20_000;
@@ -207,6 +213,33 @@ impl Graph {
         Some([[at(1), at(2)], [at(DRAWN), at(DRAWN + 1)]])
     }
 
+    /// The norms of a combination at two points of integers, where it is not rational: a prime that is in its content divides
+    /// both.
+    pub(super) fn norms_at_pair_of_points(&self, of: Combination) -> Option<[Number; 2]> {
+        let roots: Vec<Id> = of.nodes().collect();
+        let order = self.short_order(&roots)?;
+        let at = |number| self.norm_at(of, &order, IntegerPoint::numbered(number));
+        Some([at(1)?, at(2)?])
+    }
+
+    fn norm_at(&self, of: Combination, order: &[Id], point: IntegerPoint<'_>) -> Option<Number> {
+        let values = self.rationals(order, point);
+        let radicals = self.radicals(order, |id| values.get(id))?;
+        if radicals.count() * order.len() > MOST_CONJUGATE_VALUES {
+            return None;
+        }
+        norm_of_conjugates(&radicals, |conjugation, field| {
+            let f = field.field();
+            let values =
+                self.values_at(order, IntegerPoint { conjugation: Some(conjugation), ..point }, field);
+            of.value(
+                |id| values.get(&id).cloned(),
+                |value| f.mul(&value, &value),
+                |a, sign, b| f.add(&a, &f.mul(&f.number(&Number::integer(sign)), &b)),
+            )
+        })
+    }
+
     fn rationals(&self, order: &[Id], point: IntegerPoint<'_>) -> Rationals {
         let hash = FieldId::HASH.map(|field| self.values_at(order, point, field));
         Rationals { hash, others: Vec::new() }
@@ -232,8 +265,8 @@ impl Graph {
 
     /// The growth of a node's value at an integer point with an atom, if that is rational.
     ///
-    /// It is u(2) - u(1) for pi, which is positive, and (u(1) - u(-1))/2 for others, which may be odd functions. What has a
-    /// pole at the point adds nothing.
+    /// It is u(2) - u(1) for pi, which is positive, and (u(1) - u(-1))/2 for others, which may be odd functions. Where a part
+    /// has a pole there, it is the growth over longer steps. What has a pole in all of them adds nothing.
     pub(super) fn growth_at_integers(
         &self,
         root: Id,
@@ -244,16 +277,17 @@ impl Graph {
             return Some(self.get_number(factor).mul(&self.growth_at_integers(child, atom, point)?));
         }
         let order = self.short_order(&[root])?;
-        let growth = |field: FieldId, point: IntegerPoint<'_>| {
+        let growth = |field: FieldId, point: IntegerPoint<'_>, step: i64| {
             let at = |value| self.values_at(&order, point.with(atom, value), field).remove(&root);
             let f = field.field();
-            Some(match atom {
-                Atom::Pi => f.sub(&at(2)?, &at(1)?),
-                _ => f.half(&f.sub(&at(1)?, &at(-1)?)),
-            })
+            let (from, to) = if *atom == Atom::Pi { (1, 1 + step) } else { (-step, step) };
+            let per_unit = f.number(&Number::rational(1, to - from));
+            Some(f.mul(&per_unit, &f.sub(&at(to)?, &at(from)?)))
         };
         let somehow = |field: FieldId, point: IntegerPoint<'_>| {
-            growth(field, point).or_else(|| growth(field, point.with_poles_zero()))
+            let [first, ..] = STEPS;
+            let found = STEPS.into_iter().find_map(|step| growth(field, point, step));
+            found.or_else(|| growth(field, point.with_poles_zero(), first))
         };
         let [first, second] = FieldId::HASH.map(|field| somehow(field, point));
         let found = rational(fingerprint([&first?, &second?])).or_else(|| {

@@ -21,6 +21,7 @@ mod argument;
 mod complex;
 mod conjugates;
 mod content;
+mod drawn_argument;
 mod drawn_root;
 mod form;
 mod independent_signs;

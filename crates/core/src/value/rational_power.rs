@@ -10,6 +10,9 @@ use super::number::Number;
 use super::prime::fraction_modulo;
 use super::quadratic::Quadratic;
 
+/// The twos in a denominator that leave room for it in a word: roots of higher degree are drawn.
+const MOST_HALVINGS: u64 = 60;
+
 impl Field {
     /// The principal power with a rational exponent r: |u|^r for a positive u, |u|^r e^(i pi r) for a negative one.
     ///
@@ -76,8 +79,11 @@ impl Field {
     /// (-1)^(m/(2^k n)) is the power of -1 with the exponent m/n mod 2^(k + 1) over 2^k.
     pub(crate) fn power_of_prime(&self, number: &Number, exponent: &Number) -> Quadratic {
         let value = self.number(number);
-        let Some((_, den)) = exponent.to_small() else { return self.drawn_root(&value, exponent) };
-        let two_part = 1u64 << den.trailing_zeros();
+        let halvings = exponent.denominator().trailing_zeros().unwrap_or(0);
+        if halvings > MOST_HALVINGS {
+            return self.drawn_root(&value, exponent);
+        }
+        let two_part = 1u64 << halvings;
         let Some(numerator) = fraction_modulo(&exponent.mul(&Number::whole(two_part.into())), 2 * two_part)
         else {
             return self.drawn_root(&value, exponent);
@@ -151,6 +157,25 @@ fn shared_part(number: u64, other: &BigInt) -> u64 {
                 rest /= factor;
             }
             _ => return shared,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::value::FieldId;
+
+    #[test]
+    fn a_root_of_a_degree_of_many_digits_has_its_power() {
+        let degree = Number::whole(BigInt::from(10).pow(25) + 3);
+        let root = degree.recip().expect("not 0");
+        let two = Number::integer(2);
+        for field in FieldId::HASH {
+            let f = field.field();
+            let (first, others) =
+                (f.power_of_prime(&two, &root), f.power_of_prime(&two, &Number::integer(1).sub(&root)));
+            assert_eq!(f.mul(&first, &others), f.number(&two));
         }
     }
 }
