@@ -108,13 +108,15 @@ impl Graph {
             return Some(self.adic_choice(function, args, values, at));
         }
         let is_plain = at.has_plain_arguments();
-        let angle = || match is_plain {
-            true => Some(self.adic_angle(args[0], values, at)),
-            false => self.drawn_angle(args[0], at),
+        let angle = || {
+            if is_plain { Some(self.adic_angle(args[0], values, at)) } else { self.drawn_angle(args[0], at) }
         };
-        let exponential = || match is_plain {
-            true => Some(self.adic_exponential(args[0], values, at)),
-            false => self.drawn_exponential(args[0], at),
+        let exponential = || {
+            if is_plain {
+                Some(self.adic_exponential(args[0], values, at))
+            } else {
+                self.drawn_exponential(args[0], at)
+            }
         };
         let quotient = |a: &Adic<C>, b: &Adic<C>| adics.mul(a, &adics.power(b, -1));
         Some(match function {

@@ -109,10 +109,8 @@ impl Graph {
         let shared = pairs.iter().flatten().flat_map(|pair| shared_at(pair, of, &sums));
         let is_rational =
             |pair: &[Rationals; 2]| pair.iter().all(|at| number_of(of, |id| at.get(id)).is_some());
-        let norms = match pairs.iter().flatten().all(is_rational) {
-            true => None,
-            false => self.norms_at_pair_of_points(of),
-        };
+        let norms =
+            if pairs.iter().flatten().all(is_rational) { None } else { self.norms_at_pair_of_points(of) };
         let all = literals
             .iter()
             .cloned()
