@@ -15,9 +15,10 @@ from tests.laws.trees import tree_in
 from tests.repeated import repeated
 from tests.symbolic.expected_equalities import EQUALITIES, Equality
 
-MOST_BROKEN = 3e-4
-"""The share of checks that may fail: docs/values.md, "Where the law fails", has the causes. It was 67e-3 before signs
-and roots had values in lanes, and is to become 0. One pair of 100 that breaks it for sinh, cosh and tanh makes 2e-4."""
+MOST_BROKEN = 1e-4
+"""The share of checks that may fail in many pairs: docs/values.md, "Where the law fails", has the causes. It was 67e-3
+before signs and roots had values in lanes, and is to become 0. One pair of 2000 that breaks half of its checks makes
+2.5e-4."""
 
 
 def obeys(report: congruence.Report) -> bool:
@@ -30,7 +31,7 @@ def obeys(report: congruence.Report) -> bool:
 def test_equal_stays_equal(seed: int) -> None:
     report = congruence.run_in_processes(100, seed)
     assert report.counts["pairs"] >= 100
-    assert obeys(report), str(report)
+    assert report.is_clean, str(report)
 
 
 def test_a_modulus_whose_rest_is_known_in_the_form_of_a_quotient_ends() -> None:
@@ -73,6 +74,7 @@ def test_a_modulus_whose_rest_is_known_in_the_form_of_a_quotient_ends() -> None:
         pytest.param(1704, 990, id="the content of a sum of sines of an angle and of its half"),
         pytest.param(1727, 780, id="a content that a sum with a root of a number makes"),
         pytest.param(1706, 2033, id="a condition with a prime in one of two values"),
+        pytest.param(1735, 3499, id="a content in which nine digits cancel"),
         pytest.param(1732, 4289, id="the root of a number of 83 bits, a product of two"),
         # more signs in one form of an argument than in the other; roots of what contains units of order 109
         *repeated([(1102, 4196), (1108, 414), (1108, 3914)]),

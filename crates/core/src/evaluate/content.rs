@@ -11,7 +11,7 @@ use num_integer::Integer;
 use std::collections::BTreeSet;
 
 use crate::graph::{Combination, Content, Graph, Id, NumberId, View};
-use crate::value::{Adics, Coefficient, Extension, Field, Number, coprime_factors};
+use crate::value::{Adics, Coefficient, Extension, Field, Number, Unramified, coprime_factors};
 
 use super::adic_point::{AdicPoint, POINTS, TRIALS};
 use super::integer_point::{Rationals, is_long};
@@ -141,19 +141,31 @@ impl Graph {
         })
     }
 
-    /// The power of a prime in the content of a combination.
+    /// The power of a prime in the content of a combination. Where digits cancel, as in (1/q**9 + x)**2 - (1/q**9 - x)**2, it
+    /// takes more of them.
     fn valuation(&self, of: Combination, order: &[Id], prime: &BigInt) -> Number {
-        match Extension::of_prime(prime) {
+        let (found, is_lost) = match Extension::of_prime(prime) {
             Extension::Words(ring) => self.valuation_in(of, order, &Adics::new(ring)),
             Extension::Long(ring) => self.valuation_in(of, order, &Adics::new(ring)),
+        };
+        if !is_lost {
+            return found;
         }
+        self.valuation_in(of, order, &Adics::new(Unramified::with_many_digits(prime))).0
     }
 
-    fn valuation_in<C: Coefficient>(&self, of: Combination, order: &[Id], adics: &Adics<C>) -> Number {
+    /// The power, and whether digits were lost.
+    fn valuation_in<C: Coefficient>(
+        &self,
+        of: Combination,
+        order: &[Id],
+        adics: &Adics<C>,
+    ) -> (Number, bool) {
         let usual = |first: u16| {
             usual((first..first + POINTS).filter_map(|point| self.valuation_at(of, order, adics, point)))
         };
-        usual(0).or_else(|| usual(POINTS)).unwrap_or_else(|| Number::integer(0))
+        let found = usual(0).or_else(|| usual(POINTS)).unwrap_or_else(|| Number::integer(0));
+        (found, adics.take_lost())
     }
 
     /// The power of the prime in a combination at a point, where that is not zero and nothing has a pole.
@@ -272,6 +284,19 @@ mod tests {
         let sum = g.sum(&terms); // (6 + 67/109) root
         let expected = [(103, 1), (109, -1)].map(|(prime, power)| (prime.into(), Number::integer(power)));
         assert_eq!(content(g, sum), expected);
+        Ok(())
+    }
+
+    #[test]
+    fn a_content_is_found_though_many_digits_cancel() -> Result<(), Error> {
+        let g = &mut Graph::new();
+        let x = g.symbol("x", Assumption::Real);
+        let factor = g.number_id(&Number::rational(1, 67));
+        let small = g.scale(factor, x);
+        let power = g.pow_number(small, &Number::integer(9))?;
+        let less = g.sub(power, Id::ONE);
+        let product = product_by_squares(g, less, x)?;
+        assert_eq!(content(g, product), [(67.into(), Number::integer(-9))]);
         Ok(())
     }
 

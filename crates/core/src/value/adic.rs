@@ -3,6 +3,7 @@
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::One;
+use std::cell::Cell;
 use std::cmp::Ordering;
 use std::sync::Arc;
 
@@ -10,9 +11,6 @@ use super::coefficient::Coefficient;
 use super::key::Key;
 use super::number::Number;
 use super::unramified::{Integral, Unramified};
-
-/// The steps of Newton's iteration: each doubles the digits, of which there are two to a power of sqrt q.
-const NEWTON: usize = 5;
 
 /// More terms than these lowest ones are not kept: the leading one is what is asked for.
 const MOST_TERMS: usize = 64;
@@ -38,11 +36,18 @@ impl<C: Coefficient> Adic<C> {
 /// The q-adic numbers of a prime, and an extension of these, to a relative precision.
 pub(crate) struct Adics<C> {
     ring: Arc<Unramified<C>>,
+    /// Whether so many digits of a sum have cancelled that it counts as zero.
+    lost: Cell<bool>,
 }
 
 impl<C: Coefficient> Adics<C> {
     pub(crate) fn new(ring: Arc<Unramified<C>>) -> Self {
-        Self { ring }
+        Self { ring, lost: Cell::new(false) }
+    }
+
+    /// Whether a sum has counted as zero because so many of its digits have cancelled, and then no more.
+    pub(crate) fn take_lost(&self) -> bool {
+        self.lost.take()
     }
 
     pub(crate) fn prime(&self) -> Number {
@@ -118,11 +123,14 @@ impl<C: Coefficient> Adics<C> {
         let digits =
             high.valuation.sub(&low.valuation).to_i64().and_then(|digits| u32::try_from(digits).ok());
         let sum = self.ring.add(&low.unit, &high.unit, digits.unwrap_or(u32::MAX));
-        let sum = self.term(sum, low.valuation.clone())?;
         // What is left of a sum in which half of the digits cancel may be what earlier sums have left undecided.
-        let cancelled = sum.valuation.sub(&low.valuation);
         let half = Number::integer((self.ring.digits / 2).into());
-        cancelled.compare(&half).is_lt().then_some(sum)
+        let is_decided = |sum: &Term<C>| sum.valuation.sub(&low.valuation).compare(&half).is_lt();
+        let sum = self.term(sum, low.valuation.clone()).filter(is_decided);
+        if sum.is_none() {
+            self.lost.set(true);
+        }
+        sum
     }
 
     pub(crate) fn mul(&self, a: &Adic<C>, b: &Adic<C>) -> Adic<C> {
@@ -137,18 +145,22 @@ impl<C: Coefficient> Adics<C> {
     }
 
     /// The reciprocal, by Newton's iteration from that of the leading term; zero stays zero.
+    ///
+    /// There are two digits to a power of sqrt(q), so that it takes one step more. The digits of the error cancel.
     fn inverse(&self, a: &Adic<C>) -> Adic<C> {
+        let lost = self.lost.get();
         let reciprocal = |term: &Term<C>| self.term(self.ring.inverse(&term.unit), term.valuation.neg());
         let leading = a.leading().and_then(reciprocal);
         let mut inverse = Adic(leading.into_iter().collect());
         if a.0.len() > 1 {
             let two = self.integer(&2.into());
             let minus_one = self.integer(&(-1).into());
-            for _ in 0..NEWTON {
+            for _ in 0..=self.ring.newton_steps() {
                 let error = self.add(&two, &self.mul(&minus_one, &self.mul(a, &inverse)));
                 inverse = self.mul(&inverse, &error);
             }
         }
+        self.lost.set(lost);
         inverse
     }
 

@@ -41,4 +41,4 @@ pub(crate) use likely_number::likely_number;
 pub use number::Number;
 pub(crate) use quadratic::Quadratic;
 pub(crate) use radical::{coprime_factors, prime_factors};
-pub(crate) use unramified::Extension;
+pub(crate) use unramified::{Extension, Unramified};

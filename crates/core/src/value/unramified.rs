@@ -16,14 +16,14 @@ use super::key::Key;
 /// The digits of an integer: those of a word, but not more than 12 and not fewer than 6.
 const DIGITS: std::ops::RangeInclusive<u32> = 6..=12;
 
+/// The digits where so many cancel that these do not tell what is left.
+const MANY_DIGITS: u32 = 60;
+
 /// The elements of the residue field are more than two to this power.
 const BITS: u32 = 18;
 
 /// Degrees, which are primes, so that it is easy to see whether a polynomial has factors.
 const DEGREES: [usize; 9] = [1, 2, 3, 5, 7, 11, 13, 17, 19];
-
-/// Newton's iteration doubles the digits: four steps for 12 digits.
-const NEWTON: usize = 4;
 
 /// The coefficients of a polynomial, as many as the degree of the extension.
 pub(super) type Integral<C> = Vec<C>;
@@ -48,6 +48,9 @@ pub(crate) enum Extension {
 
 static KNOWN: LazyLock<Mutex<BTreeMap<BigInt, Extension>>> = LazyLock::new(Mutex::default);
 
+static KNOWN_WITH_MANY_DIGITS: LazyLock<Mutex<BTreeMap<BigInt, Arc<Unramified<BigInt>>>>> =
+    LazyLock::new(Mutex::default);
+
 impl Extension {
     /// The extension for a prime; it is found once.
     pub(crate) fn of_prime(prime: &BigInt) -> Self {
@@ -61,6 +64,15 @@ impl Extension {
             Some(digits) => Self::Words(Unramified::find(prime, digits).into()),
             None => Self::Long(Unramified::find(prime, *DIGITS.start()).into()),
         }
+    }
+}
+
+impl Unramified<BigInt> {
+    /// The extension for a prime, to many digits; it is found once.
+    pub(crate) fn with_many_digits(prime: &BigInt) -> Arc<Self> {
+        let mut known = KNOWN_WITH_MANY_DIGITS.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        let find = || Self::find(prime, MANY_DIGITS).into();
+        known.entry(prime.clone()).or_insert_with(find).clone()
     }
 }
 
@@ -165,7 +177,12 @@ impl<C: Coefficient> Unramified<C> {
             return self.constant(unit[0].reciprocal(&self.modulus));
         }
         let start = self.inverse_of_residue(&self.residue(unit));
-        (0..NEWTON).fold(start, |inverse, _| self.improved_inverse(unit, &inverse))
+        (0..self.newton_steps()).fold(start, |inverse, _| self.improved_inverse(unit, &inverse))
+    }
+
+    /// The steps of Newton's iteration, each of which doubles the digits.
+    pub(super) fn newton_steps(&self) -> u32 {
+        self.digits.next_power_of_two().trailing_zeros()
     }
 
     fn inverse_of_residue(&self, unit: &Integral<C>) -> Integral<C> {
@@ -192,7 +209,7 @@ impl<C: Coefficient> Unramified<C> {
         let start = self.root_of_residue(&self.residue(unit))?;
         let inverse = self.inverse_of_residue(&start);
         let minus_half = self.minus_one() / C::two();
-        let (root, _) = (0..NEWTON).fold((start, inverse), |(root, inverse), _| {
+        let (root, _) = (0..self.newton_steps()).fold((start, inverse), |(root, inverse), _| {
             let error = self.sum(&self.mul(&root, &root), unit, &self.minus_one());
             let root = self.sum(&root, &self.mul(&error, &inverse), &minus_half);
             let inverse = self.improved_inverse(&root, &inverse);
