@@ -93,6 +93,24 @@ def cranks(closing: tuple[int, ...]) -> tuple[sb.Mechanism, list[sb.Joint]]:
     return sb.assemble([*roots, *pins]), [*roots, *pins]
 
 
+@pytest.mark.filterwarnings("ignore")
+def test_batches_and_studies_share_loads_as_single_motions_do() -> None:
+    """What is evaluated after a batch as well as what it evaluates itself."""
+    mechanism, joints = cranks((4, 5))
+    equations = sb.newton_euler(mechanism.system(gravity=WEIGHT))
+    pulls = [sb.reaction(equations, joint).force.components[2] for joint in joints[3:]]
+    given, cases, times = {m: 10.0, l: 0.5}, {g: [10.0, 20.0]}, [0.0, 0.1]
+    runs = sb.simulate_many(equations, given, t=times, cases=cases, outputs={"pull": pulls[0]})
+    after = runs.evaluate([2 * pull for pull in pulls])[:, :, -1] / 2
+    study = sb.study(
+        equations, given, t=times, cases=cases, measures={"pull": sb.measures.value_at(pulls[0], 0.1)}
+    )
+    np.testing.assert_allclose(after.sum(axis=0), [100, 200], rtol=1e-9)  # the weight of the bar
+    np.testing.assert_allclose(after[0], runs.outputs["pull"][:, -1], rtol=1e-9)
+    np.testing.assert_allclose(after[0], study["pull"], rtol=1e-9)
+    np.testing.assert_allclose(after[:, 1], runs.motion(1).evaluate(pulls)[:, -1], rtol=1e-9)
+
+
 def four_bar(closing: tuple[int, ...]) -> tuple[sb.Mechanism, list[sb.Joint]]:
     """A four-bar whose weight acts across its plane, which no joint needs the others to hold."""
     a, bar, c = (

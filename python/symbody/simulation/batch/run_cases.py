@@ -17,9 +17,9 @@ from symbody.simulation.integrate.notices import deficiency_findings
 from symbody.simulation.integrate.stopped_start import stopped_starts
 from symbody.simulation.integrate.task import KeepGoing, Task
 from symbody.simulation.integrate.with_sensitivities import beside_sensitivities
-from symbody.simulation.integrate.without_redundant import without_redundant
 from symbody.symbolic.numeric.deficiency import noting
 
+from .case_tasks import Reduced, own_task
 from .cases import Cases
 from .record_motions import record_motions
 
@@ -121,7 +121,7 @@ def _begun(
     states[~_have_finite_parameters(cases)] = np.nan
     tasks = dict.fromkeys(np.flatnonzero(np.isfinite(states).all(axis=1)).tolist(), task)
     slopes = {case: initial_slopes(task, {}, {}, states[case]) for case in tasks} if task.by else {}
-    reduced: dict[tuple[int, ...], Task] = {}
+    reduced = Reduced()
     for looked, case in enumerate(np.flatnonzero(~np.isfinite(states).all(axis=1)).tolist()):
         if looked % LOOK == 0 and not keep_going(0):
             break
@@ -133,9 +133,7 @@ def _begun(
                 states[case] = initial_state(task, parameters, cases.initial_of(case))
                 if task.by:
                     slopes[case] = initial_slopes(task, parameters, cases.initial_of(case), states[case])
-                own = without_redundant(task, parameters, states[case], reduced.values())
-                out = () if own.redundancy is None else own.redundancy.choice
-                tasks[case] = task if own is task else reduced.setdefault(out, own)
+                tasks[case] = own_task(task, parameters, states[case], reduced)
             except SymbodyError as error:
                 results.status[case], results.messages[case] = Status.FAILED, str(error)
         results.findings[case] = deficiency_findings(found, task.model)

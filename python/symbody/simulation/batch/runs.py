@@ -32,6 +32,7 @@ from symbody.symbolic.numeric.deficiency import noting
 
 from .case_ends import CaseEnds, FailedCase
 from .case_table import case_table
+from .case_tasks import case_tasks
 from .cases import Cases
 
 Array = NDArray[np.float64]
@@ -167,10 +168,10 @@ class Runs:
         for case, reached in enumerate(self.results.reached):
             if reached:
                 with noting() as found:
-                    values[:, case, :reached] = self.task.values(
+                    values[:, case, :reached] = self._tasks[case].values(
                         wanted, states[case, :reached], self.t[:reached], self._parameters_of(case)
                     )
-                findings[case] = deficiency_findings(found, self.task.model)
+                findings[case] = deficiency_findings(found, self._tasks[case].model)
         return values, findings
 
     @with_known_names
@@ -193,13 +194,18 @@ class Runs:
             why = str(self.results.messages[case]) or "it was not run"
             raise ArgumentError(f"runs.motion: case {case} has no motion: {why}")
         message = str(self.results.messages[case]) or "the last instant was reached"
-        return motion_of(Integrated(self.task, self._parameters_of(case), outcome), message)
+        return motion_of(Integrated(self._tasks[case], self._parameters_of(case), outcome), message)
 
     def _parameters_of(self, case: int) -> dict[Expr, float]:
         parameters = self.cases.parameters_of(case)
         if not self.task.model.is_stabilized:
             return parameters
-        return {**parameters, **self.task.damping_of(parameters, self.results.states[case, 0])}
+        return {**parameters, **self._tasks[case].damping_of(parameters, self.results.states[case, 0])}
+
+    @cached_property
+    def _tasks(self) -> list[Task]:
+        """The tasks of the cases: redundant constraints share loads as they do along one motion."""
+        return case_tasks(self.task, self.cases, self.results)
 
     @with_known_names
     def outcome(self, index: int) -> Outcome | None:
@@ -262,8 +268,8 @@ class Runs:
             known = slice(0, int(self.results.reached[case]))
             slopes = self.results.slopes[case, known] if self.task.by else None
             motion = DifferentiatedMotion(
-                self.task.model,
-                self.cases.parameters_of(case),
+                self._tasks[case].model,
+                self._parameters_of(case),
                 self.task.by,
                 self.t[known],
                 self.states[case, known],

@@ -32,6 +32,7 @@ from .outcome import FailureKind
 from .pole_at_start import pole_at_start
 
 __all__ = [
+    "OVERCONSTRAINED",
     "ROWS",
     "Finding",
     "deficiency_findings",
@@ -39,6 +40,10 @@ __all__ = [
     "notices_of_motion",
     "sentence",
 ]
+
+
+OVERCONSTRAINED = "overconstrained"
+"""The kind of the finding that redundant constraints were left out."""
 
 
 @dataclass(frozen=True, order=True)
@@ -109,7 +114,7 @@ def _redundancy(motion: Integrated) -> Iterable[Finding]:
     told = redundant(found.conditions, found.choice, others, "wherever it moves")
     verb = "are" if found.count > 1 else "is"
     shared = f"; {_SHARED}" if others else ""
-    return [Finding("overconstrained", f"{told}, and {verb} left out{shared}")]
+    return [Finding(OVERCONSTRAINED, f"{told}, and {verb} left out{shared}")]
 
 
 _SHARED = (
@@ -250,7 +255,7 @@ def _left_by_device(motion: Integrated) -> Iterable[Finding]:
 
 ROWS: dict[str, _Row] = {
     "deficient": _Row(_deficiencies, "{subject}"),
-    "overconstrained": _Row(
+    OVERCONSTRAINED: _Row(
         _redundancy,
         "the mechanism is overconstrained: {subject}",
     ),

@@ -146,14 +146,16 @@ class Task:
 
         Args:
             parameters: the parameters of a motion.
-            state: its initial state.
+            state: its initial state; what follows is ignored, such as sensitivities.
         """
         if not self.model.is_stabilized:
             return {}
         damping = self.constraints
         if isinstance(damping, str):
             values = np.array([parameters[name] for name in self.unstabilized.parameters])
-            damping = chosen_damping(self.unstabilized, values, state, self.instants)
+            damping = chosen_damping(
+                self.unstabilized, values, state[: self.unstabilized.width], self.instants
+            )
         return dict(zip(DAMPING, damping, strict=True))
 
     def values(

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.simulation.batch.case_arrays import Results, Status
+from symbody.simulation.batch.case_tasks import case_tasks
 from symbody.simulation.batch.cases import Cases
 from symbody.simulation.batch.run_cases import run_cases
 from symbody.simulation.integrate.notices import deficiency_findings
@@ -108,7 +109,8 @@ class _Motions:
         self._size = len(plan.task.model.state)
         self._count, self._instants = cases.count, len(plan.task.instants)
         self._is_good = results.status != Status.FAILED
-        self._parameters = _with_damping(plan.task, cases, results.states[:, 0, : self._size])
+        self._tasks = case_tasks(plan.task, cases, results)
+        self._parameters = _with_damping(self._tasks, cases, results.states[:, 0, : self._size])
         self._events = results.occurrences.table
         self._end_t, self._end_states = self._ends()
 
@@ -173,19 +175,24 @@ class _Motions:
         """Return expressions at states, shape (expressions, points); NaN at states that are not known."""
         values = np.full((len(expressions), len(t)), np.nan)
         is_known = np.isfinite(states).all(axis=1)
-        known = slice(None) if is_known.all() else is_known
-        if expressions and is_known.any():
-            function = self._task.model.function(expressions, tuple(self._parameters))
+        if not expressions:
+            return values
+        for task in dict.fromkeys(self._tasks):
+            own = is_known & np.array([each is task for each in self._tasks])[case]
+            if not own.any():
+                continue
+            known = slice(None) if own.all() else own
+            function = task.model.function(expressions, tuple(self._parameters))
             given = [values[case[known]] for values in self._parameters.values()]
             values[:, known] = np.asarray(function(t[known], *states[known].T, *given))
         return values
 
 
-def _with_damping(task: Task, cases: Cases, starts: Array) -> Mapping[Expr, Array]:
+def _with_damping(tasks: list[Task], cases: Cases, starts: Array) -> Mapping[Expr, Array]:
     """Return the parameters, with those of Baumgarte's stabilisation if it is used; NaN for cases without a start."""
-    if not task.model.is_stabilized:
+    if not any(task.model.is_stabilized for task in tasks):
         return cases.parameters
     rows = np.full((cases.count, len(DAMPING)), np.nan)
     for case in np.flatnonzero(np.isfinite(starts).all(axis=1)).tolist():
-        rows[case] = [*task.damping_of(cases.parameters_of(case), starts[case]).values()]
+        rows[case] = [*tasks[case].damping_of(cases.parameters_of(case), starts[case]).values()]
     return {**cases.parameters, **dict(zip(DAMPING, rows.T, strict=True))}
