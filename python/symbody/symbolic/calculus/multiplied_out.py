@@ -21,9 +21,6 @@ __all__ = ["multiplied_out_if_cheaper"]
 _MOST_OPERATIONS = 128
 """The most operations for which forms are compared."""
 
-_LEAST_SAVED = 2
-"""The fewest operations for which a form is left: one less is not worth other brackets."""
-
 _MOST_TERMS = 80
 """The most terms of all expressions that are multiplied out: with more, no shorter form has been found in time."""
 
@@ -31,7 +28,7 @@ _MOST_TERMS = 80
 def multiplied_out_if_cheaper(
     expressions: Sequence[Expr], variables: Sequence[Expr] = ()
 ) -> tuple[Expr, ...]:
-    """Return expressions with like terms collected in those where all together then take clearly fewer operations.
+    """Return expressions with like terms collected in those where all together then take fewer operations.
 
     Args:
         expressions: the expressions; many of them, and long ones, stay as they are.
@@ -43,15 +40,12 @@ def multiplied_out_if_cheaper(
     (x + y*sin(a),)
     """
     given = tuple(dict.fromkeys(expressions))
-    count = operations(given)
-    if not _LEAST_SAVED < count <= _MOST_OPERATIONS or _terms(given) > _MOST_TERMS:
+    if operations(given) > _MOST_OPERATIONS or _terms(given) > _MOST_TERMS:
         return tuple(expressions)
     best = given
     with derivation(fresh=True):  # so that forms are not those that another derivation holds for the values
         for forms in _candidates(given, variables):
             best = _cheapest(best, forms)
-    if operations(best) > count - _LEAST_SAVED:
-        return tuple(expressions)
     found = dict(zip(given, best, strict=True))
     return tuple(found[expression] for expression in expressions)
 
@@ -67,8 +61,7 @@ def _candidates(given: Sequence[Expr], variables: Sequence[Expr]) -> Iterator[tu
 def _cheapest(best: tuple[Expr, ...], forms: tuple[Expr, ...]) -> tuple[Expr, ...]:
     """Return expressions in other forms: all of them, or one after another, where all then take fewer operations."""
     fewest = operations(best)
-    shorter = [k for k, form in enumerate(forms) if operations([form]) < operations([best[k]])]
-    for k in (None, *shorter):
+    for k in (None, *range(len(forms))):
         trial = forms if k is None else (*best[:k], forms[k], *best[k + 1 :])
         count = operations(trial)
         if count < fewest:
