@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 from typing import Any, Generic, TypeVar
 
 from symbody.deferred import cached_property
-from symbody.dynamics.display.as_derived import AsDerived
 from symbody.dynamics.display.display import Display
 from symbody.dynamics.display.equation_page import EquationPage
 from symbody.dynamics.display.matrix_form import MatrixForm
@@ -29,7 +28,6 @@ from symbody.symbolic import (
     without_idle_symbols,
 )
 from symbody.symbolic.calculus.cost import operations
-from symbody.symbolic.calculus.multiplied_out import multiplied_out_if_cheaper
 from symbody.symbolic.expression.container import Container, contains, substituted
 from symbody.symbolic.given.arguments import counted
 from symbody.symbolic.numeric.program import program_of
@@ -81,11 +79,6 @@ class Assembly:
         if len(entries) <= _MOST_ENTRIES:
             entries = _each_without_idle_symbols(entries)
         return Assembly.of_entries(entries, n)
-
-    def multiplied_out(self) -> Assembly:
-        """Return the coefficients with like terms collected where that takes fewer operations."""
-        entries = multiplied_out_if_cheaper((*self.mass_matrix.entries, *self.bias))
-        return Assembly.of_entries(entries, len(self.bias))
 
 
 _MOST_ENTRIES = 60
@@ -169,13 +162,6 @@ class Equations:
     @cached_property
     def residuals(self) -> tuple[Expr, ...]:
         """The n expressions ``M u' - forcing - phi_q^T lambda``, which are zero along a motion."""
-        if isinstance(self.derive, Derived):
-            return self.derived_residuals
-        return multiplied_out_if_cheaper(self.derived_residuals, self.accelerations)
-
-    @cached_property
-    def derived_residuals(self) -> tuple[Expr, ...]:
-        """The residuals in the form in which they were derived."""
         return self.derive(self.system)
 
     @property
@@ -241,22 +227,7 @@ class Equations:
 
     @cached_property
     def _assembly(self) -> Assembly:
-        is_known = isinstance(self.assemble, Derived)
-        return self.derived_assembly if is_known else self.derived_assembly.multiplied_out()
-
-    @cached_property
-    def derived_assembly(self) -> Assembly:
-        """The mass matrix and the bias in the forms in which they were derived."""
         return self.assemble(self.system)
-
-    def with_derived_coefficients(self) -> Equations | None:
-        """Return the equations with the forms of `derived_assembly`; None if their coefficients have these already."""
-        made, derived = (
-            (*each.mass_matrix.entries, *each.bias) for each in (self._assembly, self.derived_assembly)
-        )
-        if all(one.same_form(other) for one, other in zip(made, derived, strict=True)):
-            return None
-        return replace(self, assemble=Derived(self.derived_assembly))
 
     @property
     def mass_matrix(self) -> Matrix:
@@ -339,7 +310,7 @@ class Equations:
     @cached_property
     def display(self) -> Display:
         """How the equations are shown."""
-        return Display(AsDerived(self))
+        return Display(self)
 
     def of(self, system: System) -> Equations:
         """Return the equations of another system by the same formalism."""

@@ -169,15 +169,8 @@ def forward_dynamics(eqs: Equations, *, method: str = "auto", baumgarte: Damping
         raise ModelError(
             "forward_dynamics: Baumgarte's stabilisation without constraints; leave baumgarte out"
         )
-    found = _solved(eqs, method, baumgarte)
-    if found.method != "articulated_body" and (given := eqs.with_derived_coefficients()) is not None:
-        other = _solved(given, found.method, baumgarte)
-        found = other if _operations(other) < _operations(found) else found
+    found = _without_scale(_METHODS[method](eqs, baumgarte), eqs, method, baumgarte)
     return replace(found, equation_names=_equation_names(eqs, found.method), system=eqs.system)
-
-
-def _solved(eqs: Equations, method: str, baumgarte: Damping) -> ForwardDynamics:
-    return _without_scale(_METHODS[method](eqs, baumgarte), eqs, method, baumgarte)
 
 
 def _without_scale(
