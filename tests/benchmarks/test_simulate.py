@@ -61,7 +61,7 @@ def test_all_contenders_find_the_reference(name: str, request: pytest.FixtureReq
     n, duration, end = problem.size, problem.duration, ends[-1]
     for contender in (*by_symbody.contenders(problem), *by_scipy.contenders(problem)):
         far = np.abs(contender.end(1e-6, duration)[:n] - end[:n]).max()
-        near = np.abs(contender.end(1e-9, duration)[:n] - end[:n]).max()
+        near = np.abs(contender.end(1e-10, duration)[:n] - end[:n]).max()
         assert near < 1e-6, contender.label
         assert near < far / 3, contender.label
 

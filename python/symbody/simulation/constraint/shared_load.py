@@ -1,7 +1,8 @@
 """How redundant constraints share a load where numbers are known: see `multibody/shared_multiplier.py`.
 
 With the combinations N of multipliers that have no effect, what is borne is ``R(lambda) + B N s``, and the least is
-that of ``s = -(B N)^+ R(lambda)``.
+that of ``s = -(B N)^+ R(lambda)``. Forces h that hold coordinates from outside come first: these are needed only where
+nothing else bears the load, so that s makes ``h + H s`` the least, and of those s what is borne.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ __all__ = ["shared_load"]
 
 Array = NDArray[np.float64]
 _NONE = 1e-12
-"""The effect of a combination of multipliers of size one that counts as none."""
+"""The effect of a combination of forces of size one that counts as none."""
 
 
 def shared_load(
@@ -30,7 +31,7 @@ def shared_load(
 
     Args:
         system: the system.
-        forces: multipliers and what is counted beside them, in balance, shape (instants, m + k).
+        forces: multipliers and the forces that hold coordinates after them, in balance, shape (instants, m + k).
         N: combinations of them that have no effect, as columns, one matrix for each instant.
         evaluate: the function that returns values at these multipliers, shape (expressions, instants).
     """
@@ -46,9 +47,17 @@ def shared_load(
     rest = evaluate([R[i] for i in moved]).reshape(len(moved), count)
     shared = forces.copy()
     for k, (free, effect) in enumerate(zip(N, BN, strict=True)):
-        rows, right = np.vstack([effect[moved], free[m:]]), np.append(rest[:, k], forces[k, m:])
-        shared[k] -= free @ np.linalg.lstsq(rows, right, rcond=None)[0]
+        s, Z = _least_holding(free[m:], forces[k, m:])
+        rows = effect[moved]
+        shared[k] += free @ (s - Z @ np.linalg.lstsq(rows @ Z, rest[:, k] + rows @ s, rcond=None)[0])
     return shared
+
+
+def _least_holding(H: Array, h: Array) -> tuple[Array, Array]:
+    """Return s with the least ``h + H s``, and a basis of the changes of s that leave it, as columns."""
+    U, sizes, Vt = np.linalg.svd(H)
+    rank = int(np.sum(sizes > _NONE))
+    return -Vt[:rank].T @ (U[:, :rank].T @ h / sizes[:rank]), Vt[rank:].T
 
 
 @lru_cache(maxsize=32)

@@ -34,7 +34,6 @@ from .implicit_slopes import ImplicitSlopes
 from .rest_fault import check_finite, check_kinematics
 from .rest_position import RestPosition
 from .steady_conditions import conditions_of
-from .undetermined_forces import UndeterminedForces
 from .value_table import HEADER, value_rows
 
 __all__ = ["Equilibrium", "equilibrium"]
@@ -68,8 +67,9 @@ class Equilibrium(Mapping[Expr, float]):
         parameters: the values of the parameters that were given.
         slopes: how it moves when parameters change; see `sensitivity`.
 
-    Forces that the position does not determine, such as those of dependent constraints, are those of minimum norm. A
-    notice names them, unless they belong to constraints that are redundant everywhere.
+    Forces that the position does not determine, such as those of dependent constraints, are those of minimum norm,
+    where those that hold coordinates take only what the others don't bear. A notice names them, unless they belong to
+    constraints that are redundant everywhere.
 
     >>> from symbody import Body, Force, System, functions_of_time, ground, newton_euler, symbols, translate
     >>> x, (m, k, F) = functions_of_time("x"), symbols("m k F")
@@ -139,24 +139,6 @@ class Equilibrium(Mapping[Expr, float]):
     def t(self) -> float:
         """The time, in s."""
         return self._solution.balance.t
-
-    def sharing(self, undetermined: UndeterminedForces) -> Equilibrium:
-        """Return the same with the multipliers and holding forces of which joints bear the least.
-
-        Args:
-            undetermined: the forces that the balance doesn't determine.
-        """
-        if not undetermined.idle:
-            return self
-        balance = self._solution.balance
-        forces = undetermined.shared(lambda wanted: self._values(wanted, _WHERE))
-        m = len(balance.equations.constraints)
-        return replace(
-            self,
-            multipliers=_named(balance.equations.multipliers, forces[:m]),
-            holding=_named(balance.order, forces[m:]),
-            slopes=replace(self._solution, forces=forces),
-        )
 
     @property
     def _solution(self) -> ImplicitSlopes:
@@ -318,7 +300,7 @@ def equilibrium(
         given = given_inputs(eqs, inputs, where=_WHERE, parameters=parameters, example="0")
         place = _place(eqs, parameters, guess, fixed, t or 0.0, given)
         numbers = {name: float(np.asarray(value)) for name, value in (parameters or {}).items()}
-        found = replace(_result(place), inputs=given, parameters=numbers).sharing(place.undetermined)
+        found = _sharing(replace(_result(place), inputs=given, parameters=numbers), place)
         notices = list(place.notices(at_instant=t is not None))
     for notice in notices:
         notify(f"{_WHERE}: {notice}")
@@ -390,6 +372,22 @@ def _result(place: RestPosition) -> Equilibrium:
         eigenvalues=place.eigenvalues(is_held=False),
         held_eigenvalues=place.eigenvalues(is_held=True),
         slopes=ImplicitSlopes(problem, q, forces, f"{_WHERE}.sensitivity"),
+    )
+
+
+def _sharing(found: Equilibrium, place: RestPosition) -> Equilibrium:
+    """Return an equilibrium with the multipliers and holding forces of which joints bear the least."""
+    if not place.undetermined.idle:
+        return found
+    forces = place.undetermined.shared(found.evaluate)
+    equations = place.problem.equations
+    m = len(equations.constraints)
+    assert found.slopes is not None
+    return replace(
+        found,
+        multipliers=_named(equations.multipliers, forces[:m]),
+        holding=_named(place.problem.order, forces[m:]),
+        slopes=replace(found.slopes, forces=forces),
     )
 
 
