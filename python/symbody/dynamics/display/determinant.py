@@ -7,9 +7,10 @@ from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 from symbody.multibody import Variables
-from symbody.symbolic import Expr, cost, number, simplify, substitute, symbol
+from symbody.symbolic import Expr, cos, cost, number, simplify, sin, substitute, symbol
 from symbody.symbolic.calculus.quotient import Quotient, powers, quotient
 from symbody.symbolic.calculus.reader import Reader
+from symbody.symbolic.expression.traverse import post_order
 
 from .degree import degrees
 from .like_terms import joined
@@ -93,8 +94,15 @@ def _form(divisor: Expr, reader: Reader) -> Expr:
     """Return the shortest form of a divisor, or of its opposite if that is positive for positive parameters."""
     if _is_negative(divisor):
         divisor = -divisor
-    forms = (divisor, reader.form(divisor), reader.simplest_form(divisor))
-    return min(forms, key=reader.length)
+    forms = (divisor, reader.form(divisor), reader.simplest_form(divisor), reader.shortest_form(divisor))
+    return min(map(_with_squares_of_sines, forms), key=reader.length)
+
+
+def _with_squares_of_sines(form: Expr) -> Expr:
+    """Return a form with ``sin(a)**2`` for ``1 - cos(a)**2``."""
+    nodes = post_order([form], lambda node: node.args, lambda node: node.id)
+    angles = [node.args[0] for node in nodes if node.kind == "function" and node.name == "cos"]
+    return substitute([form], {1 - cos(angle) ** 2: sin(angle) ** 2 for angle in angles})[0]
 
 
 def _is_negative(divisor: Expr) -> bool:
@@ -113,15 +121,30 @@ def _over(term: Expr, parts: Quotient, divisor: Expr, name: Expr, system: Variab
         system: the system to which the term belongs.
         reader: which finds the forms.
     """
+    plain = reader(term)
+    others = () if cost(term).total > _MOST else (quotient(reader.shortest_form(term)),)
+    forms = (_by_name(each, divisor, name, system, reader) for each in (parts, *others))
+    made = [form for form in forms if form is not None and substitute([form], {name: divisor}) == (term,)]
+    return min(made, key=reader.length, default=plain)
+
+
+def _by_name(parts: Quotient, divisor: Expr, name: Expr, system: Variables, reader: Reader) -> Expr | None:
+    """Return a quotient by the name of the divisor; None if the divisor isn't in it.
+
+    Args:
+        parts: the quotient.
+        divisor: the form of the divisor.
+        name: its name.
+        system: the system to which the quotient belongs.
+        reader: which finds the forms.
+    """
     ratios = ((base, _ratio(base, divisor)) for base in parts.bottom)
     found, ratio = next((pair for pair in ratios if pair[1] is not None), (None, None))
     if found is None or ratio is None:
-        return reader(term)
+        return None
     exponent, others = parts.bottom[found], {base: n for base, n in parts.bottom.items() if base != found}
     top = parts.top / ratio**exponent
-    made = _numerator(top, system, reader) / powers(others) / name**exponent
-    (back,) = substitute([made], {name: divisor})
-    return made if back == term else reader(term)
+    return _numerator(top, system, reader) / powers(others) / name**exponent
 
 
 def _numerator(top: Expr, system: Variables, reader: Reader) -> Expr:
