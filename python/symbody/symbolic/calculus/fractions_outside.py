@@ -20,16 +20,16 @@ def with_fractions_outside(form: Expr) -> Expr:
     >>> m, M, l = symbols("m M l")
     >>> with_fractions_outside(l**2 * (5 * m / 4 + M))
     (4*M + 5*m)*l**2/4
-    >>> with_fractions_outside(l**2 * (2 * m / 3 + 2 * M))
-    2*(3*M + m)*l**2/3
+    >>> with_fractions_outside(l**2 * (2 * m / 3 + 2 * M)), with_fractions_outside(l * (0.3 * m - 0.3 * M))
+    (2*(3*M + m)*l**2/3, 0.3*l*(m - M))
     """
-    made, outside = list[Expr](), Fraction(1)
+    made, outside = list[Expr](), list[Expr]()
     for factor in parts_of(form, "product"):
         terms = parts_of(factor, "sum")
-        common = _common_fraction(terms) if len(terms) > 1 else Fraction(1)
-        made.append(factor if common == 1 else _core.sum_of([term / common for term in terms]))
-        outside *= common
-    return form if outside == 1 else _core.number(outside) * _core.product_of(made)
+        common = _common_number(terms) if len(terms) > 1 else None
+        made.append(factor if common is None else _core.sum_of([term / common for term in terms]))
+        outside += [] if common is None else [common]
+    return _core.product_of([*outside, *made]) if outside else form
 
 
 def with_fraction_inside(form: Expr) -> Expr | None:
@@ -107,6 +107,30 @@ def with_number_outside(total: Expr) -> Expr:
 
 def _number(term: Expr) -> Expr:
     return _core.product_of([part for part in parts_of(term, "product") if part.is_number])
+
+
+def _common_number(terms: Sequence[Expr]) -> Expr | None:
+    """Return the fraction that the numbers of terms have in common, or the decimal that all of them are up to sign."""
+    common = _common_fraction(terms)
+    return _common_decimal(terms) if common == 1 else _core.number(common)
+
+
+def with_decimal_outside(total: Expr) -> Expr:
+    """Return a sum with the decimal outside that all its terms have as a factor.
+
+    >>> from symbody import symbols
+    >>> m, M = symbols("m M")
+    >>> with_decimal_outside(0.3 * m - 0.3 * M)
+    0.3*(m - M)
+    """
+    terms = summands(total)
+    common = _common_decimal(terms) if len(terms) > 1 else None
+    return total if common is None else common * _core.sum_of([term / common for term in terms])
+
+
+def _common_decimal(terms: Sequence[Expr]) -> Expr | None:
+    first, *others = map(_number, terms)
+    return abs(first) if first.is_decimal and all(abs(other) == abs(first) for other in others) else None
 
 
 def _common_fraction(terms: Sequence[Expr]) -> Fraction:

@@ -14,7 +14,12 @@ from .by_products import by_products, has_common_fraction
 from .cost import cost
 from .derivative import substitute
 from .difference import by_differences, with_differences
-from .fractions_outside import with_fraction_inside, with_fractions_outside, with_numbers_inside
+from .fractions_outside import (
+    with_decimal_outside,
+    with_fraction_inside,
+    with_fractions_outside,
+    with_numbers_inside,
+)
 from .phases import with_phases
 from .readable import readable
 from .reading import (
@@ -266,7 +271,7 @@ def _with_factor_outside(form: Expr) -> Expr:
     if form.kind == "product":
         made = number(1)
         for factor in form.args:
-            made *= _taken_out(factor, of_coordinates=True)
+            made *= with_decimal_outside(_taken_out(factor, of_coordinates=True))
         return made if made == form and _length(made) <= _length(form) else form
     return _taken_out(form)
 

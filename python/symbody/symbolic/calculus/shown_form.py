@@ -142,9 +142,10 @@ def _is_nested(expression: Expr) -> bool:
 
 
 def _is_better(form: Expr, entry: Expr) -> bool:
-    """Return whether a form is much shorter than an entry, or about as long and with fewer awkward terms."""
+    """Return whether a form is much shorter than an entry, or as long with fewer awkward terms or operations."""
     most = _FLATTER if awkward_terms(form) < awkward_terms(entry) else _SHORTER
-    return len(str(form)) <= most * len(str(entry))
+    length, given = len(str(form)), len(str(entry))
+    return length <= most * given or (length <= given and cost(form).total < cost(entry).total)
 
 
 _FLATTER = 1.1
@@ -158,6 +159,9 @@ def _is_derived(entry: Expr) -> bool:
 
 def _is_expanded(node: Expr) -> bool:
     """Return whether a node is a sum of products of waves, or of terms with a factor to take out."""
+    if node.kind == "product":
+        sums = (factor for factor in parts_of(node, "product") if factor.kind == "sum")
+        return any(map(_has_factor_of_all_terms, sums))
     if node.kind != "sum":
         return False
     terms = [parts_of(term, "product") for term in parts_of(node, "sum")]
@@ -171,6 +175,12 @@ def _has_factor_in_common(factors: list[Expr], terms: list[list[Expr]]) -> bool:
         return False
     bare = {factor.id for factor in factors if factor.kind in {"symbol", "time_function"}}
     return any(bare & {factor.id for factor in other} for other in terms if other is not factors)
+
+
+def _has_factor_of_all_terms(total: Expr) -> bool:
+    """Return whether all terms of a sum have one factor, as those of ``a*M + a*m``."""
+    terms = ({factor.id for factor in parts_of(term, "product")} for term in parts_of(total, "sum"))
+    return bool(set.intersection(*terms))
 
 
 def _is_rotated(node: Expr) -> bool:
