@@ -74,6 +74,7 @@ def test_a_modulus_whose_rest_is_known_in_the_form_of_a_quotient_ends() -> None:
         pytest.param(1704, 990, id="the content of a sum of sines of an angle and of its half"),
         pytest.param(1727, 780, id="a content that a sum with a root of a number makes"),
         pytest.param(1706, 2033, id="a condition with a prime in one of two values"),
+        pytest.param(1763, 4377, id="the square of a root of a number of 84 bits"),
         pytest.param(1735, 3499, id="a content in which nine digits cancel"),
         pytest.param(1732, 4289, id="the root of a number of 83 bits, a product of two"),
         # more signs in one form of an argument than in the other; roots of what contains units of order 109

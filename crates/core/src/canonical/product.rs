@@ -71,6 +71,7 @@ impl Graph {
             let exponent = self.get_number(exponent).clone();
             self.collect_power(&mut collector, base, &exponent)?;
         }
+        self.open_powers_of_numbers(&mut collector)?;
         self.open_shared_products(&mut collector);
         self.merge_moduli(&mut collector)?;
         self.merge_drawn_roots(&mut collector);
@@ -266,6 +267,20 @@ impl Graph {
             }
         }
         out
+    }
+
+    /// Open the powers of products of roots of numbers that equal factors have made: the roots become numbers again.
+    fn open_powers_of_numbers(&mut self, out: &mut Collector) -> Result<(), Error> {
+        let is_power = |graph: &Self, (base, exponent): &(Id, Number)| {
+            !exponent.is_one()
+                && exponent.is_integer()
+                && graph.kind(*base) == Kind::Product
+                && graph.inner_factors(*base).all(|(inner, _)| graph.as_number(inner).is_some())
+        };
+        let (powers, rest): (Vec<_>, Vec<_>) =
+            out.factors.drain(..).partition(|factor| is_power(self, factor));
+        out.factors = rest;
+        powers.iter().try_for_each(|(base, exponent)| self.collect_power(out, *base, exponent))
     }
 
     /// Open child products that share a base with a factor beside them where that cancels or merges roots.
