@@ -128,12 +128,12 @@ def test_seeds_are_converted_completely(seed: str, folder: Path, capsys: pytest.
 
 @pytest.mark.repeated
 def test_hardly_any_statement_remains_a_remark(folder: Path) -> None:
-    """What remains is drawings, comparisons as values, rules of several arguments: 1.9 % of all, and 7.7 % values."""
+    """What remains is drawings, comparisons as values, rules of several arguments: 2.1 % of all, and 6.8 % values."""
     seeds = [path for each in FOLDERS[:1] for path in sorted(each.iterdir())]
     made = [program_of(path, folder) for path in (*sorted(VALID.iterdir()), *seeds)]
     total = sum(each.code + each.values + each.left_out for each in made)
-    assert sum(each.left_out for each in made) < 0.025 * total
-    assert sum(each.values for each in made) < 0.08 * total
+    assert sum(each.left_out for each in made) < 0.023 * total
+    assert sum(each.values for each in made) < 0.07 * total
 
 
 def test_long_lines_are_broken() -> None:

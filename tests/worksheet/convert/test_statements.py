@@ -219,3 +219,41 @@ def test_code_has_the_names_and_the_brackets_of_its_language(capsys: pytest.Capt
         *("s1 = a.*b;", "y(3) = a.^2;", "V = [x; x.*y];", "cg[0] = a;", "cg[1] = b;", "u[0] = a*b;"),
         *("cg(1) = a", "cg(2) = 2*b"),
     ]
+
+
+def test_cases_texts_and_parts_of_solutions_are_code(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    program, found = made(
+        "with(StringTools): F := piecewise(t <= 1, 5, t < 2 and a > 0, 7, 9):\n"
+        's := sprintf("%4.2f %s", Pi, UpperCase("ab")): n := length(s): evalf[3](2*Pi);\n'
+        "seq(`if`(i mod 2 = 0, i^2, NULL), i = 1..4);\n"
+        "w := solve({u(t) = 2*sin(q(t)), v(t) = u(t)}, {u(t), v(t)}): w := map(simplify, w):\n"
+        "K := simplify(u(t)^2, {u(t) - p(t)}, [u(t)]): has(diff(q(t), t), q(t));\n"
+        'd := [3, 4]: save d, s, "data.mpl": d := \'d\': read "data.mpl": d[2];\n'
+    )
+    assert (program.values, program.left_out) == (0, 0)
+    a, q, p = sb.symbols("a"), *sb.functions_of_time("q p")
+    for time, sign, expected in [(1, 1, 5), (1.5, 1, 7), (1.5, -1, 9), (2, 1, 9)]:
+        assert found["F"].evaluate({sb.t: time, a: sign}) == expected
+    assert (found["s"], found["n"], found["K"]) == ("3.14 AB", 7, p**2)
+    assert found["w"] == {each: 2 * sb.sin(q) for each in sb.functions_of_time("u v")}
+    assert capsys.readouterr().out == "6.28\n[4, 16]\nTrue\n4\n"
+
+
+def test_a_radius_of_a_tyre_that_changes_leaves_the_road_at_rest() -> None:
+    program, found = made(
+        "with(MBSymba_r6): use_moving_frame(u(t), 0, 0, 0, 0, 0):\n"
+        "wheel := make_BODY(translate(0,0,-h)*rotate('X',phi(t))*rotate('Y',theta(t)), m):\n"
+        "tire := make_TIRE(wheel, 0, 0, 0, 0, rr(t), X, 0, -N, 0, 0, 0, moving_frame):\n"
+        "(C, VS, VN, VR) := tire_kinematics(tire): camber := rhs(tire['angles'][2]):\n"
+    )
+    assert (program.values, program.left_out) == (0, 0)
+    u, phi, rr, theta = sb.functions_of_time("u phi rr theta")
+    rates = {each: sb.diff(each, sb.t) for each in (phi, rr, theta)}
+    assert (found["VS"], found["camber"], found["VR"]) == (u, phi, rr * rates[theta])
+    across = (
+        -rr * sb.cos(phi) * rates[phi] - sb.sin(phi) * rates[rr]
+    )  # along the road, of the point (0, 0, rr)
+    assert sb.simplify(found["VN"] - across) == 0

@@ -14,7 +14,6 @@ from symbody.symbolic import (
     Expr,
     Max,
     Min,
-    Piecewise,
     acos,
     asin,
     atan,
@@ -180,32 +179,6 @@ def _irem(a: int, b: int) -> int:
     return a - b * int(Fraction(a, b))
 
 
-def _fraction_part(which: int) -> Command:
-    def command(session: Session, x: Value) -> Value:
-        expression = scalar(session, x)
-        if expression.is_number:
-            return number(expression.ratio[which])
-        above, below = number(1), number(1)
-        for factor in _factors(tree_of(expression)):
-            if (
-                factor.kind == "power"
-                and factor.parts[1].kind == "number"
-                and factor.parts[1].value.ratio[0] < 0
-            ):
-                below = below / factor.value
-            elif factor.kind == "number":
-                above, below = above * factor.value.ratio[0], below * factor.value.ratio[1]
-            else:
-                above = above * factor.value
-        return (above, below)[which]
-
-    return command
-
-
-def _factors(tree: Tree) -> tuple[Tree, ...]:
-    return tree.parts if tree.kind == "product" else (tree,)
-
-
 def fractional_part(session: Session, x: Value) -> Value:
     """frac(x): what is left of a number without its whole part; it has the sign of the number."""
     argument = scalar(session, x)
@@ -241,19 +214,6 @@ def leading_sign(session: Session, p: Value) -> Value:
     tree = tree_of(polynomial)
     first = tree.parts[0] if tree.kind == "sum" else tree
     return number(-1 if is_negative(first) else 1)
-
-
-def piecewise(session: Session, *pairs: Value) -> Value:
-    """piecewise(condition, value, .., otherwise)."""
-    branches = [_branch(session, pairs[i], pairs[i + 1]) for i in range(0, len(pairs) - 1, 2)]
-    otherwise = scalar(session, pairs[-1]) if len(pairs) % 2 else number(0)
-    return Piecewise(*branches, (otherwise, True))
-
-
-def _branch(session: Session, condition: Value, value: Value) -> tuple[Expr, Expr]:
-    if not isinstance(condition, Relation) or condition.operator not in ("<", "<="):
-        raise WorksheetError("piecewise: a condition that is no inequality; expected one such as x < 1")
-    return scalar(session, value), scalar(session, condition.right) - scalar(session, condition.left)
 
 
 # --- decimals ---------------------------------------------------------------------------------------------------------
@@ -432,9 +392,6 @@ COMMANDS: dict[str, Command] = {
     "irem": _integers(_irem),
     "igcd": _integers(math.gcd),
     "ilcm": _integers(math.lcm),
-    "numer": _fraction_part(0),
-    "denom": _fraction_part(1),
-    "piecewise": piecewise,
     "evalf": evalf,
     "fnormal": without_small,
     "evalhf": evalf,

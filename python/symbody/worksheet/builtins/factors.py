@@ -13,6 +13,7 @@ from symbody.symbolic.expression.traverse import post_order
 from symbody.worksheet.evaluation.arithmetic import scalar
 from symbody.worksheet.evaluation.entrywise import entrywise
 from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.mathematics.common_fraction import common_fraction
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.numeric import as_integer
 from symbody.worksheet.values.value import Unevaluated, Value
@@ -60,6 +61,33 @@ def _apart(session: Session, value: Expr, unknown: Expr | None) -> Expr:
         return value
     found = from_sympy(sympy.apart(to_sympy(value.subs(held)), to_sympy(variable)))
     return found.subs({new: old for old, new in held.items()}) if isinstance(found, Expr) else value
+
+
+def fraction_part(which: int) -> Command:
+    """Return numer(e) or denom(e): what stands above or below the common denominator."""
+    return lambda session, value: _reduced(*common_fraction(scalar(session, value)))[which]
+
+
+def _reduced(above: Expr, below: Expr) -> tuple[Expr, Expr]:
+    """Return a numerator and a denominator without a common polynomial factor; long ones as they are."""
+    quotient = above / below
+    if below.is_number or len(str(quotient)) > _LONGEST or find_spec("sympy") is None:
+        return above, below
+    import sympy  # noqa: PLC0415 - optional
+
+    held = _parts(quotient)
+    if not held:
+        return above, below
+    sides = [to_sympy(each.subs(held)) for each in (above, below)]
+    common = sympy.gcd(*sides)
+    if common == 1:
+        return above, below
+    made = [from_sympy(sympy.cancel(each / common)) for each in sides]
+    found = [each.subs({new: old for old, new in held.items()}) for each in made if isinstance(each, Expr)]
+    if len(found) < len(made):
+        return above, below
+    sign = -1 if found[1].is_number and found[1].ratio[0] < 0 else 1
+    return sign * found[0], sign * found[1]
 
 
 def _factored(value: Expr) -> Expr | None:
@@ -151,6 +179,8 @@ def _common(name: str, of_integers: Callable[[int, int], int]) -> Command:
 
 
 COMMANDS: dict[str, Command] = {
+    "numer": fraction_part(0),
+    "denom": fraction_part(1),
     "factor": factor,
     "ifactor": integer_factors,
     "gcd": _common("gcd", math.gcd),

@@ -8,6 +8,7 @@ from symbody.worksheet.commands import mbsymba
 from symbody.worksheet.convert.calculus_calls import CALCULUS
 from symbody.worksheet.convert.code_calls import CODE, is_code
 from symbody.worksheet.convert.condition_calls import CONDITIONS
+from symbody.worksheet.convert.conversion_calls import CONVERSIONS
 from symbody.worksheet.convert.elementary_calls import ELEMENTARY
 from symbody.worksheet.convert.files import FILES
 from symbody.worksheet.convert.frames import axis
@@ -30,6 +31,7 @@ from symbody.worksheet.convert.row_calls import ROWS
 from symbody.worksheet.convert.selections import indexed
 from symbody.worksheet.convert.sequences import item
 from symbody.worksheet.convert.spectrum_calls import SPECTRUM
+from symbody.worksheet.convert.text_calls import TEXTS
 from symbody.worksheet.convert.writer import Writer
 from symbody.worksheet.sheet import syntax
 
@@ -41,6 +43,7 @@ _TABLES = (
     MECHANICS,
     JOINTS,
     MAPLE,
+    CONVERSIONS,
     CALCULUS,
     QUADRATURE,
     POLYNOMIALS,
@@ -49,6 +52,7 @@ _TABLES = (
     MATRICES,
     ROWS,
     LISTS,
+    TEXTS,
     NUMBERS,
     MOTIONS,
     PICTURES,
@@ -60,6 +64,9 @@ _OPERATORS = {"+", "-", "*", "/", "^", "."}
 def call(to: Writer, node: syntax.Call) -> str:
     """Return a call of a command or of a function of the sheet."""
     name, arguments = _called(node.function), node.arguments
+    match node.function:
+        case syntax.Selection(whole=syntax.Name(name="evalf"), indices=(syntax.Integer() as digits,)):
+            name, arguments = "evalf", (*arguments, digits)
     if isinstance(node.function, syntax.Elementwise):
         return _of_each(to, node.function.function, arguments)
     if name in _OPERATORS and len(arguments) > 1:
@@ -171,10 +178,6 @@ def _called(node: syntax.Expression) -> str:
             return name
         case syntax.Delayed(body=syntax.Name(name=name)):
             return name
-        case syntax.Selection(whole=syntax.Name(name="evalf"), indices=(syntax.Integer(value=n),)) if (
-            n >= _DIGITS
-        ):
-            return "evalf"
         case syntax.Selection(
             whole=syntax.Name(name=package),
             indices=(syntax.Name(name=name) | syntax.Delayed(body=syntax.Name(name=name)),),
@@ -187,9 +190,6 @@ _KNOWN = frozenset(
     (*KERNEL, *FORMS, *MISSING, *mbsymba.COMMANDS, *(each for one in PACKAGES.values() for each in one))
 )
 """Commands that the worksheet has, and those that are missing."""
-
-_DIGITS = 10
-"""Of decimals: numbers that are rounded to fewer are others."""
 
 _PACKAGES = {
     "LinearAlgebra",

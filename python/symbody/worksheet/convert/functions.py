@@ -6,9 +6,9 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from symbody.worksheet.convert.assignments import target_text
+from symbody.worksheet.convert.condition import condition
 from symbody.worksheet.convert.expressions import PythonText
 from symbody.worksheet.convert.names import Names, identifier
-from symbody.worksheet.convert.operators import condition
 from symbody.worksheet.convert.parameter_types import type_tests
 from symbody.worksheet.convert.statements import INDENT, block, branch_words
 from symbody.worksheet.sheet import syntax

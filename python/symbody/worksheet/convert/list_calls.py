@@ -6,9 +6,9 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import TypeAlias
 
 from symbody.symbolic import Expr
+from symbody.worksheet.convert.condition import condition
 from symbody.worksheet.convert.names import NoText, identifier
 from symbody.worksheet.convert.operations import grouped
-from symbody.worksheet.convert.operators import condition
 from symbody.worksheet.convert.sequences import comprehension, items
 from symbody.worksheet.convert.writer import Arguments, Writer
 from symbody.worksheet.sheet import syntax
@@ -39,7 +39,7 @@ def _of_list(form: str) -> Call:
 
     def write(text: Writer, arguments: Arguments) -> str:
         whole = text.text(arguments[0])
-        if len(arguments) != 1 or not isinstance(text.value(whole), list):
+        if len(arguments) != 1 or not isinstance(text.value(whole), list | str):
             raise NoText("list")
         return form.format(whole)
 
@@ -122,6 +122,8 @@ def _case(text: Writer, function: syntax.Expression, rest: Sequence[syntax.Expre
 def _found_place(text: Writer, arguments: Arguments) -> str:
     """Return the place of an item in a list, or zero."""
     item, whole = (text.text(each) for each in arguments)
+    if isinstance(text.value(whole), str):
+        return f"{grouped(whole)}.find({item}) + 1"
     return f"{grouped(whole)}.index({item}) + 1 if {item} in {whole} else 0"
 
 

@@ -11,11 +11,10 @@ import numpy as np
 
 from symbody.geometry import Frame, Point, Vector
 from symbody.multibody import Body, Force, Torque
-from symbody.symbolic import Expr, Matrix
+from symbody.symbolic import Matrix
 from symbody.worksheet.convert.motion_values import component, function_at, is_motion
 from symbody.worksheet.convert.names import NoText, identifier
-from symbody.worksheet.convert.operations import SUM, grouped
-from symbody.worksheet.convert.quadrature_calls import by_quadrature
+from symbody.worksheet.convert.operations import grouped
 from symbody.worksheet.convert.scalar_text import scalar_text
 from symbody.worksheet.convert.selections import key
 from symbody.worksheet.convert.sequences import comprehension, items
@@ -101,6 +100,8 @@ def _mapped_equations(text: Writer, function: syntax.Expression, over: str) -> s
     """Return what is made of equations by their left sides: ``map(rhs, s)``, ``map(e -> lhs(e) = f(rhs(e)), s)``."""
     if isinstance(function, syntax.Name) and function.name in _SIDES:
         return f"[*{grouped(over)}{'.values()' if function.name == 'rhs' else ''}]"
+    if isinstance(function, syntax.Name) and function.name in _OF_CONTAINERS:
+        function = _of_sides(function)
     if not isinstance(function, syntax.Arrow) or len(function.parameters) != 1:
         raise NoText("map")
     names = text.names.inner()
@@ -111,6 +112,15 @@ def _mapped_equations(text: Writer, function: syntax.Expression, over: str) -> s
         made = f"{{{writer.text(body.left)}: {writer.text(body.right)}"
         return f"{made} for left, right in {grouped(over)}.items()}}"
     return f"[{writer.text(body)} for left, right in {grouped(over)}.items()]"
+
+
+def _of_sides(function: syntax.Name) -> syntax.Arrow:
+    """Return ``e -> lhs(e) = f(rhs(e))``: solutions keep their unknowns."""
+    place = function.place
+    equation = syntax.Name("e", place=place)
+    left, right = (syntax.Call(syntax.Name(side, place=place), (equation,), place=place) for side in _SIDES)
+    body = syntax.Infix("=", left, syntax.Call(function, (right,), place=place), place=place)
+    return syntax.Arrow((syntax.Parameter("e", place=place),), body, place=place)
 
 
 _SIDES = {"lhs": "left", "rhs": "right"}
@@ -207,6 +217,10 @@ def _side(index: int) -> Call:
                 return component(text, motion, function_at(text, motion, place))
         whole = text.text(arguments[0])
         found = text.value(whole)
+        written = ast.parse(whole, mode="eval").body
+        if isinstance(written, ast.Dict) and len(written.values) == 1:
+            side = written.keys[0] if index == 0 else written.values[0]
+            return ast.get_source_segment(whole, side) or whole if side else whole
         if isinstance(found, tuple) and len(found) == 2:
             return f"{grouped(whole)}[{index}]"
         if not isinstance(found, dict) or len(found) != 1:
@@ -221,28 +235,6 @@ def _side(index: int) -> Call:
     return write
 
 
-def _converted(text: Writer, arguments: Arguments) -> str:
-    whole, kind = text.text(arguments[0]), arguments[1]
-    word = kind.body if isinstance(kind, syntax.Delayed) else kind
-    found = text.value(whole)
-    if isinstance(word, syntax.Name) and word.name in {"polynom", "float"}:
-        return whole if word.name == "polynom" else _in_decimals(text, arguments)
-    if isinstance(word, syntax.Name) and word.name == "listlist" and isinstance(found, Matrix):
-        return f"{grouped(whole)}.tolist()"
-    if isinstance(word, syntax.Name) and word.name in {"list", "set"}:
-        if isinstance(found, tuple | np.ndarray):
-            return f"list({whole})"
-        if isinstance(found, list):
-            return whole
-        if isinstance(found, Matrix):
-            entries = f"{grouped(whole)}.entries"
-            return f"list({entries if word.name == 'list' else f'dict.fromkeys({entries})'})"
-        if isinstance(found, dict):
-            are_equations = all(isinstance(each, Expr) and each.kind == "time_function" for each in found)
-            return whole if are_equations else f"list({whole}.values())"
-    raise NoText("convert")
-
-
 def _method(name: str, *, called: bool = True) -> Call:
     return lambda text, arguments: f"{grouped(text.text(arguments[0]))}.{name}{'()' if called else ''}"
 
@@ -252,31 +244,6 @@ def _evaluated(text: Writer, arguments: Arguments) -> str:
     if len(arguments) == 1:
         return text.text(arguments[0])
     return substitution(text, (arguments[1], arguments[0]))
-
-
-def _in_decimals(text: Writer, arguments: Arguments) -> str:
-    """Return ``evalf(e)`` of a constant, or of what holds constants."""
-    whole = by_quadrature(text, arguments[0]) or text.text(arguments[0])
-    found = text.value(whole)
-    if isinstance(found, int | float | complex | np.ndarray):
-        return whole
-    if _is_constant(found):
-        return f"float({whole})"
-    if hasattr(found, "evalf"):
-        return f"float({grouped(whole)}.evalf())"
-    if isinstance(found, list | tuple) and found and all(map(_is_constant, found)):
-        return f"[float(each) for each in {whole}]"
-    if isinstance(found, Matrix) and all(map(_is_constant, found.entries)):
-        return f"np.array({whole}, dtype=float)"
-    if isinstance(found, dict) and all(map(_is_constant, found.values())):
-        return f"{{name: float(each) for name, each in {grouped(whole)}.items()}}"
-    if isinstance(found, Expr | list | dict):
-        return whole  # the program stays exact
-    raise NoText("evalf")
-
-
-def _is_constant(value: object) -> bool:
-    return isinstance(value, int | float) or (isinstance(value, Expr) and value.is_constant)
 
 
 def _shown(text: Writer, arguments: Arguments) -> str:
@@ -370,17 +337,6 @@ def _without_decimals(node: syntax.Expression) -> syntax.Expression:
     return node
 
 
-def _texts(text: Writer, arguments: Arguments) -> str:
-    """Return ``cat(a, b)`` of texts; integers may follow the first one."""
-    first, *rest = (text.text(each) for each in arguments)
-    if not isinstance(text.value(first), str):
-        raise NoText("cat")
-    parts = [first, *(f"str({each})" if type(text.value(each)) is int else each for each in rest)]
-    if not all(isinstance(text.value(each), str) for each in parts):
-        raise NoText("cat")
-    return " + ".join(grouped(each, SUM) for each in parts)
-
-
 MAPLE: Mapping[str, Call] = {
     **{name: _elementary(name) for name in ("sin", "cos", "tan", "sqrt", "exp", "sinh", "cosh", "tanh")},
     "arcsin": _plain("sb.asin", 1),
@@ -406,7 +362,6 @@ MAPLE: Mapping[str, Call] = {
     "nops": _count,
     "lhs": _side(0),
     "rhs": _side(1),
-    "convert": _converted,
     "Transpose": _method("T", called=False),
     "transpose": _method("T", called=False),
     **dict.fromkeys(("Determinant", "det"), _method("det")),
@@ -414,7 +369,6 @@ MAPLE: Mapping[str, Call] = {
     "IdentityMatrix": _plain("sb.identity", 1),
     "evalm": _entrywise,
     "eval": _evaluated,
-    "evalf": _in_decimals,
     "numelems": _count,
     "table": _table,
     "show": _shown,
@@ -426,6 +380,5 @@ MAPLE: Mapping[str, Call] = {
     "GenerateMatrix": generated,
     "genmatrix": coefficient_matrix,
     "cost": _cost,
-    "cat": _texts,
 }
 """Writers by the names of commands."""

@@ -57,13 +57,11 @@ def _scaled(text: Writer, arguments: Arguments) -> str:
 
 
 def _row(text: Writer, arguments: Arguments) -> str:
-    whole, place = _matrix(text, arguments[0]), _place(text, arguments[1])
-    return f"{whole}[{place}:{int(place) + 1}, :]"
+    return f"{_matrix(text, arguments[0])}[{_only(text, arguments[1])}, :]"
 
 
 def _column(text: Writer, arguments: Arguments) -> str:
-    whole, place = _matrix(text, arguments[0]), _place(text, arguments[1])
-    return f"{whole}[:, {place}:{int(place) + 1}]"
+    return f"{_matrix(text, arguments[0])}[:, {_only(text, arguments[1])}]"
 
 
 def _part(text: Writer, arguments: Arguments) -> str:
@@ -76,6 +74,12 @@ def _slice(text: Writer, node: syntax.Expression) -> str:
         case syntax.Infix(operator="..", left=first, right=last):
             return f"{_place(text, first)}:{int(_place(text, last)) + 1}"
     raise NoText("range")
+
+
+def _only(text: Writer, node: syntax.Expression) -> str:
+    """Return the range of one index, so that a row or a column is a matrix."""
+    last = text.text(node)
+    return f"{int(last) - 1 if last.isdigit() else f'{grouped(last, SUM)} - 1'}:{last}"
 
 
 def _place(text: Writer, node: syntax.Expression) -> str:
@@ -205,6 +209,12 @@ def _combined(text: Writer, arguments: Arguments) -> str:
     )
 
 
+def _sizes(text: Writer, arguments: Arguments) -> str:
+    """Return the sizes of a matrix, or the one of a vector."""
+    whole = _form("{0}")(text, arguments)
+    return f"{whole}.shape{'[0]' if text.value(whole).shape[1] == 1 else ''}"
+
+
 _ROWS = "sb.Matrix([row for k, row in enumerate({0}.tolist()) if k not in [{1}]])"
 _COLUMNS = "sb.Matrix([row for k, row in enumerate({0}.T.tolist()) if k not in [{1}]]).T"
 
@@ -234,8 +244,7 @@ MATRICES: Mapping[str, Call] = {
     "hessian": _second_derivatives,
     "Zip": _combined,
     "ZeroVector": lambda text, arguments: f"sb.zeros({text.text(arguments[0])}, 1)",
-    **dict.fromkeys(("Dimension", "vectdim"), _form("{0}.shape[0]")),
-    "Dimensions": _form("{0}.shape"),
+    **dict.fromkeys(("Dimension", "Dimensions", "vectdim"), _sizes),
     "ZeroMatrix": _zeros,
     **dict.fromkeys(("CharacteristicPolynomial", "charpoly"), _characteristic),
     **dict.fromkeys(("ReducedRowEchelonForm", "gaussjord", "rref"), _by_sympy("rref()[0]")),

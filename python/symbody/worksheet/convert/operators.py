@@ -6,7 +6,6 @@ from collections.abc import Callable, Mapping
 
 from symbody.geometry import Frame
 from symbody.symbolic import Expr, Matrix
-from symbody.worksheet.convert.frames import axis
 from symbody.worksheet.convert.names import NoText
 from symbody.worksheet.convert.operations import (
     COMPARISON,
@@ -21,7 +20,7 @@ from symbody.worksheet.convert.sequences import distinct
 from symbody.worksheet.convert.writer import Writer
 from symbody.worksheet.sheet import syntax
 
-__all__ = ["condition", "infix", "postfix", "prefix"]
+__all__ = ["infix", "postfix", "prefix"]
 
 
 def _compared(word: str) -> Callable[[str, str], str]:
@@ -141,6 +140,8 @@ def _product(to: Writer, left: str, right: str) -> str:
     a, b = to.value(left), to.value(right)
     if isinstance(a, Frame) and isinstance(b, Matrix):
         return f"{grouped(left)}.matrix @ {grouped(right)}"
+    if isinstance(a, Matrix) and isinstance(b, list) and not isinstance(b[0], list):
+        return f"{grouped(left)} @ sb.Matrix.column({right})"
     if isinstance(a, Matrix) and isinstance(b, Frame):
         return f"{grouped(left)} @ {grouped(right)}.matrix"
     return product(left, right, " @ " if isinstance(a, Matrix) and isinstance(b, Matrix) else "*")
@@ -158,22 +159,6 @@ def _equation(to: Writer, node: syntax.Infix) -> str:
     if right == "0":
         return left
     return _difference(left, right)
-
-
-def condition(to: Writer, node: syntax.Expression) -> str:
-    """Return a condition: an equation is a comparison there."""
-    match node:
-        case syntax.Infix(operator="=", left=left, right=right):
-            sides = (
-                axis(to, each) if isinstance(each, syntax.Delayed) else to.text(each)
-                for each in (left, right)
-            )
-            return " == ".join(sides)
-        case syntax.Infix(operator="and" | "or" as operator, left=left, right=right):
-            return f"{grouped(condition(to, left))} {operator} {grouped(condition(to, right))}"
-        case syntax.Prefix(operator="not", operand=operand):
-            return f"not ({condition(to, operand)})"
-    return to.text(node)
 
 
 def postfix(to: Writer, node: syntax.Postfix) -> str:

@@ -61,7 +61,7 @@ def order_of(session: Session, made: Any, value: Value) -> list[int] | None:
     found = session.current(session.resolve(value))
     items = found.entries if isinstance(found, Array) else getattr(found, "items", ())
     if (
-        not isinstance(made, list)
+        not isinstance(made, list | tuple)
         or not isinstance(found, Listed | Array | Sequence)
         or len(made) != len(items)
     ):
@@ -105,11 +105,15 @@ class _Comparison:
             case Expr():
                 return isinstance(made, TextIOBase) or self.equal(made, found)  # an open file is a number
             case String(text=text) | Boolean(truth=text):
-                return type(made) is type(text) and bool(made == text)
+                return isinstance(made, type(text) | np.bool) and bool(made == text)
             case ProcedureValue() | Builtin() | Plot():
                 return made is not None if isinstance(found, Plot) else callable(made)
             case Relation(operator="=", left=left, right=right):
                 return self.equation(made, left, right)
+            case Relation() if isinstance(
+                made, bool | np.bool
+            ):  # Maple prints an inequality of numbers as it is
+                return self.alike(made, self.session.call(Reference("evalb"), (found,)))
             case _:
                 return self.whole(made, found)
 
@@ -135,10 +139,8 @@ class _Comparison:
             return self.numbers(np.array(made), Sequence(items))
         if not is_set:
             return len(made) == len(items) and all(map(self.same, made, items))
-        return (
-            len(made) == len(items)
-            and all(any(self.same(one, item) for one in made) for item in items)
-            and all(any(self.same(one, item) for item in items) for one in made)
+        return all(any(self.same(one, item) for one in made) for item in items) and all(
+            any(self.same(one, item) for item in items) for one in made
         )
 
     def numbers(self, made: NDArray[Any], value: Value) -> bool:

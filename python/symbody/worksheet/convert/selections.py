@@ -32,6 +32,11 @@ def selection(text: Writer, node: syntax.Selection) -> str:
         return indexed(text, node)
     if is_motion(text, node.whole):
         return output_entry(text, node)
+    return _tyre_angles(text, node) or _part(text, node)
+
+
+def _part(text: Writer, node: syntax.Selection) -> str:
+    """Return an entry or a field of a value."""
     whole = grouped(text.text(node.whole))
     found = text.value(whole)
     if isinstance(found, dict) and found and all(isinstance(each, Expr) for each in found):
@@ -46,6 +51,28 @@ def selection(text: Writer, node: syntax.Selection) -> str:
     if found is not None and not isinstance(found, list | tuple | Matrix | Frame):
         raise NoText("selection")
     return _entry(text, f"{whole}.matrix" if isinstance(found, Frame) else whole, found, node.indices)
+
+
+def _tyre_angles(text: Writer, node: syntax.Selection) -> str:
+    """Return ``tire['angles']``, the yaw and the camber of a tyre, or one of them; nothing for other entries."""
+    match node:
+        case syntax.Selection(whole=syntax.Selection() as whole, indices=(syntax.Integer(value=place),)):
+            angles = _angles(text, whole)
+            return angles[place - 1] if 0 < place <= len(angles) else ""
+    return f"[{', '.join(angles)}]" if (angles := _angles(text, node)) else ""
+
+
+def _angles(text: Writer, node: syntax.Selection) -> list[str]:
+    match node:
+        case syntax.Selection(
+            whole=whole,
+            indices=(syntax.Name(name="angles") | syntax.Delayed(body=syntax.Name(name="angles")),),
+        ) if (tyre := text.names.tyres.get(text.text(whole))) is not None:
+            ahead = f"sb.project({tyre.variable}.longitudinal, {tyre.road}).components"
+            yaw = f"sb.atan2({ahead}[1], {ahead}[0])"
+            camber = f"{tyre.variable}.camber"
+            return [f"{{{text.names.text('yaw')}: {yaw}}}", f"{{{text.names.text('camber')}: {camber}}}"]
+    return []
 
 
 def _field(indices: tuple[syntax.Expression, ...]) -> str:

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from symbody.worksheet.convert.condition import condition
 from symbody.worksheet.convert.frames import components
 from symbody.worksheet.convert.names import NoText, identifier
 from symbody.worksheet.convert.operations import SUM, grouped
@@ -26,7 +27,7 @@ def items(to: Writer, nodes: tuple[syntax.Expression, ...]) -> str:
     return ", ".join(text for node in nodes for text in [item(to, node)] if text)
 
 
-_SEVERAL = frozenset({"solve", "fsolve", "eigenvals", "eigenvalues"})
+_SEVERAL = frozenset({"solve", "fsolve", "eigenvals", "eigenvalues", "Dimension", "Dimensions"})
 """Commands whose values are a sequence in the worksheet."""
 
 
@@ -57,7 +58,7 @@ def item(to: Writer, node: syntax.Expression) -> str:
 def _are_roots(value: object) -> bool:
     """Whether a value is several roots of one unknown, which are a sequence in the worksheet."""
     return isinstance(value, np.ndarray) or (
-        isinstance(value, list) and not any(isinstance(each, dict) for each in value)
+        isinstance(value, list | tuple) and not any(isinstance(each, dict) for each in value)
     )
 
 
@@ -109,10 +110,19 @@ def _comprehension(to: Writer, each: syntax.Expression, span: syntax.Expression)
     inner = to.names.inner()
     inner.values[name] = first
     writer = to.within(inner)
+    match each:
+        case syntax.Call(function=syntax.Name(name="if" | "ifelse"), arguments=(case, kept, nothing)) if (
+            _is_null(nothing)
+        ):
+            return f"[{item(writer, kept)} for {name} in {over} if {condition(writer, case)}]"
     body = item(writer, each)
     if body.startswith("*"):
         return f"[item for {name} in {over} for item in {body[1:]}]"
     return f"[{body} for {name} in {over}]"
+
+
+def _is_null(node: syntax.Expression) -> bool:
+    return isinstance(node, syntax.Name) and node.name == "NULL"
 
 
 def _span(to: Writer, span: syntax.Expression) -> tuple[str, str, Any]:

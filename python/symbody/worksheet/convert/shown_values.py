@@ -4,13 +4,10 @@ from __future__ import annotations
 
 import contextlib
 import io
-import re
-from collections.abc import Sequence
 from itertools import chain
 
 from symbody.geometry import Frame, Point, Vector
 from symbody.multibody import Body, Force, Torque
-from symbody.symbolic import Expr
 from symbody.worksheet.convert.assignments import one_line, solution_lines
 from symbody.worksheet.convert.code_calls import is_code
 from symbody.worksheet.convert.expressions import PythonText
@@ -20,12 +17,12 @@ from symbody.worksheet.convert.sequences import item as opened
 from symbody.worksheet.convert.sequences import items
 from symbody.worksheet.convert.shapes import shown_picture
 from symbody.worksheet.convert.statement_kinds import acts
+from symbody.worksheet.convert.text_calls import formatted
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.sheet.within import mentions
 
 __all__ = ["value_lines"]
 
-_CONVERSION = re.compile(r"%[-+ 0#]*\d*(?:\.\d+)?(.)")
 _SHOWN = Frame | Point | Vector | Body | Force | Torque
 
 
@@ -67,7 +64,7 @@ def _shown_item(text: PythonText, item: syntax.Expression, *, shown: bool, keeps
         case syntax.Call(function=syntax.Name(name="print" | "lprint"), arguments=arguments):
             return [f"print({items(text, arguments)})"]
         case syntax.Call(function=syntax.Name(name="printf"), arguments=(syntax.Text(text=form), *rest)):
-            return [_printed(text, form, rest)]
+            return [f"print({formatted(text, form, rest)}, end='')"]
         case syntax.Call(function=syntax.Name(name="assign"), arguments=(what,)):
             return solution_lines(text, what)
         case syntax.Call(function=syntax.Name(name="unassign"), arguments=arguments):
@@ -142,37 +139,3 @@ def _show(text: PythonText, what: syntax.Expression, *, synthetic: bool, keeps: 
     if isinstance(found, _SHOWN):
         return [*lines, f"sb.show({written}{', synthetic=True' if synthetic else ''})"]
     return [*lines, f"print({written})"]
-
-
-def _printed(text: PythonText, form: str, rest: Sequence[syntax.Expression]) -> str:
-    """Return ``printf`` as a format of Python; its texts are written as they are."""
-    kinds = [kind for kind in _CONVERSION.findall(form) if kind != "%"]
-    values: list[str] = []
-    for each in rest:
-        part = opened(text, each)
-        part = f"*{part}" if isinstance(text.value(part), tuple) else part
-        found = text.value(f"[{part}]")
-        if not isinstance(found, list) or len(found) > len(kinds):
-            raise NoText("printf")
-        values.append(_with_floats(part, found, kinds[: len(found)]))
-        kinds = kinds[len(found) :]
-    if kinds:
-        raise NoText("printf")
-    if not values:
-        return f"print({form!r}, end='')"
-    form = _CONVERSION.sub(lambda found: found[0][:-1] + "s" if found[1] == "a" else found[0], form)
-    return f"print({form!r} % ({', '.join(values)}{',' if len(values) == 1 else ''}), end='')"
-
-
-def _with_floats(part: str, values: Sequence[object], kinds: Sequence[str]) -> str:
-    """Return an argument of a format, whose expressions are numbers where the format prints numbers.
-
-    Args:
-        part: the argument, which may be several.
-        values: what it holds.
-        kinds: the letters of the formats that print it.
-    """
-    pairs = zip(values, kinds, strict=True)
-    if not any(isinstance(value, Expr) and kind not in "as" for value, kind in pairs):
-        return part
-    return f"*map(float, {part[1:]})" if part.startswith("*") else f"float({part})"

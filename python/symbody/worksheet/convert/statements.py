@@ -11,11 +11,11 @@ from typing import Any
 
 from symbody.symbolic import Expr
 from symbody.worksheet.convert.assignments import assignment_lines
+from symbody.worksheet.convert.condition import condition
 from symbody.worksheet.convert.expressions import PythonText
 from symbody.worksheet.convert.late_names import renewed
 from symbody.worksheet.convert.names import Names, NoText, identifier
 from symbody.worksheet.convert.operations import grouped, plain_decimal
-from symbody.worksheet.convert.operators import condition
 from symbody.worksheet.convert.sequences import items
 from symbody.worksheet.convert.shown_values import value_lines
 from symbody.worksheet.convert.unrolled import at_values
@@ -51,8 +51,6 @@ def lines_of(statement: syntax.Statement, text: PythonText, *, keeps: bool = Tru
             return [line for each in body for line in lines_of(each, text, keeps=False)]
         case syntax.Try(body=body, handlers=handlers):
             return _try(text, body, handlers)
-    if isinstance(statement, syntax.Save):
-        return [_saved(text, statement.arguments)]
     line = _line(statement, text)
     return [line] if line else []
 
@@ -86,6 +84,10 @@ def _line(statement: syntax.Statement, text: PythonText) -> str:
             return "break"
         case syntax.Empty() | syntax.Declaration():
             return ""
+        case syntax.Save(arguments=arguments):
+            return _saved(text, arguments)
+        case syntax.Read(file=syntax.Text(text=file)):  # that this program has saved
+            return f'globals().update(pickle.loads(Path("{Path(file).stem}.pickle").read_bytes()))'
         case syntax.Raise(arguments=arguments):
             return f"raise ValueError({items(text, arguments[:1])})"
     raise NoText(type(statement).__name__)

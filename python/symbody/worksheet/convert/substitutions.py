@@ -183,6 +183,9 @@ def simplified(text: Writer, arguments: Arguments) -> str:
     if len(arguments) == 3:
         place = arguments[0].place
         solved = solution(text, (arguments[1], _as_set(arguments[2], place)))
+        found = text.value(solved)
+        if isinstance(found, list) and len(found) == 1:
+            solved = solved[1:-1] if solved.startswith("[sb.solve(") else f"{solved}[0]"
         return f"sb.simplify(sb.subs({whole}, {solved}))"
     if len(arguments) == 2 and not isinstance(arguments[1], syntax.Name | syntax.Delayed):
         raise NoText("simplify")

@@ -188,7 +188,8 @@ def _shows_the_same(program: Draft, expression: syntax.Expression) -> bool:
 def _shared(program: Draft, name: str, changed: Sequence[str]) -> bool:
     """Give a name the object that another one has, which has changed: in the worksheet it is the same object."""
     session, values = program.interpreter.session, program.names.values
-    for other in changed:
+    named = (each for each in dict.fromkeys([*changed, *program.known]) if each in session.names)
+    for other in named:
         if other != name and _thing(session, other) is _thing(session, name) and has(program, other):
             line = f"{identifier(name)} = {identifier(other)}"
             exec(line, values)
@@ -207,7 +208,9 @@ def _sorted(program: Draft, name: str) -> bool:
     order = order_of(program.interpreter.session, values.get(text), program.interpreter.session.names[name])
     if order is None:
         return False
-    line = f"{text} = [{text}[k] for k in {tuple(order)}]  # the order of the worksheet"
+    listed = f"[{text}[k] for k in {tuple(order)}]"
+    listed = f"tuple({listed})" if isinstance(values[text], tuple) else listed
+    line = f"{text} = {listed}  # the order of the worksheet"
     exec(line, values)
     (program.code or []).append(line)
     return True

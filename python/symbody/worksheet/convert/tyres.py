@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from symbody.geometry import Frame
 from symbody.multibody import Body
+from symbody.symbolic import Expr, diff, t
 from symbody.worksheet.commands.tyres import tyre_axes
 from symbody.worksheet.convert.frames import frame
 from symbody.worksheet.convert.names import NoText
@@ -19,12 +20,13 @@ __all__ = ["Tyre", "tyre_forces", "tyre_lines", "tyre_load_lines", "tyre_motion"
 
 @dataclass(frozen=True, slots=True)
 class Tyre:
-    """A tyre of the program by texts: its variable, wheel, axes, contact point, and loads along the contact's axes."""
+    """A tyre of the program by texts: its variable, wheel, axes, contact point, road, and loads along its axes."""
 
     variable: str
     wheel: str
     axes: str
     contact: str
+    road: str
     loads: tuple[str, ...]
 
 
@@ -45,8 +47,12 @@ def tyre_lines(text: Writer, variable: str, arguments: Arguments) -> list[str]:
     more = {"spin_deformation": _minus(spin), "y_deformation": _minus(y_def), "z_deformation": z_def}
     shape = ", ".join([_minus(y), z, *(f"{name}={value}" for name, value in more.items() if value != "0")])
     depth = f"sb.project({contact}, {road}).coordinates[2]"
-    surface = f'{road}*sb.translate(0, 0, {depth})*sb.rotate("X", sb.pi)'
-    text.names.tyres[variable] = Tyre(variable, body, axes, contact, tuple(loads))
+    deep = text.names.own("road_depth") if _is_moved(text, depth, road) else ""
+    if deep:
+        begin.append(f'{deep} = sb.symbols("{deep}")')
+        exec(begin[-1], text.names.values)
+    surface = f'{road}*sb.translate(0, 0, {deep or depth})*sb.rotate("X", sb.pi)'
+    text.names.tyres[variable] = Tyre(variable, body, axes, contact, road, tuple(loads))
     return [
         *begin,
         f"{variable} = sb.tire_kinematics(",
@@ -56,7 +62,15 @@ def tyre_lines(text: Writer, variable: str, arguments: Arguments) -> list[str]:
         *([f"    carrier={carrier},"] if carrier else []),
         '    spin_axis="-Y",',
         ")",
+        *([f"{variable} = {variable}._make(sb.subs([*{variable}], {{{deep}: {depth}}}))"] if deep else []),
     ]
+
+
+def _is_moved(text: Writer, depth: str, road: str) -> bool:
+    """Whether a depth that changes is on a moving frame: the road is at rest all the same."""
+    deep, on = text.value(depth), text.value(road)
+    is_moving = isinstance(on, Frame) and on.ancestor.carrier is not None
+    return is_moving and isinstance(deep, Expr) and not diff(deep, t).is_zero
 
 
 def _carrier(text: Writer, body: str, road: str) -> str:
