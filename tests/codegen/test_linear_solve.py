@@ -180,9 +180,12 @@ def test_small_masses_in_languages(m: float, language: tuple[str, list[str], Pat
 
 @pytest.mark.parametrize("m", SMALL_MASSES)
 def test_small_masses_in_jax(m: float) -> None:
+    """The second system beside the first: of a size that is compiled anyway."""
+    [(once, forces), (twice, more)] = small_masses(m)
+    given = [(once, forces), (scipy.linalg.block_diag(once, twice), [*forces, *more])]
     with jax.enable_x64(True):
-        compiled = compiled_by_jax()
-        assert_small_masses(m, *(np.asarray(compiled(jnp.array(a), list(b))) for a, b in small_masses(m)))
+        alone, both = (np.asarray(compiled_by_jax()(jnp.array(a), list(b))) for a, b in given)
+    assert_small_masses(m, alone, both[3:])
 
 
 def test_names_of_snippets_are_listed() -> None:
@@ -226,20 +229,22 @@ def test_jax_differentiates() -> None:
     with jax.enable_x64(True):
         linear_solve = linear_solve_of("jax")
 
-        @jax.jit
         def total(t: jax.Array, redundant: jax.Array) -> jax.Array:
             last = jnp.where(redundant, jnp.array([2 * t, 2.0, 2 * t**2]), jnp.array([1.0, t, 3.0]))
             rows = jnp.array([[t, 1.0, t**2], [jnp.sin(t), 2.0, -1.0], last])
             return jnp.sum(linear_solve(rows, [1.0, t, 2.0]))
 
+        @jax.jit  # all at once: each function takes the compiler two seconds
+        def compiled(t: jax.Array, redundant: jax.Array) -> list[jax.Array]:
+            reverse = jax.grad(total)
+            [mapped] = jax.vmap(reverse, (0, None))(jnp.array([t]), redundant)
+            return [total(t, redundant), reverse(t, redundant), jax.jacfwd(total)(t, redundant), mapped]
+
         t, h = 0.7, 1e-6
-        reverse = jax.grad(total)
-        backwards, forwards = jax.jit(reverse), jax.jit(jax.jacfwd(total))
-        mapped = jax.jit(jax.vmap(reverse, (0, None)))
         for redundant in (False, True):
-            expected = (total(t + h, redundant) - total(t - h, redundant)) / (2 * h)
-            slopes = backwards(t, redundant), forwards(t, redundant), mapped(jnp.array([t]), redundant)[0]
-            assert np.allclose(slopes, expected, rtol=1e-8)
+            after, before = (compiled(t + step, redundant)[0] for step in (h, -h))
+            _, *slopes = compiled(t, redundant)
+            assert np.allclose(slopes, (after - before) / (2 * h), rtol=1e-8)
 
 
 def casadi_function(n: int) -> Any:
