@@ -56,6 +56,8 @@ from symbody.document.report import FORMATS, SECTIONS
 from symbody.document.sections.checks import HOLDS, LAWS
 from symbody.document.sections.equations import ROWS
 from symbody.document.sections.equations import equations as equations_of_motion
+from symbody.document.sections.kinematics import kinematics
+from symbody.document.sections.mechanism import mechanism
 from symbody.document.sections.nomenclature import Entry, nomenclature, row_meaning
 from symbody.document.subject import Subject
 from symbody.dynamics.display import display
@@ -174,7 +176,7 @@ def test_a_floating_body_has_quasi_velocities() -> None:
 
 def test_laws_of_springs_are_told(tmp_path: Path) -> None:
     """A strut is one row with its law, and its constants have units."""
-    rows = cells(blocks(newton_euler(full_car().system)))
+    rows = cells(blocks(newton_euler(full_car().system), mechanism, nomenclature))
     (row,) = (row for row in rows if row[0] == "strut 1")
     assert row[1] == "force"
     assert row[2].startswith(r"\mathrm{cf} \, \dot{l} - \mathrm{kf} ")
@@ -220,8 +222,11 @@ def test_names_of_one_meaning_share_a_row() -> None:
     assert (names, "mass of link 1, ..., 5", "kg") in rows
 
 
-def test_each_name_of_the_kinematics_stands_above_its_use(tmp_path: Path) -> None:
+def test_each_name_of_the_kinematics_stands_above_its_use(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Radicands and quantities that occur again use each other: each line has only names of the lines above."""
+    monkeypatch.setattr(sys.modules[report.__module__], "SECTIONS", (kinematics,))
     text = written(tmp_path, motorcycle(), ".md").split("whose multipliers")[1].split(r"\end{aligned}")[0]
     rows = [row.split(" &= ") for row in text.split(r" \\ ") if " &= " in row]
     lefts = [left.split()[-1] for left, _ in rows]
@@ -525,7 +530,7 @@ def test_equations_of_many_rows_are_described_by_sizes_and_short_entries(
     monkeypatch.setattr(display, "LINES", 10)
     arm = newton_euler(numbered_arm(7))
     assert cost(arm.residuals).total < READABLE
-    document = blocks(arm)
+    document = blocks(arm, equations_of_motion)
     start = document.blocks.index(Heading("Equations of motion"))
     _, sizes, _, matrix, _, entries = document.blocks[start + 1 : start + 7]
     assert isinstance(sizes, Table)

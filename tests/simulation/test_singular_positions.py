@@ -80,7 +80,7 @@ def test_motions_pass_singular_positions(name: str, method: str, rtol: float) ->
 @pytest.mark.parametrize("rtol", [1e-5, *repeated([1e-4, 1e-6, 1e-8, 1e-10, 1e-11])])
 @pytest.mark.parametrize("method", ["dop853", *repeated(["tsit5"])])
 @pytest.mark.parametrize(
-    "name", ["one", *repeated(["two", "ten"]), "forty", "parallelogram", "kite", "slider_crank"]
+    "name", ["one", "ten", *repeated(["two", "forty"]), "parallelogram", "kite", "slider_crank"]
 )
 def test_scan_of_singular_positions(
     name: str, method: str, rtol: float, request: pytest.FixtureRequest

@@ -32,7 +32,7 @@ LONG = {
     ),
     "jacobian": ("total = sum(v); rows = [sin(total + x) * x for x in v * 4]", "jacobian(rows, v)"),
     "rank": (
-        "import random; n = 1200; A = Matrix([[random.randint(-9, 9) for _ in range(n)] for _ in range(n)])",
+        "import random; n = 800; A = Matrix([[random.randint(-9, 9) for _ in range(n)] for _ in range(n)])",
         "A.rank()",
     ),
     "diff": ("e = sin(v[0] * v[1]) * exp(v[0]**2) / (1 + v[0]**4)", "diff(e, v[0], 200)"),
