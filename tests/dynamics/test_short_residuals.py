@@ -11,8 +11,11 @@ from symbody import (
     Expr,
     Frame,
     System,
+    Torque,
     Vector,
     cost,
+    equilibrium,
+    expand,
     forward_dynamics,
     functions_of_time,
     ground,
@@ -23,6 +26,7 @@ from symbody import (
     rotate,
     subs,
     symbols,
+    t,
     time_derivative,
     translate,
 )
@@ -60,6 +64,21 @@ def car() -> System:
     return system([Body(SPACE, m, Ix, Iy, Iz), *wheels], [x, y, z, psi, theta, phi, *spins])
 
 
+def rods() -> System:
+    """Two equal rods by absolute angles."""
+    first, knee = rotate("Z", th), rotate("Z", th) * translate(0, -l, 0)
+    second = knee * rotate("Z", th2 - th)
+    bodies = [Body(each * translate(0, -l / 2, 0), m, Iz=m * l**2 / 12) for each in (first, second)]
+    return system(bodies, [th, th2])
+
+
+def gyro() -> System:
+    """A rotor at a given speed in a frame that tilts, on a base that turns."""
+    frame = rotate("Y", r * t) * rotate("X", th)
+    rotor = Body(frame * rotate("Z", l * t), m, Ix, Ix, Iz)
+    return System([rotor], [Torque(frame, -J * th, 0, 0, on=rotor)], coordinates=[th])
+
+
 SYSTEMS = {
     "a body in the plane": (system([Body(PLANE, m, 0, 0, J)], [x, y, th]), 4),
     "a body in space": (system([Body(SPACE, m, Ix, Iy, Iz)], [x, y, z, psi, theta, phi]), 59),
@@ -67,6 +86,8 @@ SYSTEMS = {
     "two pinned bodies": (pinned(th2), 33),
     "two pinned bodies by absolute angles": (pinned(th2 - th), 33),
     "a car": (car(), 316),
+    "two equal rods": (rods(), 30),
+    "a gyro": (gyro(), 15),
 }
 
 
@@ -74,6 +95,34 @@ SYSTEMS = {
 def test_operations(name: str) -> None:
     model, bound = SYSTEMS[name]
     assert cost(newton_euler(model).residuals).total <= bound
+
+
+def test_only_readers_and_code_take_the_form_of_like_terms() -> None:
+    """What is derived further, solved and simulated starts from what was derived, and pays nothing for it."""
+    equations = newton_euler(SYSTEMS["two equal rods"][0])
+    program = equations.program(method=None)
+    written = (
+        next(routine for routine in program.routines if routine.name == "residuals").results[0].expressions
+    )
+    assert written == equations.residuals
+    assert cost(written).total == SYSTEMS["two equal rods"][1]
+    fresh = newton_euler(SYSTEMS["two equal rods"][0])
+    forward_dynamics(fresh)
+    equilibrium(fresh, {m: 1, l: 1, g: 10})
+    subs(fresh, {m: 1}).display.description()
+    assert "residuals" not in vars(fresh)
+
+
+def test_a_form_that_was_asked_for_stays() -> None:
+    equations = newton_euler(SYSTEMS["two equal rods"][0])
+    for made in (expand(equations), subs(expand(equations), {m2: 1})):
+        assert all(
+            one.same_form(expand(other))
+            for one, other in zip(made.residuals, equations.residuals, strict=True)
+        )
+    assert (
+        cost(subs(equations, {m: 2}).residuals).total < cost(subs(equations, {m: 2}).derived_residuals).total
+    )
 
 
 @pytest.mark.parametrize("name", SYSTEMS)

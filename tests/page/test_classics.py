@@ -7,6 +7,7 @@ import re
 import pytest
 
 from scripts.textbook import PAGE, page
+from symbody import cost
 from tests.page.classic import Classic, length
 from tests.page.classics import CLASSICS
 
@@ -30,6 +31,17 @@ def test_what_is_shown_is_equal(classic: Classic) -> None:
 @each
 def test_what_is_shown_is_as_short_as_the_book(classic: Classic) -> None:
     assert length(classic.ours) <= 1.1 * length(classic.book)
+
+
+@each
+def test_residuals_take_as_few_operations_as_the_book(classic: Classic) -> None:
+    """Like terms are collected in what is read; what was derived takes up to three times as many."""
+    read, derived = classic.equations.residuals, classic.equations.derived_residuals
+    assert read == derived
+    assert cost(read).total <= 1.15 * cost([classic.difference(row) for row in classic.book]).total
+    assert cost(read).total <= cost(derived).total
+    for one, other in zip(read, derived, strict=True):
+        assert str(other).startswith("-") or not str(one).startswith("-")
 
 
 @each

@@ -54,7 +54,7 @@ class Shown(Protocol):
         """The system to which they belong."""
 
     @property
-    def residuals(self) -> Sequence[Expr]:
+    def derived_residuals(self) -> Sequence[Expr]:
         """The residuals of the equations of motion."""
 
     @property
@@ -109,7 +109,7 @@ class Display:
         """The equations row by row, in the form for the reader."""
         shown = self.shown
         rows, matrix = balances(
-            shown.system, shown.residuals, shown.mass_matrix, shown.bias, shown.constraint_jacobian
+            shown.system, shown.derived_residuals, shown.mass_matrix, shown.bias, shown.constraint_jacobian
         )
         return Page(shown.system, rows, shown.constraints, matrix, tuple(shown.state_rates.items()))
 
@@ -117,28 +117,34 @@ class Display:
     def page_with_lines(self) -> Page:
         """The same page with names for forces along lines, if that is shorter."""
         shown = self.shown
-        return with_lines_if_shorter(self.page, shown.residuals, shown.bias, shown.constraint_jacobian)
+        return with_lines_if_shorter(
+            self.page, shown.derived_residuals, shown.bias, shown.constraint_jacobian
+        )
 
     @cached_property
     def _page_of_ratios(self) -> Page | None:
         """The page of embedded equations by velocity ratios."""
         shown, whole = self.shown, self.shown.whole
-        if whole is None or cost(whole.residuals).total > _BY_RATIOS:
+        if whole is None or cost(whole.derived_residuals).total > _BY_RATIOS:
             return None
         page = whole.display.page_with_lines
-        return page_of_ratios(shown.system, shown.residuals, shown.state_rates, page)
+        return page_of_ratios(shown.system, shown.derived_residuals, shown.state_rates, page)
 
     @cached_property
     def _page_with_motions(self) -> Page:
         """The page, with names for motions that are functions of time if the equations are long."""
         shown, system = self.shown, self.system
-        if not isinstance(system, System) or shown.whole or cost(shown.residuals).total <= _OF_MOTIONS:
+        if (
+            not isinstance(system, System)
+            or shown.whole
+            or cost(shown.derived_residuals).total <= _OF_MOTIONS
+        ):
             return self.page_with_lines
         if not (names := given_motions(system)):
             return self.page_with_lines
         page = shown.of(with_given_motions(system, names)).display.page_with_lines
         motions = {name: motion for motion, name in names.items()}
-        is_same = substitute([row.residual for row in page.balances], motions) == shown.residuals
+        is_same = substitute([row.residual for row in page.balances], motions) == shown.derived_residuals
         return replace(page, named=(*motions.items(), *page.named)) if is_same else self.page_with_lines
 
     @cached_property
@@ -146,7 +152,7 @@ class Display:
         """The one that reads better."""
         if self._page_of_ratios is None:
             return self._page_with_motions
-        if not is_readable(self.shown.residuals):
+        if not is_readable(self.shown.derived_residuals):
             return self._page_of_ratios
         return better_page(self.page_with_lines, self._page_of_ratios)
 
@@ -159,22 +165,26 @@ class Display:
     @property
     def _is_wall(self) -> bool:
         """Whether the equations certainly fill pages term by term, so that this form need not be computed."""
-        return cost(self.shown.residuals).total > _WITHIN_PAGES and self._has_long_entries
+        return cost(self.shown.derived_residuals).total > _WITHIN_PAGES and self._has_long_entries
 
     @cached_property
     def _recursive_page(self) -> RecursivePage | None:
         """The recursion, if the equations are too long term by term and the recursion is short enough."""
         shown, system = self.shown, self.system
-        if not isinstance(system, System) or not is_readable(shown.residuals) or not self._has_long_entries:
+        if (
+            not isinstance(system, System)
+            or not is_readable(shown.derived_residuals)
+            or not self._has_long_entries
+        ):
             return None
         if not self._is_wall and self._is_printed:
             return None
-        page = recursive_page(system, shown.residuals, shown.mass_matrix, shown.state_rates)
+        page = recursive_page(system, shown.derived_residuals, shown.mass_matrix, shown.state_rates)
         return page if page.description().count("\n") <= LINES else None
 
     @cached_property
     def _has_page(self) -> bool:
-        return is_readable(self.shown.residuals) or self._page_of_ratios is not None
+        return is_readable(self.shown.derived_residuals) or self._page_of_ratios is not None
 
     @cached_property
     def _is_printed(self) -> bool:
@@ -197,12 +207,12 @@ class Display:
             whole: whether equations of at most 1000 operations are written out, however many pages they fill.
         """
         if not self._has_page:
-            return summary(self.system, self.shown.residuals)
+            return summary(self.system, self.shown.derived_residuals)
         if not whole and self._recursive_page is not None:
             return self._recursive_page.description()
         if whole or self._is_printed:
             return self._printed_page.description()
-        return abridged(self._printed_page, self.shown.residuals)
+        return abridged(self._printed_page, self.shown.derived_residuals)
 
     @with_one_naming
     def latex(self, *, whole: bool = False) -> str:
@@ -211,7 +221,7 @@ class Display:
             return in_pages(self._recursive_page.latex())
         if self.is_readable or (whole and self._has_page):
             return in_pages(self._printed_page.latex())
-        return summary_in_latex(self.system, self.shown.residuals)
+        return summary_in_latex(self.system, self.shown.derived_residuals)
 
     def equation_of(self, speed: Expr) -> EquationPage:
         """Return one equation on a page of its own.
@@ -229,7 +239,7 @@ class Display:
             raise ModelError(f"equation_of: there is no equation of {brief(speed)}; expected one of {known}")
         k = places[speed]
         if isinstance(system, System) and self._is_long_row(k):
-            return row_by_quantities(system, system.driving[k], self.shown.residuals[k])
+            return row_by_quantities(system, system.driving[k], self.shown.derived_residuals[k])
         if not self._has_page:
             return self._row(k)
         found = pages_of(self._printed_page)[k]
@@ -246,13 +256,13 @@ class Display:
     def _row(self, k: int) -> EquationPage:
         """Return one equation of a large system by the index of its speed."""
         shown, system = self.shown, self.system
-        given = (shown.residuals, shown.bias, shown.constraint_jacobian)
+        given = (shown.derived_residuals, shown.bias, shown.constraint_jacobian)
         rows, _ = balances(system, given[0], shown.mass_matrix, *given[1:], places=[k])
         page = EquationPage(system, system.driving[k], rows[0])
         page = row_with_lines_if_shorter(page, k, shown.mass_matrix, *given)
-        if len(page.description()) <= _WALL or cost(shown.residuals[k]).total > _BY_RATIOS:
+        if len(page.description()) <= _WALL or cost(shown.derived_residuals[k]).total > _BY_RATIOS:
             return page
-        whole = replace(page, balance=Balance(velocities=(readable(shown.residuals[k]),)), named=())
+        whole = replace(page, balance=Balance(velocities=(readable(shown.derived_residuals[k]),)), named=())
         return min(page, whole, key=lambda each: len(each.description()))
 
     def matrix_form(self, *, christoffel: bool) -> MatrixForm:
@@ -261,7 +271,7 @@ class Display:
         Raises:
             ModelError: the equations are too long to be read.
         """
-        residuals = self.shown.residuals
+        residuals = self.shown.derived_residuals
         if not is_readable(residuals):
             raise ModelError(
                 f"matrix_form: the equations have {counted(cost(residuals).total, 'operation')}, too many to "
@@ -275,7 +285,7 @@ class Display:
     def notebook_latex(self) -> str | None:
         """The equations in LaTeX if they are short enough to be read below a cell, and to be written at once."""
         if (
-            cost(self.shown.residuals).total > _AT_ONCE
+            cost(self.shown.derived_residuals).total > _AT_ONCE
             or not self.is_readable
             or self.description().count("\n") > _READABLE
         ):
@@ -286,7 +296,7 @@ class Display:
         """Return equations that are too long to stand below a cell as text that is scrolled, or their sizes."""
         if self.notebook_latex:
             return None
-        is_quick = self._is_wall or cost(self.shown.residuals).total <= _AT_ONCE
+        is_quick = self._is_wall or cost(self.shown.derived_residuals).total <= _AT_ONCE
         if is_quick and self.is_readable:
             return scrolled(self.description())
-        return summary_table(self.system, self.shown.residuals)
+        return summary_table(self.system, self.shown.derived_residuals)

@@ -28,6 +28,7 @@ from symbody.symbolic import (
     without_idle_symbols,
 )
 from symbody.symbolic.calculus.cost import operations
+from symbody.symbolic.calculus.multiplied_out import multiplied_out_if_cheaper
 from symbody.symbolic.expression.container import Container, contains, substituted
 from symbody.symbolic.given.arguments import counted
 from symbody.symbolic.numeric.program import program_of
@@ -160,9 +161,19 @@ class Equations:
     whole: Equations | None = None
 
     @cached_property
-    def residuals(self) -> tuple[Expr, ...]:
-        """The n expressions ``M u' - forcing - phi_q^T lambda``, which are zero along a motion."""
+    def derived_residuals(self) -> tuple[Expr, ...]:
+        """The residuals in the form in which they were derived, of which they are simulated, solved and shown."""
         return self.derive(self.system)
+
+    @cached_property
+    def residuals(self) -> tuple[Expr, ...]:
+        """The n expressions ``M u' - forcing - phi_q^T lambda``, which are zero along a motion.
+
+        Like terms are collected where that takes fewer operations.
+        """
+        if isinstance(self.derive, Derived) and self.derive.is_asked_for:
+            return self.derived_residuals
+        return multiplied_out_if_cheaper(self.derived_residuals, self.accelerations)
 
     @property
     def coordinates(self) -> tuple[Expr, ...]:
@@ -264,7 +275,7 @@ class Equations:
     def _leaves(self) -> frozenset[Expr]:
         rates = (*self.system.known_rates.values(), *self.state_rates.values())
         constraints = (*self.constraints, *self.system.eliminated_constraints)
-        return free_symbols((*self.residuals, *constraints, *rates))
+        return free_symbols((*self.derived_residuals, *constraints, *rates))
 
     @checked(ModelError)
     def baumgarte(self, omega: Scalar, zeta: Scalar) -> tuple[Expr, ...]:
@@ -276,7 +287,7 @@ class Equations:
             omega: the frequency with which a violation dies out, in rad/s.
             zeta: its damping ratio; 1 is critical.
         """
-        return stabilized_beside(self.residuals, self.system, self.constraints, omega, zeta)
+        return stabilized_beside(self.derived_residuals, self.system, self.constraints, omega, zeta)
 
     def program(
         self,
@@ -396,9 +407,15 @@ class Equations:
 
 @dataclass(frozen=True)
 class Derived(Generic[Known]):
-    """Residuals, or an assembly, that are known already."""
+    """Residuals, or an assembly, that are known already.
+
+    Attributes:
+        known: the residuals, or the assembly.
+        is_asked_for: whether their form was given or asked for, so that they are read in no other.
+    """
 
     known: Known
+    is_asked_for: bool = False
 
     def __call__(self, system: object) -> Known:
         del system
@@ -406,14 +423,23 @@ class Derived(Generic[Known]):
 
 
 def _parts(equations: Equations) -> tuple[object, ...]:
+    return equations.residuals, *_parts_beside_residuals(equations)
+
+
+def _parts_beside_residuals(equations: Equations) -> tuple[object, ...]:
     rates = tuple(equations.state_rates.values())
-    return equations.residuals, equations.constraints, equations.mass_matrix, equations.bias, rates
+    return equations.constraints, equations.mass_matrix, equations.bias, rates
 
 
 def _rebuilt(equations: Equations, parts: Sequence[Any]) -> Equations:
-    """Return the equations in another form; they belong to the same system."""
-    residuals, constraints, mass_matrix, bias, rates = parts
-    made = replace(equations, derive=Derived(residuals), assemble=Derived(Assembly(mass_matrix, bias)))
+    """Return the equations in a form that was asked for; they belong to the same system."""
+    residuals, *others = parts
+    return _with_parts(equations, Derived(residuals, is_asked_for=True), others)
+
+
+def _with_parts(equations: Equations, derive: Derived[Any], parts: Sequence[Any]) -> Equations:
+    constraints, mass_matrix, bias, rates = parts
+    made = replace(equations, derive=derive, assemble=Derived(Assembly(mass_matrix, bias)))
     # the values that the cached properties would find
     vars(made)["constraints"] = constraints
     vars(made)["state_rates"] = dict(zip(equations.state_rates, rates, strict=True))
@@ -421,10 +447,14 @@ def _rebuilt(equations: Equations, parts: Sequence[Any]) -> Equations:
 
 
 def _substituted(equations: Equations, mapping: Mapping[Any, Any]) -> Equations:
-    system, parts = substituted(equations.system, mapping), substituted(_parts(equations), mapping)
+    system = substituted(equations.system, mapping)
+    given = (equations.derived_residuals, *_parts_beside_residuals(equations))
+    residuals, *others = substituted(given, mapping)
     energy = None if equations.energy is None else substituted(equations.energy, mapping)
     whole = None if equations.whole is None else substituted(equations.whole, mapping)
-    return _rebuilt(replace(equations, system=system, energy=energy, whole=whole), parts)
+    is_asked_for = isinstance(equations.derive, Derived) and equations.derive.is_asked_for
+    changed = replace(equations, system=system, energy=energy, whole=whole)
+    return _with_parts(changed, Derived(residuals, is_asked_for), others)
 
 
 contains(

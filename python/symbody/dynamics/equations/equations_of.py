@@ -117,7 +117,7 @@ def _equations(M: Matrix, f: Sequence[Expr], variables: Variables, energy: Expr 
     with derivation():
         residuals = with_multipliers(_balances(M, f, variables), variables)
         bias = tuple(-entry for entry in f)
-    return Equations(variables, Derived(residuals), Derived(Assembly(M, bias)), energy)
+    return Equations(variables, Derived(residuals, is_asked_for=True), Derived(Assembly(M, bias)), energy)
 
 
 def _balances(M: Matrix, f: Sequence[Expr], variables: Variables) -> tuple[Expr, ...]:

@@ -30,7 +30,10 @@ def leaving_out(eqs: Equations, places: Collection[int], borne: Borne) -> Equati
 def _leaving_out(eqs: Equations, places: tuple[int, ...], borne: Borne) -> Equations:
     system = eqs.system.leaving_out(places, borne)
     return replace(
-        eqs, system=system, derive=Derived(system.without_left_out(eqs.residuals)), assemble=_Inherited(eqs)
+        eqs,
+        system=system,
+        derive=Derived(system.without_left_out(eqs.derived_residuals)),
+        assemble=_Inherited(eqs),
     )
 
 

@@ -56,7 +56,7 @@ class Symmetry:
         """
         return cls(
             eqs,
-            written(eqs.residuals),
+            written(eqs.derived_residuals),
             written((*eqs.constraints, *eqs.system.eliminated_constraints)),
             jacobian,
             written(tuple(eqs.state_rates.values())),

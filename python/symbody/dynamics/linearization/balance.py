@@ -50,18 +50,18 @@ def force_balance(eqs: Equations, motion: ReferenceMotion, vary: Variation) -> B
     still = all(a.is_zero for a in accelerations)
     with derivation(fresh=True):
         rest = dict.fromkeys(eqs.accelerations, number(0)) if still else {}
-        R = substitute(eqs.residuals, rest)
+        R = substitute(eqs.derived_residuals, rest)
     powers = motion.axes.powers
     R_lambda = powers(motion.matrix(slopes_of(R, eqs.multipliers)))
     known = _with_multipliers(eqs, motion, R, R_lambda, pivots)
     names = [*eqs.coordinates, *eqs.speeds, *columns.states, *columns.inputs]
     slopes = powers(known.matrix(slopes_of(R, names)))
     N, n, k = len(eqs.coordinates), len(eqs.speeds), len(columns.states)
-    M = powers(known.matrix(slopes_of(eqs.residuals, eqs.accelerations)))
+    M = powers(known.matrix(slopes_of(eqs.derived_residuals, eqs.accelerations)))
     direct = columns.spread({"z": slopes[:, N + n : N + n + k], "r": slopes[:, N + n + k :]}, n)
     whole = M @ vary.a + slopes[:, :N] @ vary.q + slopes[:, N : N + n] @ vary.u + direct
     W = _without_multipliers(R_lambda, pivots)
-    along = Matrix.column(known.at(eqs.residuals))
+    along = Matrix.column(known.at(eqs.derived_residuals))
     column = powers(along)
     if not motion.axes.are_fixed:
         place = eqs.coordinates.index(motion.axes.heading)

@@ -30,7 +30,7 @@ def check_smooth(eqs: Equations, motion: ReferenceMotion) -> None:
     Raises:
         ModelError: the derivatives differ on both sides.
     """
-    parts = (*eqs.residuals, *eqs.kinematics.values(), *eqs.state_rates.values())
+    parts = (*eqs.derived_residuals, *eqs.kinematics.values(), *eqs.state_rates.values())
     nodes = [
         node
         for node in post_order(parts, lambda node: node.args, lambda node: node.id)

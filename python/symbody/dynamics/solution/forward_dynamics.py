@@ -203,7 +203,7 @@ def _operations(solution: ForwardDynamics) -> int:
 
 def _scale(eqs: Equations, accelerations: Sequence[Expr]) -> Expr | None:
     """Return a parameter of the accelerations that multiplies all equations: ``r(m, lambda) = m r(1, lambda/m)``."""
-    residuals = [residual for residual in eqs.residuals if not residual.is_zero]
+    residuals = [residual for residual in eqs.derived_residuals if not residual.is_zero]
     candidates = {leaf for leaf in free_symbols(accelerations) if leaf.kind == "symbol"}
     for residual in residuals:
         candidates &= residual.free_symbols

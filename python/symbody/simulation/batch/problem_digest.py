@@ -21,7 +21,12 @@ def problem_digest(task: Task, cases: Cases) -> dict[str, str]:
     ways of writing an expression.
     """
     model = task.model
-    equations = [*model.equations.residuals, *model.constraints, *model.coordinate_rates, *model.state_rates]
+    equations = [
+        *model.equations.derived_residuals,
+        *model.constraints,
+        *model.coordinate_rates,
+        *model.state_rates,
+    ]
     events = [f"{event.direction} {event.terminal}" for event in task.events]
     return {
         "the equations": digest([*map(str, model.state), "=", *_values(equations)]),

@@ -91,7 +91,7 @@ class DifferentialAlgebraicEquations:
             ]
             first = len(self.rates) - len(model.states)
             states = [rate - value for rate, value in zip(self.rates[first:], model.state_rates, strict=True)]
-            dynamics = (*model.equations.residuals, *states)
+            dynamics = (*model.equations.derived_residuals, *states)
             return model.with_inputs([*kinematics, *dynamics, *self._velocities, *phi])
 
     @property
@@ -152,7 +152,7 @@ class DifferentialAlgebraicEquations:
         model, eqs = self.model, self.model.equations
         unknown = [*model.accelerations, *model.multipliers]
         second = eqs.baumgarte(0, 0) if model.constraints else ()
-        equations = model.with_inputs([*eqs.residuals, *second])
+        equations = model.with_inputs([*eqs.derived_residuals, *second])
         rest = substitute(equations, dict.fromkeys(unknown, number(0)))
         arguments: list[Expr | list[Expr]] = [t, list(model.state), list(self.parameters)]
         outputs = [[*model.with_inputs(model.coordinate_rates)], jacobian(list(equations), unknown), [*rest]]

@@ -68,7 +68,9 @@ class DrivingLoads:
         Efforts that are solved for are not clipped at the limits of their motors.
         """
         asked = {drive.given: drive.asked for drive in limited_drives(self.equations.system, self.loads)}
-        residuals = substitute(self.equations.residuals, asked) if asked else self.equations.residuals
+        residuals = (
+            substitute(self.equations.derived_residuals, asked) if asked else self.equations.derived_residuals
+        )
         return substitute_inputs(self.equations.system, self.given, residuals)
 
     @cached_property

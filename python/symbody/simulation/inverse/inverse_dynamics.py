@@ -342,7 +342,7 @@ def _parameters(eqs: Equations, kinematics: Kinematics) -> set[Expr]:
 
 def _check_unknowns(eqs: Equations, kinematics: Kinematics, motion: object, loads: Sequence[Expr]) -> None:
     """Check that unknowns are in the equations, and do not influence the motion."""
-    held = [z for z in eqs.states if z in free_symbols(eqs.residuals)]
+    held = [z for z in eqs.states if z in free_symbols(eqs.derived_residuals)]
     functions = [leaf for leaf in eqs.inputs if not leaf.order and leaf not in dict(kinematics.given)] + held
     known = [*sorted(_parameters(eqs, kinematics), key=str), *functions]
     formulas = (

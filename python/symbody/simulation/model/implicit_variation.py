@@ -62,11 +62,11 @@ def implicit_variation(
         along: returns the variations ``e_x S + e_p`` of expressions e.
     """
     eqs = model.equations
-    if solution.method not in _SOLVED or are_small([*eqs.residuals, *solution.accelerations]):
+    if solution.method not in _SOLVED or are_small([*eqs.derived_residuals, *solution.accelerations]):
         return None
     n, known = len(eqs.speeds), solution_values(model, solution)
     with derivation(fresh=True):
-        rows = along(model.with_inputs([*eqs.residuals, *_acceleration_level(model)]))
+        rows = along(model.with_inputs([*eqs.derived_residuals, *_acceleration_level(model)]))
     with derivation(fresh=True):  # another one, in which no form holds accelerations or multipliers
         at_solution = iter(substitute([entry for row in rows for entry in row], known))
         right = [[-next(at_solution) for _ in row] for row in rows]

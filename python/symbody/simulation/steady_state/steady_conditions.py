@@ -219,7 +219,7 @@ class SteadyConditions:
 
     @cached_property
     def _residuals(self) -> tuple[Expr, ...]:
-        return self._substitute_inputs(self.equations.residuals)
+        return self._substitute_inputs(self.equations.derived_residuals)
 
     def _substitute_inputs(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
         return substitute_inputs(self.equations.system, self.given, tuple(expressions))

@@ -21,7 +21,7 @@ def _extended(equations: Equations, integrands: tuple[Expr, ...]) -> tuple[Equat
     states = tuple(functions_of_time(name) for name, _ in zip(free, integrands, strict=False))
     rates = dict(zip(states, integrands, strict=True))
     system = equations.system.with_states(rates)
-    made = replace(equations, system=system, derive=Derived(equations.residuals))
+    made = replace(equations, system=system, derive=Derived(equations.derived_residuals))
     # all of the integrand, also what small variables of the equations make negligible there
     vars(made)["state_rates"] = {**equations.state_rates, **_by_speeds(equations, rates)}
     return made, states
