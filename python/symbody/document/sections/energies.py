@@ -9,7 +9,8 @@ from symbody.document.formula import equalities
 from symbody.document.subject import Subject
 from symbody.multibody import System, kinetic_energy
 from symbody.multibody.energy import gravitational_energy, known_potential, potentials
-from symbody.symbolic import Expr, cost, gradient, jacobian, number
+from symbody.symbolic import Expr, cost, number
+from symbody.symbolic.calculus.energy_form import quadratic_terms
 
 
 def energies(subject: Subject) -> list[Block]:
@@ -28,7 +29,7 @@ def energies(subject: Subject) -> list[Block]:
             terms = _by_cause(system, subject) if cost(V).total <= _MOST else [V]
             blocks += equalities(prose(f"The {potential} is"), ["V"], [terms], system)
         return [Heading("Energies"), *blocks]
-    values, sentence = [_quadratic(T, system.speeds, subject)], "The kinetic energy is"
+    values, sentence = [quadratic_terms(T, system.speeds, subject.read)], "The kinetic energy is"
     if V is not None:
         values.append(_by_cause(system, subject))
         sentence = f"The kinetic energy, and the {potential}, are"
@@ -57,22 +58,3 @@ def _together(weights: Sequence[Expr], subject: Subject) -> Sequence[Expr]:
 
 _SHORT = 0.8
 """The length of the energy of all weights, at most, in relation to that of each, where it is printed."""
-
-
-def _quadratic(T: Expr, speeds: Sequence[Expr], subject: Subject) -> list[Expr]:
-    """Return the terms of ``1/2 M_11 u_1^2 + M_12 u_1 u_2 + ...``, each coefficient for the reader, and what is left.
-
-    Squares with one coefficient are one term: ``1/2 m (x'^2 + y'^2)``.
-    """
-    M = jacobian(gradient(T, speeds), speeds)
-    n, products, squares = range(len(speeds)), list[tuple[Expr, Expr]](), set[Expr]()
-    for i in n:
-        if M[i, i] not in squares:
-            squares.add(M[i, i])
-            alike = (speeds[k] ** 2 for k in n if M[k, k] == M[i, i])
-            products.append((M[i, i], sum(alike, start=number(0)) / 2))
-        products += [(M[i, j], speeds[i] * speeds[j]) for j in n[i + 1 :]]
-    rest = T - sum((coefficient * product for coefficient, product in products), start=number(0))
-    *coefficients, rest = subject.read([*(coefficient for coefficient, _ in products), rest])
-    terms = [coefficient * product for coefficient, (_, product) in zip(coefficients, products, strict=True)]
-    return [term for term in (*terms, rest) if not term.is_zero] or [rest]

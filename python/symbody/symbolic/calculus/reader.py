@@ -21,7 +21,6 @@ from .fractions_outside import (
     with_numbers_inside,
 )
 from .phases import with_phases
-from .readable import readable
 from .reading import (
     angles_in,
     is_divisor,
@@ -32,6 +31,7 @@ from .reading import (
     reading,
 )
 from .rewrite import expand, expand_trig, factor_terms, short_form, simplify, textbook_form
+from .shortest_text import shortest_text
 from .squares import squared_sums, with_squares
 from .standard_names import AS_GIVEN, StandardNames
 from .summands import summands
@@ -133,7 +133,7 @@ class Reader:
         standard = self._names.standard(expression)
         forms = [self._read_standard(standard)]
         if _SMALL < cost(standard).total <= _LARGE:
-            forms.append(readable(standard))
+            forms.append(shortest_text(standard))
         return self._names.original(min(forms, key=_length))
 
     def simplest_form(self, expression: Expr) -> Expr:

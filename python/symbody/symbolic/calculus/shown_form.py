@@ -16,10 +16,11 @@ from symbody.symbolic._core import Expr
 from .by_rates import by_rates
 from .cost import cost
 from .derivative import substitute
+from .energy_form import energy_form
 from .idle import idle_symbols, without_idle_symbols
-from .readable import coefficient_form, readable
 from .reading import WAVES, awkward_terms, multiples_of_angles, nodes_of, parts_of
 from .rewrite import textbook_form
+from .shortest_text import coefficient_form, shortest_text
 
 __all__ = ["ShownForms", "shown_form"]
 
@@ -88,8 +89,12 @@ class ShownForms:
         if idle_symbols([expression]):
             return min(_forms(expression), key=lambda form: len(idle_symbols([form])))
         operations = cost(expression).total
-        if operations > min(self._left, _ROTATED) or not _is_nested(expression):
+        if operations > min(self._left, _ROTATED):
             return expression
+        energy = energy_form(expression)
+        if energy is not None or not _is_nested(expression):
+            self._left -= operations if energy is not None else 0
+            return expression if energy is None else energy
         self._left -= operations
         return _without_rotations(expression)
 
@@ -110,7 +115,7 @@ def _read(expression: Expr) -> Expr:
     apart = by_rates(expression, _coefficient)
     if cost(expression).total > _SHORT:
         return _coefficient(expression) if apart is None else apart
-    found = readable(expression)
+    found = shortest_text(expression)
     return apart if apart is not None and len(str(apart)) <= _APART * len(str(found)) else found
 
 
