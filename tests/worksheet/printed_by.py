@@ -38,6 +38,6 @@ def printed(text: str, folder: Path | None = None, interpreter: Interpreter | No
     return lines
 
 
-def failures(text: str, folder: Path | None = None) -> list[str]:
+def failures(text: str, folder: Path | None = None, interpreter: Interpreter | None = None) -> list[str]:
     """Return the messages of the statements that fail."""
-    return run(text, folder, None)[1]
+    return run(text, folder, interpreter)[1]

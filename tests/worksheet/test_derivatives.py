@@ -29,6 +29,10 @@ CASES = {
         "D(sin)(0), D(f)(a), D(x)(t); g := u -> u^3: D(g)(2);",
         ["1, diff(f(a),a), diff(x(t),t)", "12"],
     ),
+    "D of an operator whose parameter has a value": (
+        "x := 5: f := x -> x^2*a: D(f)(y); g := unapply(z^2, z): z := 7: D(g)(u);",
+        ["2*a*y", "2*u"],
+    ),
     "D by places": (
         "D[1](g)(x,y), D[2](g)(a,b+c); D[1,2](g)(x,y);",
         ["diff(g(x,y),x), D[2](g)(a,b+c)", "diff(diff(g(x,y),x),y)"],

@@ -33,6 +33,13 @@ CASES = {
         'n := 2: "case "||n; "a"||(1..2)||".txt"; a||"b"; cat("res",n,".dat");',
         ['"case 2"', '"a1.txt", "a2.txt"', "ab", '"res2.dat"'],
     ),
+    "an entry of an entry": (
+        (
+            "assign('T[1][b]' = 3); T[1][b]; W := 'T[1][b]': T[1][b] := 4: W; assigned('T[1][b]'), assigned('T[1][c]'); "
+            "unassign('T[1][b]'): T[1][b]; L := [[1, 2], [3, 4]]: 'L[2][1]'; %;"
+        ),
+        ["3", "4", "true, false", "T[1][b]", "L[2][1]", "3"],
+    ),
     "unassign by a quoted name": (
         "x := 3: unassign('x'): x;",
         ["x"],

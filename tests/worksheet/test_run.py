@@ -63,6 +63,15 @@ def test_files_that_are_not_readable(name: str, tmp_path: Path, capsys: pytest.C
     assert "is not readable" in capsys.readouterr().err
 
 
+def test_binary_files_are_not_readable(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "sheet.mpl").write_bytes(bytes(range(256)))
+    assert main(["run", str(tmp_path / "sheet.mpl")]) == 3
+    assert (
+        "it is no text, but a binary file; expected a worksheet as text, .mpl or .mw"
+        in capsys.readouterr().err
+    )
+
+
 def test_xml_that_is_cut(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert run(tmp_path, "<?xml version='1.0'?><Worksheet><Group>", name="sheet.mw") == 3
     assert "the worksheet is not complete XML" in capsys.readouterr().err

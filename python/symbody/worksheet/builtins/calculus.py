@@ -118,11 +118,15 @@ def _derived_operator(session: Session, function: Value, operator: ProcedureValu
     parameters = operator.definition.parameters
     if len(parameters) != 1:
         raise WorksheetError(f"D: an operator of {len(parameters)} arguments; expected D[1](f), D[2](f), ..")
-    variable = symbol(parameters[0].name)
-    value = session.call(function, (variable,))
+    variable, point = (
+        symbol(parameters[0].name),
+        symbol("_argument"),
+    )  # a name of the parameter may have a value
+    value = session.call(function, (point,))
     if not isinstance(value, Expr):
         return Unevaluated(symbol("D"), (function,))
-    return session.parsed(f"{parameters[0].name} -> {text_of(derivative(session, value, variable))}")
+    slope = derivative(session, value, point).subs({point: variable})
+    return session.parsed(f"{variable} -> {text_of(slope)}")
 
 
 def derivative_at(session: Session, operator: Unevaluated, arguments: tuple[Value, ...]) -> Value:

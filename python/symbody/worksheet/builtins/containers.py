@@ -277,9 +277,9 @@ def unassign(session: Session, *names: Value) -> Value:
             session.touch(name.name)
         elif isinstance(name, Expr | Reference) and hasattr(name, "name"):
             entry = session.indexed.get(name.name)
-            if entry is not None and isinstance(held := session.names.get(entry[0]), Table):
+            if entry is not None and isinstance(held := session.holder(entry[0]), Table):
                 held.entries.pop(entry[1], None)
-                session.touch(entry[0])
+                session.touch_entry(entry[0])
             else:
                 session.unassign(name.name)
         elif isinstance(name, Listed | MapleSet | Sequence):
@@ -298,7 +298,7 @@ def assigned(session: Session, name: Value) -> Value:
     if isinstance(name, Expr) and name.kind == "symbol":
         entry = session.indexed.get(name.name)
         if entry is not None:
-            held = session.resolve(symbol(entry[0]))
+            held = session.holder(entry[0])
             return Boolean(isinstance(held, Table) and entry[1] in held.entries)
         return Boolean(name.name in session.names)
     return Boolean(not isinstance(name, Expr) or name.kind not in ("time_function", "application"))

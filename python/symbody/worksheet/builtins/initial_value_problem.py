@@ -4,19 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from collections.abc import Sequence as Items
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, TypeAlias
 
 from symbody.deferred import Deferred
 from symbody.errors import SymbodyError, WorksheetError
-from symbody.symbolic import Expr, free_symbols, substitute, t, time_derivative, time_function
+from symbody.symbolic import Expr, free_symbols, number, substitute, t, time_derivative, time_function
+from symbody.worksheet.builtins.independent_variable import independent_variable, of_time, of_variable
+from symbody.worksheet.builtins.motion_events import rules_of
+from symbody.worksheet.builtins.numeric_solution import NumericSolution, time_of
 from symbody.worksheet.evaluation.session import Session
-from symbody.worksheet.values.numeric import as_float, decimal
+from symbody.worksheet.values.numeric import as_float
 from symbody.worksheet.values.value import Array, Listed, MapleSet, Relation, Sequence, Value
 
 if TYPE_CHECKING:
     import numpy as np
-    from numpy.typing import NDArray
 
     from symbody import dynamics
     from symbody.dynamics.equations import index_reduction
@@ -24,103 +25,70 @@ else:
     np, dynamics = Deferred("numpy"), Deferred("symbody.dynamics")
     index_reduction = Deferred("symbody.dynamics.equations.index_reduction")
 
-__all__ = ["NumericSolution", "entries_of", "problem_of", "solution_of", "time_of"]
+__all__ = ["entries_of", "problem_of", "solution_of"]
 
-Column: TypeAlias = "NDArray[np.float64]"
 Given: TypeAlias = dict[tuple[str, int], Expr]
 _CONSISTENT = 1e-6
 """What a constraint may be at the start, by initial values of few digits."""
 
 
-@dataclass
-class NumericSolution:
-    """A motion that is integrated when a value is needed.
+def solution_of(
+    session: Session, problem: Value, parameters: Items[Expr] = (), events: Value | None = None
+) -> NumericSolution:
+    """Return the solution of equations and initial values in one set or list.
 
-    Attributes:
-        equations: the equations of motion.
-        results: time, and the functions with those of their derivatives that are states, in the order of the output.
-        start: the time of the initial values.
-        initial: the initial values by state.
-        definitions: the functions that are no variables of the equations, by these.
+    Args:
+        session: the session.
+        problem: the equations and the initial values.
+        parameters: names that have no values yet.
+        events: the option ``events``.
     """
-
-    equations: dynamics.Equations
-    results: tuple[Expr, ...]
-    start: float
-    initial: dict[Expr, float]
-    definitions: Mapping[Expr, Expr] = field(default_factory=dict)
-
-    def __call__(self, session: Session, time: Value) -> Value:
-        """Return the list of equations t = .., x(t) = .., at a time."""
-        row = self.rows(session, [time_of(session, time, "the time of a solution")])[0]
-        return Listed(
-            tuple(Relation("=", name, decimal(value)) for name, value in zip(self.results, row, strict=True))
-        )
-
-    def rows(self, session: Session, times: Items[float], of: Items[Expr] | None = None) -> Column:
-        """Return the values of the results, or of expressions, at times: a row each."""
-        from symbody.simulation import simulate  # noqa: PLC0415 - SciPy and LLVM, for what is integrated
-
-        wanted = list(substitute(list(self.results if of is None else of), self.definitions))
-        distinct = np.unique([self.start, *times])
-        if distinct[0] < self.start:
-            raise WorksheetError(
-                f"dsolve: the time {distinct[0]:g} is before that of the initial values, {self.start:g}"
-            )
-        session.limits.check()
-        if len(distinct) == 1:
-            distinct = np.array([self.start, self.start + 1e-9])
-        if len(distinct) == 2:  # which simulate takes for a beginning and an end
-            distinct = np.array([distinct[0], distinct.mean(), distinct[1]])
-        try:
-            motion = simulate(self.equations, {}, self.initial, t=distinct, rtol=1e-9, atol=1e-10)
-        except SymbodyError as fault:
-            raise WorksheetError(f"dsolve: {fault}") from fault
-        columns = [np.broadcast_to(np.asarray(motion[each], dtype=float), distinct.shape) for each in wanted]
-        places = np.searchsorted(distinct, times)
-        return np.array(columns).T[places]
-
-
-def solution_of(session: Session, problem: Value) -> NumericSolution:
-    """Return the solution of equations and initial values in one set or list."""
-    residuals, given, start = problem_of(session, problem)
-    functions = _unknowns(residuals)
+    residuals, given, start, variable = problem_of(session, problem)
+    functions = _unknowns(residuals, parameters)
     reduced = index_reduction.reduced_index(residuals, functions)
     equations, is_reduced = _equations(residuals, functions, reduced)
     definitions = reduced.definitions if is_reduced else {}
     states = {*equations.coordinates, *equations.speeds}
     stated = {f: substitute((f,), definitions)[0] for x in functions for f in (x, time_derivative(x))}
-    initial = {}
+    initial: dict[Expr, Expr] = {}
     for (name, order), value in given.items():
         f = time_function(name, order)
         state = stated.get(f, f)
         if state in states:
-            number = substitute((value,), {t: start})[0]
-            initial[state] = time_of(session, number, f"dsolve: the initial value of {name}")
+            (at_start,) = substitute((value,), {t: start})
+            if not free_symbols([at_start]) <= set(parameters):
+                time_of(session, at_start, f"dsolve: the initial value of {name}")
+            initial[state] = at_start
         else:
             session.notices.append(f"dsolve: the initial value of {session.text(f)} is not needed")
     missing = [x for x in (*equations.coordinates, *equations.speeds) if x not in initial]
     if is_reduced:
         missing = [x for x in missing if x not in reduced.integrals]
-        initial |= dict.fromkeys(reduced.integrals, 0.0)
-    _check_consistent(session, reduced.conditions, initial, start)
+        initial |= dict.fromkeys(reduced.integrals, number(0))
+    known = {state: float(value.evaluate({})) for state, value in initial.items() if value.is_constant}
+    _check_consistent(session, reduced.conditions, known, start)
     if missing:
-        names = ", ".join(session.text(x) for x in missing)
+        names = ", ".join(session.text(of_variable(x, variable)) for x in missing)
         session.notices.append(f"dsolve: no initial values of {names}; they are zero")
     named = {state for f, state in stated.items() if not f.order}
     results = [t] + [f for f, state in stated.items() if not f.order or state in states - named]
-    return NumericSolution(equations, tuple(results), start, initial, definitions)
+    rules = () if events is None else rules_of(session, events, lambda value: of_time([value], variable)[0])
+    return NumericSolution(
+        equations, tuple(results), start, initial, definitions, variable, dict.fromkeys(parameters), rules
+    )
 
 
-def _unknowns(residuals: Items[Expr]) -> list[Expr]:
-    """Return the functions of time in equations without other symbols, as many as there are equations."""
+def _unknowns(residuals: Items[Expr], parameters: Items[Expr]) -> list[Expr]:
+    """Return the functions of time in equations without symbols but parameters, as many as there are equations."""
     leaves = free_symbols(residuals)
     names = sorted({leaf.name for leaf in leaves if leaf.kind == "time_function"})
-    symbols = sorted(str(leaf) for leaf in leaves if leaf.kind == "symbol" and leaf != t)
+    symbols = sorted(str(leaf) for leaf in leaves if leaf.kind == "symbol" and leaf not in (t, *parameters))
     if symbols:
         raise WorksheetError(
             f"dsolve: no value is known of {', '.join(symbols)}; give all parameters numbers, by subs or by assignment"
         )
+    if not names:
+        raise WorksheetError("dsolve: no unknown functions; expected equations such as diff(x(t),t) = -x(t)")
     count = sum(not each.is_zero for each in residuals)
     if count != len(names):
         listed = ", ".join(f"{name}(t)" for name in names)
@@ -169,8 +137,8 @@ def _check_consistent(
             )
 
 
-def problem_of(session: Session, problem: Value) -> tuple[list[Expr], Given, float]:
-    """Return equations as what is to be zero, initial values by function and order, and their time."""
+def problem_of(session: Session, problem: Value) -> tuple[list[Expr], Given, float, Expr]:
+    """Return equations as what is to be zero, initial values by function and order, their time, and what that is."""
     residuals: list[Expr] = []
     given: Given = {}
     starts: set[float] = set()
@@ -192,7 +160,8 @@ def problem_of(session: Session, problem: Value) -> tuple[list[Expr], Given, flo
     if len(starts) > 1:
         listed = ", ".join(f"{each:g}" for each in sorted(starts))
         raise WorksheetError(f"dsolve: initial values at several times, {listed}; expected one")
-    return residuals, given, starts.pop() if starts else 0.0
+    variable = independent_variable(residuals)
+    return of_time(residuals, variable), given, starts.pop() if starts else 0.0, variable
 
 
 def _initial(left: Expr) -> float | None:
@@ -210,12 +179,3 @@ def entries_of(session: Session, value: Value) -> list[Value]:
     if isinstance(found, Listed | MapleSet | Sequence):
         return [each for item in found.items for each in entries_of(session, item)]
     return [] if isinstance(found, Expr) and found.kind == "symbol" else [found]
-
-
-def time_of(session: Session, value: Value, what: str) -> float:
-    """Return a number; ``what`` says in a message what it is."""
-    found = session.current(value)
-    result = as_float(found) if isinstance(found, Expr) else None
-    if result is None:
-        raise WorksheetError(f"{what} is {session.text(found)[:60]}; expected a number")
-    return result

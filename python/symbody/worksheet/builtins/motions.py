@@ -9,13 +9,9 @@ from symbody.deferred import Deferred
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr
 from symbody.worksheet.builtins.closed_motion import closed_solution
-from symbody.worksheet.builtins.initial_value_problem import (
-    NumericSolution,
-    entries_of,
-    problem_of,
-    solution_of,
-    time_of,
-)
+from symbody.worksheet.builtins.independent_variable import of_variable
+from symbody.worksheet.builtins.initial_value_problem import entries_of, problem_of, solution_of
+from symbody.worksheet.builtins.numeric_solution import NumericSolution, time_of
 from symbody.worksheet.drawing.options import plot_options, styled
 from symbody.worksheet.drawing.pieces import Piece
 from symbody.worksheet.evaluation.session import Command, Session
@@ -24,6 +20,7 @@ from symbody.worksheet.values.value import (
     Array,
     Builtin,
     Listed,
+    MapleSet,
     Plot,
     Range,
     Relation,
@@ -56,16 +53,19 @@ def dsolve(session: Session, problem: Value, *arguments: Value) -> Value:
     }
     words = {str(each) for each in arguments if isinstance(each, Expr)} | {str(options.get("type", ""))}
     if "numeric" not in words:
-        found = closed_solution(*problem_of(session, problem))
+        residuals, given, start, variable = problem_of(session, problem)
+        found = closed_solution(residuals, given, start)
         if found is None:
             raise WorksheetError(
                 "dsolve: no solution in closed form was found; expected dsolve({..}, numeric), or one linear equation "
                 "of one function"
             )
-        return Relation("=", *found)
+        return Relation("=", *(of_variable(each, variable) for each in found))
     for name in sorted(options.keys() - _KNOWN):
         session.notices.append(f"dsolve: the option {name} is not known, and is ignored")
-    solution = solution_of(session, problem)
+    solution = solution_of(
+        session, problem, _parameters(session, options.get("parameters")), options.get("events")
+    )
     output = options.get("output")
     if output is None:
         return Builtin("dsolve_solution", solution)
@@ -73,11 +73,23 @@ def dsolve(session: Session, problem: Value, *arguments: Value) -> Value:
         return Listed(
             tuple(
                 Relation("=", name, Builtin(f"solution of {name}", _One(solution, name), of_numbers=True))
-                for name in solution.results
+                for name in (of_variable(each, solution.variable) for each in solution.results)
             )
         )
     times = [time_of(session, each, "dsolve: a time of the output") for each in entries_of(session, output)]
     return _table(solution, session, times) if times else Builtin("dsolve_solution", solution)
+
+
+def _parameters(session: Session, given: Value | None) -> list[Expr]:
+    """Return the names of the option ``parameters = [m, k]``."""
+    found = None if given is None else session.current(session.resolve(given))
+    items = [session.current(each) for each in found.items] if isinstance(found, Listed | MapleSet) else []
+    names = [each for each in items if isinstance(each, Expr) and each.kind == "symbol"]
+    if found is not None and (not names or len(names) < len(items)):
+        raise WorksheetError(
+            f"dsolve, parameters: {session.text(found)[:60]}; expected a list of names without values, such as [m, k]"
+        )
+    return names
 
 
 _KNOWN = {
@@ -92,6 +104,8 @@ _KNOWN = {
     "numeric",
     "stiff",
     "implicit",
+    "events",
+    "parameters",
 }
 
 
@@ -103,6 +117,8 @@ class _One:
     name: Expr
 
     def __call__(self, session: Session, time: Value) -> Value:
+        if self.solution.is_setting(session, time):
+            return self.solution.take(session, time)
         at = time_of(session, time, "the time of a solution")
         return decimal(float(self.solution.rows(session, [at], [self.name])[0, 0]))
 
@@ -110,7 +126,8 @@ class _One:
 def _table(solution: NumericSolution, session: Session, times: list[float]) -> Array:
     """Return a column of two matrices: the names, and a row of values for each time."""
     rows = solution.rows(session, times)
-    names = Array(1, len(solution.results), list(solution.results), "RowVector")
+    shown: list[Value] = [of_variable(each, solution.variable) for each in solution.results]
+    names = Array(1, len(shown), shown, "RowVector")
     values = Array(rows.shape[0], rows.shape[1], [decimal(float(each)) for each in rows.ravel()])
     return Array(2, 1, [names, values])
 

@@ -417,14 +417,12 @@ def assign(session: Session, *solutions: Value) -> Value:
 
 def _assign_entry(session: Session, base: str, indices: tuple[Value, ...], right: Value) -> None:
     """Give an entry of a table or a matrix a value; a name without value becomes a table."""
-    holder = session.resolve(session.current(symbol(base)))
+    holder = session.holder(base)
     if not isinstance(holder, Table | Array):
         _assign_one(session, symbol(base), Table({indices: right}))
         return
     assigned_entry(session, holder, indices, right)
-    while base in session.indexed:
-        base = session.indexed[base][0]
-    session.touch(base)
+    session.touch_entry(base)
 
 
 def _assign_one(session: Session, left: Expr, right: Value) -> None:

@@ -25,7 +25,7 @@ def _motion(text: Writer, arguments: Arguments) -> str:
     }
     if "numeric" not in options or "parameters" in options:
         raise NoText("dsolve")
-    output = _output(arguments)
+    output, events = _output(arguments), _events(text, arguments)
     equations, starts, begins = [], [], set()
     for each in _items(text, arguments[0]):
         initial = _initial(text, each)
@@ -49,8 +49,29 @@ def _motion(text: Writer, arguments: Arguments) -> str:
     return (
         f"sb.simulate(sb.equations_from_differential([{listed}], [{unknowns}]), "
         f"initial={{{', '.join(starts)}}}, "
-        + (_instants(text, output, begins) if output else f"t={_times(text, arguments, begins)})")
+        + (_instants(text, output, begins) if output else f"t={_times(text, arguments, begins)}{events})")
     )
+
+
+def _events(text: Writer, arguments: Arguments) -> str:
+    """Return the option of ``simulate`` for events that end the motion, ``events = [[x(t) = 0, halt]]``."""
+    for argument in arguments:
+        match argument:
+            case syntax.Infix(left=syntax.Name(name="parameters")):
+                raise NoText("parameters")
+            case syntax.Infix(left=syntax.Name(name="events"), right=syntax.ListDisplay(items=items)):
+                ends = ", ".join(f"sb.Event({_trigger(text, each)}, terminal=True)" for each in items)
+                return f", events=[{ends}]"
+    return ""
+
+
+def _trigger(text: Writer, event: syntax.Expression) -> str:
+    match event:
+        case syntax.ListDisplay(items=(trigger, syntax.Name(name="halt"))) if not isinstance(
+            trigger, syntax.ListDisplay
+        ):
+            return residual_text(text, trigger)
+    raise NoText("events")
 
 
 def _output(arguments: Arguments) -> syntax.Expression | None:

@@ -401,7 +401,8 @@ def _is_local(session: State, name: str) -> bool:
 
 def _indexed(session: State, value: Expr, base: str, indices: tuple[Value, ...]) -> Value:
     _depend_on(session, (base,))
-    holder = resolved(session, symbol(base))
+    is_within = base in session.indexed  # an entry of an entry, T[1][b]
+    holder = resolved(session, current(session, symbol(base)) if is_within else symbol(base))
     if isinstance(holder, Table):
         key = tuple(current(session, each) for each in indices)
         if key in holder.entries and base not in session.resolving:
@@ -411,7 +412,9 @@ def _indexed(session: State, value: Expr, base: str, indices: tuple[Value, ...])
             finally:
                 session.resolving.pop()
     if isinstance(holder, Array | Listed):
-        found = session.select(Reference(base) if isinstance(holder, Array) else holder, indices)
+        found = session.select(
+            Reference(base) if isinstance(holder, Array) and not is_within else holder, indices
+        )
         return value if found == value else current(session, found)
     return value
 

@@ -187,6 +187,16 @@ class Session:
         self.touch(name)
         self.options.positive = frozenset(each for each in self.options.positive if each.name != name)
 
+    def holder(self, name: str) -> Value:
+        """Return what holds the entries of a name, which may itself be an entry: T, or T[1] of T[1][b]."""
+        return self.resolve(self.current(symbol(name)))
+
+    def touch_entry(self, name: str) -> None:
+        """Note that an entry of a name has changed, or an entry of one of its entries."""
+        while name in self.indexed:
+            name = self.indexed[name][0]
+        self.touch(name)
+
     def remember(self, name: str, arguments: tuple[Value, ...], value: Value) -> None:
         """Give an entry of a function a value: ``x(t) := V*t``."""
         self.remembered.setdefault(name, {})[arguments] = value

@@ -33,7 +33,7 @@ def unevaluated(session: Session, node: syntax.Expression) -> Value:
         if isinstance(node, syntax.SetDisplay):
             return set_of(items)
         return Listed(tuple(items)) if isinstance(node, syntax.ListDisplay) else sequence(items)
-    if isinstance(node, syntax.Selection) and isinstance(node.whole, syntax.Name):
+    if isinstance(node, syntax.Selection) and isinstance(node.whole, syntax.Name | syntax.Selection):
         return _entry(session, node)
     if isinstance(node, syntax.Call) and isinstance(node.function, syntax.Name | syntax.Concatenation):
         return _kept_call(session, node)
@@ -57,11 +57,14 @@ def _has_given(session: Session, node: syntax.Call) -> bool:
 
 
 def _entry(session: Session, node: syntax.Selection) -> Value:
-    assert isinstance(node.whole, syntax.Name)
+    """Return the name of an entry, also of one within an entry: ``'T[1][b]'``."""
+    whole = node.whole.name if isinstance(node.whole, syntax.Name) else unevaluated(session, node.whole)
+    if not isinstance(whole, str | Expr):
+        return Quoted(node)
+    base = str(getattr(whole, "name", whole))
     indices = flattened(unevaluated(session, each) for each in node.indices)
-    text = ",".join(session.text(each) for each in indices)
-    name = f"{node.whole.name}[{text}]"
-    session.indexed[name] = (node.whole.name, tuple(indices))
+    name = f"{base}[{','.join(session.text(each) for each in indices)}]"
+    session.indexed[name] = (base, tuple(indices))
     return symbol(name)
 
 

@@ -6,12 +6,12 @@ from collections.abc import Callable
 from typing import Any
 
 from symbody.worksheet import builtins
-from symbody.worksheet.evaluation.select import selected
+from symbody.worksheet.evaluation.select import indexed_name, key_of, selected
 from symbody.worksheet.evaluation.session import Session
 from symbody.worksheet.interpreter.leaf import named
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.values.naming import symbol
-from symbody.worksheet.values.value import Listed, Sequence, Value
+from symbody.worksheet.values.value import Listed, Sequence, Table, Value
 
 __all__ = ["METHODS"]
 
@@ -24,8 +24,21 @@ def _selection(session: Session, node: syntax.Selection) -> Value:
         whole = _whole(session, node.whole.name)
     else:
         whole = session.evaluate(node.whole)
-    found = selected(session, whole, session.evaluated(node.indices))
+    indices = session.evaluated(node.indices)
+    if isinstance(whole, Table) and key_of(session, indices) not in whole.entries:
+        whole = _name(session, node.whole) or whole
+    found = selected(session, whole, indices)
     return session.current(found) if isinstance(found, Listed | Sequence) else found
+
+
+def _name(session: Session, node: syntax.Expression) -> Value | None:
+    """Return the name of an entry that is a table, ``T[1]``; None for what has no name."""
+    match node:
+        case syntax.Name(name=name) if not session.scopes:
+            return symbol(name)
+        case syntax.Selection(whole=inner) if (base := _name(session, inner)) is not None:
+            return indexed_name(session, base, session.evaluated(node.indices))
+    return None
 
 
 def _whole(session: Session, name: str) -> Value:

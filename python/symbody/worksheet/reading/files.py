@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+from symbody.errors import WorksheetError
 from symbody.worksheet.reading.mw import mw_cells
 from symbody.worksheet.reading.plain_text import plain_text_cells
 from symbody.worksheet.reading.text_export import text_export_cells
@@ -12,6 +13,8 @@ from symbody.worksheet.sheet.source import Cell
 
 __all__ = ["read_source", "source_cells"]
 
+_OF_TEXTS = bytes({*b"\t\n\v\f\r\x1a\x1b", *range(0x20, 0x100)})
+"""Bytes of texts, also in Maple's old encodings; old exports contain a few others."""
 _PROMPT = re.compile(r"^ *>", re.MULTILINE)
 
 
@@ -20,6 +23,8 @@ def read_source(path: Path | str) -> tuple[Cell, ...]:
     data = Path(path).read_bytes()
     if data[:2] in (b"\xff\xfe", b"\xfe\xff"):
         return source_cells(data.decode("utf-16", errors="replace"))
+    if len(data.translate(None, _OF_TEXTS)) > len(data) / 100:
+        raise WorksheetError("it is no text, but a binary file; expected a worksheet as text, .mpl or .mw")
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError:
