@@ -88,7 +88,7 @@ def test_names_decide_among_arrangements_and_not_what_was_added_first(terms: str
     assert len(forms) == 1
 
 
-@pytest.mark.parametrize("seed", [*range(6), *repeated(range(6, 12))])
+@pytest.mark.parametrize("seed", [*range(4), *repeated(range(4, 12))])
 def test_forms_for_the_reader_keep_the_value(seed: int) -> None:
     rng = random.Random(seed)
     angles, parameters = functions_of_time("p q"), (m, l, c)
@@ -536,7 +536,7 @@ def test_what_is_one_quantity_has_one_name() -> None:
     assert len(values) == len(definitions) > 10
 
 
-@pytest.mark.parametrize("axes", ["ZZZZ", "ZYYZ", "ZYYYX"])
+@pytest.mark.parametrize("axes", ["ZZZZ", "ZYYYX", *repeated(["ZYYZ"])])
 def test_short_names_in_latex(axes: str) -> None:
     """They are those of the text, and make it shorter; repeated sums have names in the text alone."""
     equations = newton_euler(arm(axes))
@@ -580,7 +580,7 @@ def test_loads_that_are_no_polynomials_stay_in_one_piece() -> None:
     assert row.strip() == "m*x'' + F*tanh(x'/a) + c*Abs(x')*x' = 0"
 
 
-@pytest.mark.parametrize("seed", [0, 1, 2, 4, *repeated([3, *range(5, 15)])])
+@pytest.mark.parametrize("seed", [1, 2, 4, *repeated([0, 3, *range(5, 15)])])
 def test_rows_of_random_systems_are_equal_to_the_residuals(seed: int) -> None:
     equations = newton_euler(random_system(seed))
     for balance, residual in zip(equations.display.page.balances, equations.residuals, strict=True):

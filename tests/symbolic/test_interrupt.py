@@ -102,14 +102,14 @@ except KeyboardInterrupt:
 PRODUCTS = "products = [a * b for i, a in enumerate(v) for b in v[i:]]"
 SIGNS = """
 def pair(products): return [_core.sum_of([f(p) for p in products]) for f in (abs, lambda u: Max(u, -u))]
-pairs = [pair([p + k for p in products[:12000]]) for k in (1, 2)]
+pairs = [pair([p + k for p in products[:8000]]) for k in (1, 2)]
 def difference():
     up, down = pairs.pop()
     return up - down
 """
 TOWER = """
 x, y, q = symbols("x y q")
-for _ in range(3): q = sin(q * y + 2 * q * x) + x
+for _ in range(3): q = sin(q * y + 2 * q * x)
 def request():
     try: expand_trig(q)
     except errors.ExpressionError: pass

@@ -126,7 +126,7 @@ def test_angles_within_angles_share_the_limit() -> None:
     """Each level has exponentially more terms than the one inside it."""
     nested = x
     for _ in range(3):
-        nested = sin(nested * y + 2 * nested * x) + q
+        nested = sin(nested * y + 2 * nested * x)
     with pytest.raises(
         ExpressionError, match="terms of an expanded expression: at most 200000, found 200001"
     ):

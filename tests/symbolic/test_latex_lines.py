@@ -10,6 +10,7 @@ from matplotlib.mathtext import MathTextParser
 
 from symbody.symbolic import expand, latex
 from symbody.symbolic.expression.latex_layout import LINE, broken, lines, width
+from tests.repeated import repeated
 from tests.symbolic.random_expression import expression
 
 PARSER = MathTextParser("path")
@@ -49,7 +50,7 @@ def test_a_long_sum_above_a_line_is_broken() -> None:
     assert lines(r"\frac{a + b + c}{2} + d", 20) == [r"\frac{a + b + c}{2} + d"]
 
 
-@pytest.mark.parametrize("seed", range(30))
+@pytest.mark.parametrize("seed", [*range(15), *repeated(range(15, 30))])
 @pytest.mark.parametrize("line", [20, LINE])
 def test_pieces_are_the_formula(seed: int, line: int) -> None:
     formula = latex(expression(seed, 4, only_common=True))

@@ -124,7 +124,7 @@ def test_names_choose_the_objects() -> None:
 
 
 def test_shared_terms_stay_shared() -> None:
-    e = doubling(100)  # a tree of 2**100 terms
+    e = doubling(60)  # a tree of 2**60 terms
     assert from_sympy(to_sympy(e)) == e
 
 
