@@ -38,7 +38,6 @@ from symbody import (
 from symbody.codegen.sources.generate import source
 from symbody.symbolic.calculus.rewrite import textbook_form
 from tests.reference.robot import robot
-from tests.reference.test_double_pendulum_natural import natural
 from tests.repeated import repeated
 from tests.symbolic import test_textbook_forms as textbook
 from tests.worksheets import test_trifilar_seed as trifilar
@@ -51,6 +50,8 @@ OTHER_NAMES_FIRST = (
 
 def report(*, busy: bool) -> None:
     """Print texts, LaTeX and costs of several systems; a busy process does other work first and in between."""
+    from tests.reference.test_double_pendulum_natural import natural  # noqa: PLC0415 - it loads SciPy
+
     if busy:
         unrelated_work(9)
     models = [

@@ -18,11 +18,11 @@ from matplotlib.image import imread
 from nbformat.v4 import new_code_cell, new_notebook
 
 from symbody import report
-from tests.document.test_report import engine
+from tests.document.models import engine
 
 MODEL = """
 import symbody as sb
-from tests.document.test_report import I1, I2, engine, g, l, m1, m2, m3, numbered_arm, phi, r, s, tau
+from tests.document.models import I1, I2, engine, g, l, m1, m2, m3, numbered_arm, phi, r, s, tau
 system = engine()
 numbers = {r: 0.1, l: 0.3, m1: 1, m2: 0.5, m3: 0.8, I1: 1e-3, I2: 4e-3, g: 9.81, tau: 0.5}
 """
@@ -38,7 +38,7 @@ SHOWN = {
     "equations = sb.newton_euler(system); equations": LATEX,
     "equations.mass_matrix": LATEX,
     "equations.matrix_form()": LATEX,
-    "sb.newton_euler(numbered_arm(40))": HTML,
+    "sb.newton_euler(numbered_arm(20))": HTML,
     "sb.cost(equations.residuals)": HTML,
     "sb.equilibrium(equations, numbers | {tau: 0}, guess={phi: -1.5, s: 0.3})": HTML,
     "motion = sb.simulate(equations, numbers, {phi: 1.0}, t=(0, 0.5), guess={s: 0.3}); motion": HTML,

@@ -35,7 +35,6 @@ from symbody import (
     latex,
     motor,
     newton_euler,
-    project,
     readable,
     report,
     rotate,
@@ -65,34 +64,28 @@ from symbody.dynamics.display.summary import READABLE
 from symbody.dynamics.equations.equations import Derived
 from symbody.errors import ModelNotice, PictureError, ReportError, SymbodyError
 from symbody.models import ClassicSystem, four_bar, full_car, motorcycle, n_pendulum, single_track_car
+from tests.document.models import (
+    I1,
+    I2,
+    PARAMETERS,
+    beta,
+    engine,
+    g,
+    l,
+    m1,
+    m2,
+    m3,
+    numbered_arm,
+    phi,
+    q,
+    r,
+    s,
+    tau,
+)
 from tests.repeated import repeated
 from tests.view.browser import browser
 
-r, l, m1, m2, m3, I1, I2, g, tau = PARAMETERS = symbols("r l m1 m2 m3 I1 I2 g tau")
-phi, beta, s = q = functions_of_time("phi beta s")
 SUFFIXES = sorted(FORMATS)
-
-
-def engine() -> System:
-    crank_frame = rotate("Z", phi)
-    rod_frame = crank_frame * translate(r, 0, 0) * rotate("Z", -beta - phi)
-    crank = Body(Point(crank_frame, r / 2, 0, 0), m1, 0, 0, I1, name="crank_1")
-    rod = Body(Point(rod_frame, l / 2, 0, 0), m2, 0, 0, I2, name="rod <b>")
-    slider = Body(translate(s, 0, 0), m3, name="slider")
-    gap = project(Point(rod_frame, l, 0, 0) - Point(ground, s, 0, 0), ground)
-    motor = Torque(ground, 0, 0, tau, on=crank)
-    gravity = Vector(ground, 0, -g, 0)
-    return System([crank, rod, slider], [motor], q, gap.components[:2], gravity, name="Slider & crank")
-
-
-def numbered_arm(joints: int) -> System:
-    """Return an arm whose joints turn about z and y in turn."""
-    angles, frame, bodies = functions_of_time(" ".join(f"q{k}" for k in range(1, joints + 1))), ground, []
-    for k, angle in enumerate(angles, start=1):
-        m, d, c, a, b = symbols(f"m{k} d{k} c{k} I{k} J{k}")
-        frame = frame * translate(0, 0, d) * rotate("Z" if k % 2 else "Y", angle)
-        bodies.append(Body(Point(frame, 0, 0, c), m, a, a, b, name=f"link {k}"))
-    return System(bodies, coordinates=angles, gravity=Vector(ground, 0, 0, -g), name="Arm")
 
 
 @pytest.fixture(scope="module")
@@ -300,7 +293,7 @@ def test_the_same_bytes_twice(equations: Equations, motion: Motion, tmp_path: Pa
 
 
 def test_the_same_bytes_in_another_process(tmp_path: Path) -> None:
-    code = "from tests.document.test_report import numbered_arm, report, sys\n"
+    code = "import sys; from symbody import report; from tests.document.models import numbered_arm\n"
     code += "for path in sys.argv[1:]: report(numbered_arm(2), path)"
     files = [tmp_path / f"other{suffix}" for suffix in SUFFIXES]
     environment = os.environ | {"PYTHONHASHSEED": "1"}
