@@ -108,7 +108,7 @@ def test_system_and_equations() -> None:
     push = Force(ground, F, 0, 0, at=bead.center_of_mass, on=bead, name="push")
     gravity = Vector(ground, 0, -a, 0)
     system = System([bead], [push], [x, y], [x - 2 * y], gravity, name="slope")
-    frame = "[[1, 0, 0, x], [0, 1, 0, y], [0, 0, 1, 0], [0, 0, 0, 1]]"
+    frame = "translate(x, y, 0)"
     assert max(map(len, describe(system).splitlines())) <= 110
     assert describe(system).replace("\n        ", " ").splitlines() == [
         "slope = SYSTEM",
@@ -201,8 +201,11 @@ def test_a_system_of_a_hundred_bodies_is_shown_by_the_coordinates_of_its_frames(
     text = " ".join(row.strip() for row in rows)
     assert len(text) < 20_000
     assert max(map(len, rows)) <= 110
-    assert "FRAME(q1, q2, q3, q4)" in text
-    assert "q9, q10, q11" in text
+    assert (
+        'BODY(frame = rotate("Z", q1) * translate(m, 0, 0) * rotate("Y", q2) * translate(m, 0, 0), mass'
+        in text
+    )
+    assert "BODY(frame = FRAME(q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11" in text
     assert "operations)" in text
     assert describe(bodies[3]).startswith("BODY(frame = [[")
 
@@ -226,6 +229,29 @@ def test_a_system_of_many_parts_is_shown_by_counts_with_the_way_to_each(count: i
     assert "    ... 32 more loads: show(system.loads[4])" in lines
     assert f"    constraint: x0 - a*t = 0, multiplier {train.multipliers[0]}" in lines
     assert describe(train.bodies[4]).startswith("wagon 4 = BODY")
+
+
+def test_a_named_frame_is_shown_once_in_a_system() -> None:
+    """Each body and load had repeated the 4x4 matrix of its frame."""
+    p, q = functions_of_time("p q")
+    arm = rotate("Z", p).named("arm")
+    fore = (arm * translate(a, 0, 0) * rotate("Z", q)).named("fore")
+    upper, lower = Body(arm * translate(a, 0, 0), m, name="upper"), Body(fore, m, name="lower")
+    pull = Force(fore, F, 0, 0, at=upper.center_of_mass, on=upper, name="pull")
+    rows = [row.strip() for row in describe(System([upper, lower], [pull], [p, q])).splitlines()]
+    assert rows[2:4] == [
+        'frame: arm = rotate("Z", p)',
+        'frame: fore = arm * translate(a, 0, 0) * rotate("Z", q)',
+    ]
+    text = " ".join(rows)
+    assert "upper = BODY(frame = arm * translate(a, 0, 0), mass" in text
+    assert "lower = BODY(frame = fore, mass" in text
+    assert (
+        "FORCE(frame = fore, comps = [F, 0, 0], applied = POINT(frame = arm * translate(a, 0, 0), coords"
+        in text
+    )
+    twice = System([Body(arm, m), Body(fore.named("arm"), m)], coordinates=[p, q])
+    assert describe(twice).count("arm") == 0
 
 
 def test_an_unnamed_frame_of_a_load_is_its_motions() -> None:

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import islice
 from math import inf
 from textwrap import wrap
 from typing import Annotated, Any, Protocol, TypeAlias, runtime_checkable
 
 from symbody.errors import ModelError
-from symbody.geometry import Frame, Point, Vector
+from symbody.geometry import Frame, Point, Vector, ground
 from symbody.geometry.given.argument import checked
 from symbody.symbolic import Expr, Matrix, cost, free_symbols, time_derivative
 from symbody.symbolic.calculus.reader import Reader
@@ -117,7 +119,9 @@ class _Style:
     reader: Reader = field(default_factory=Reader)
     forms: ShownForms = field(default_factory=ShownForms)
     longest: float = inf
-    """The operations of an expression, or of a frame's matrix, up to which it is written out."""
+    """The operations of an expression, or of the motions of a frame, up to which it is written out."""
+    frames: Mapping[bytes, str] = field(default_factory=dict)
+    """The names of the frames that are shown by them, by their keys."""
 
     def text(self, value: Expr) -> str:
         """Return an expression as text, in its form for the reader if that is shorter; of a long one, its size."""
@@ -216,8 +220,9 @@ def _system(system: System, style: _Style) -> str:
     For a system of many parts, the text contains the first and last parts of each kind, and how to see the others.
     Lines are broken between words; `show` of a body or a load prints all of it.
     """
-    style = replace(style, longest=_LONGEST)
-    kinds = _kinds(system, style)
+    frames = _named_frames(system)
+    style = replace(style, longest=_LONGEST, frames={frame.key: frame.name for frame in frames})
+    kinds = [_of_frames(frames, style), *_kinds(system, style)]
     is_long = sum(len(kind.parts) for kind in kinds) > _MANY
     counts = (counted(len(kind.parts), kind.noun) for kind in kinds if kind.parts and is_long)
     head = "SYSTEM" if not system.name else f"{system.name} = SYSTEM"
@@ -299,6 +304,31 @@ def _kinds(system: System, style: _Style) -> list[_Kind]:
     ]
 
 
+def _of_frames(frames: Sequence[Frame], style: _Style) -> _Kind:
+    """Return the named frames, each with the motions that lead to it from the last named one before it."""
+    return _Kind(
+        "frame", frames, lambda frame: f"frame: {frame.name} = {_motions(frame, style)}", "show(frame)"
+    )
+
+
+def _named_frames(system: System) -> list[Frame]:
+    """Return the frames with names of their own on which bodies and loads of a system are, inner ones first."""
+    vectors = [action.vector.frame for action in system.actions]
+    points = [action.point.frame for action in system.actions if action.point is not None]
+    found = dict[bytes, Frame]()
+    for frame in (*(body.frame for body in system.bodies), *vectors, *points):
+        named = [each for each in _to_root(frame) if each.name and each.parent is not None]
+        found.update((each.key, each) for each in reversed(named) if each.key not in found)
+    names = Counter(frame.name for frame in found.values())
+    return [frame for frame in found.values() if names[frame.name] == 1]
+
+
+def _to_root(frame: Frame | None) -> Iterator[Frame]:
+    while frame is not None:
+        yield frame
+        frame = frame.parent
+
+
 def _condition(multiplier: Expr, constraint: Constraint, style: _Style) -> str:
     return f"{constraint.label}: {style.text(constraint.condition)} = 0, multiplier {multiplier}"
 
@@ -330,11 +360,31 @@ def _body(body: Body) -> str:
 def _frame(frame: Frame, style: _Style) -> str:
     if frame.parent is None or (style.synthetic and frame.name):
         return frame.name
-    if style.longest < inf and cost(frame.matrix.entries).total > style.longest:
-        variables = [variable for motion in frame.motions for variable in motion.variables]
+    if style.longest < inf:
+        return style.frames.get(frame.key) or _motions(frame, style)
+    return _rows(frame.matrix, style)
+
+
+def _motions(frame: Frame, style: _Style) -> str:
+    """Return the motions that lead to a frame from the last one that is shown by its name.
+
+    Of many or long ones, the coordinates on which the frame depends are returned.
+    """
+    motions = [frame.motion]
+    for start in islice(_to_root(frame), 1, None):
+        if start.parent is None or start.key in style.frames:
+            break
+        motions.append(start.motion)
+    variables = [variable for motion in motions if motion is not None for variable in motion.variables]
+    if len(motions) > _MOST_MOTIONS or cost(variables).total > style.longest:
         moving = [leaf for leaf in free_symbols(variables) if leaf.kind == "time_function"]
         return f"{frame.name or 'FRAME'}({brief(', '.join(sorted(map(str, moving), key=_by_number)))})"
-    return _rows(frame.matrix, style)
+    name = style.frames.get(start.key, "" if start == ground else start.name)
+    return " * ".join([*([name] if name else []), *map(str, reversed(motions))])
+
+
+_MOST_MOTIONS = 12
+"""The most motions of a frame that are written out among others in a system."""
 
 
 def _frame_of_load(frame: Frame, style: _Style) -> str:
@@ -345,7 +395,7 @@ def _frame_of_load(frame: Frame, style: _Style) -> str:
 
 
 _LONGEST = 40
-"""The operations of an expression or of the matrix of a frame that is written out among others in a system."""
+"""The operations of an expression or of the motions of a frame that is written out among others in a system."""
 
 
 def _by_number(name: str) -> tuple[str, int, str]:
