@@ -103,6 +103,7 @@ ARM = rotate("Z", q1) * translate(l, 0, 0) * rotate("Z", q2) * translate(a, 0, 0
 TWO_LINKS = System([Body(ARM, m, 0, 0, J)], coordinates=[q1, q2], gravity=GRAVITY)
 JIB = rotate("Y", q1) * translate(l, 0, 0) * rotate("X", q2) * translate(0, -a, 0)
 FURUTA = System([Body(JIB, m, J, J, J)], coordinates=[q1, q2], gravity=GRAVITY)
+SCARA = System([Body(ARM, m), Body(ARM, M)], coordinates=[q1, q2])
 SHOWN = {
     "arm": (
         newton_euler(TWO_LINKS).bias,
@@ -114,6 +115,11 @@ SHOWN = {
         "2*m*a**2*sin(q2)*cos(q2)*q1'*q2' - a*l*m*sin(q2)*q2'**2",
         "-a*m*(a*sin(q2)*cos(q2)*q1'**2 - g*sin(q2))",
     ),
+    "two masses at one place": (
+        newton_euler(SCARA).bias,
+        "-a*l*(M + m)*sin(q2)*(2*q1'*q2' + q2'**2)",
+        "a*l*(M + m)*sin(q2)*q1'**2",
+    ),
 }
 
 
@@ -121,7 +127,7 @@ SHOWN = {
 def test_what_is_shown_has_no_nested_rotations(name: str) -> None:
     given, *texts = SHOWN[name]
     assert [*map(describe, given)] == texts
-    known = {str(leaf): leaf for leaf in (m, a, l, g, q1, q2)}
+    known = {str(leaf): leaf for leaf in (m, M, a, l, g, q1, q2)}
     assert [parse(text, known) for text in texts] == [*given]
     assert [latex(each) for each in given] == [latex(parse(text, known)) for text in texts]
 

@@ -105,9 +105,9 @@ the reader is looked for: about two seconds."""
 
 
 def _without_rotations(expression: Expr) -> Expr:
-    """Return the form for the reader of an expression with products of rotations, if it is much shorter."""
+    """Return the form for the reader of an expression with products of rotations, if it is much shorter or flatter."""
     found = _read(expression)
-    return found if len(str(found)) <= _SHORTER * len(str(expression)) else expression
+    return found if _is_better(found, expression) else expression
 
 
 def _read(expression: Expr) -> Expr:
@@ -143,7 +143,7 @@ def _is_nested(expression: Expr) -> bool:
     if any(map(_is_rotated, nodes_of(expression))):
         return True
     is_moving = any(leaf.kind == "time_function" for leaf in expression.free_symbols)
-    return is_moving and awkward_terms(expression) > 0
+    return is_moving and (awkward_terms(expression) > 0 or any(map(_has_like_brackets, nodes_of(expression))))
 
 
 def _is_better(form: Expr, entry: Expr) -> bool:
@@ -164,14 +164,18 @@ def _is_derived(entry: Expr) -> bool:
 
 def _is_expanded(node: Expr) -> bool:
     """Return whether a node is a sum of products of waves, or of terms with a factor to take out."""
+    terms = [parts_of(term, "product") for term in parts_of(node, "sum")] if node.kind == "sum" else []
+    turned = [factors for factors in terms if sum(map(_waves, factors)) >= _PRODUCT]
+    return len(turned) > 1 or _has_like_brackets(node)
+
+
+def _has_like_brackets(node: Expr) -> bool:
+    """Return whether brackets in a product have a factor to take out, or a sum has one beside brackets."""
     if node.kind == "product":
         sums = (factor for factor in parts_of(node, "product") if factor.kind == "sum")
         return any(map(_has_factor_of_all_terms, sums))
-    if node.kind != "sum":
-        return False
-    terms = [parts_of(term, "product") for term in parts_of(node, "sum")]
-    turned = [factors for factors in terms if sum(map(_waves, factors)) >= _PRODUCT]
-    return len(turned) > 1 or any(_has_factor_in_common(factors, terms) for factors in terms)
+    terms = [parts_of(term, "product") for term in parts_of(node, "sum")] if node.kind == "sum" else []
+    return any(_has_factor_in_common(factors, terms) for factors in terms)
 
 
 def _has_factor_in_common(factors: list[Expr], terms: list[list[Expr]]) -> bool:
