@@ -77,6 +77,7 @@ def test_a_modulus_whose_rest_is_known_in_the_form_of_a_quotient_ends() -> None:
         pytest.param(1763, 4377, id="the square of a root of a number of 84 bits"),
         pytest.param(1735, 3499, id="a content in which nine digits cancel"),
         pytest.param(1732, 4289, id="the root of a number of 83 bits, a product of two"),
+        pytest.param(1795, 3265, id="a hyperbolic sine that is a number of 166 bits"),
         # more signs in one form of an argument than in the other; roots of what contains units of order 109
         *repeated([(1102, 4196), (1108, 414), (1108, 3914)]),
     ],

@@ -20,10 +20,15 @@ impl Graph {
     }
 
     /// The argument of a function or root that is decided by numbers: the number that a sum or a product hides, which
-    /// a derivation does not look for, or the node itself.
+    /// a derivation does not look for, or a function where it has many digits, or the node itself.
     pub(super) fn decided(&mut self, id: Id) -> Id {
         let settled = self.settled(id);
-        if !matches!(self.kind(settled), Kind::Sum | Kind::Product | Kind::Scale) {
+        let may_hide_number = match self.kind(settled) {
+            Kind::Sum | Kind::Product | Kind::Scale => true,
+            Kind::Function(_) => self.has_large_numbers,
+            _ => false,
+        };
+        if !may_hide_number {
             return settled;
         }
         self.hidden_number(settled).map_or(settled, |number| self.number(&number))
