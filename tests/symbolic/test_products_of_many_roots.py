@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from fractions import Fraction
 from functools import reduce
 from operator import add, mul
 
@@ -31,3 +32,11 @@ def test_any_order(name: str, operation: Callable[[Expr, Expr], Expr], count: in
     assert parse(str(one)) == one
     assert parse(str(other)) == other
     assert one != operation(one, parts[0])
+
+
+@pytest.mark.parametrize("whole", [15, 10**25 + 3])
+def test_roots_of_a_number_that_make_it_are_the_number(whole: int) -> None:
+    root = number(whole) ** Fraction(1, 3)
+    assert (root**2 * root).kind == "number"
+    assert (sqrt(3) * (sqrt(5) * sqrt(whole))) == sqrt(15 * whole)
+    assert sqrt((root**2 * root + 67) * x) == sqrt((whole + 67) * x)

@@ -272,15 +272,17 @@ impl Graph {
     /// Open the powers of products of roots of numbers that equal factors have made: the roots become numbers again.
     fn open_powers_of_numbers(&mut self, out: &mut Collector) -> Result<(), Error> {
         let is_power = |graph: &Self, (base, exponent): &(Id, Number)| {
-            !exponent.is_one()
-                && exponent.is_integer()
-                && graph.kind(*base) == Kind::Product
-                && graph.inner_factors(*base).all(|(inner, _)| graph.as_number(inner).is_some())
+            !exponent.is_one() && exponent.is_integer() && graph.is_product_of_numbers(*base)
         };
         let (powers, rest): (Vec<_>, Vec<_>) =
             out.factors.drain(..).partition(|factor| is_power(self, factor));
         out.factors = rest;
         powers.iter().try_for_each(|(base, exponent)| self.collect_power(out, *base, exponent))
+    }
+
+    fn is_product_of_numbers(&self, id: Id) -> bool {
+        self.kind(id) == Kind::Product
+            && self.inner_factors(id).all(|(inner, _)| self.as_number(inner).is_some())
     }
 
     /// Open child products that share a base with a factor beside them where that cancels or merges roots.
@@ -305,8 +307,12 @@ impl Graph {
     /// The first child product to open. One with the root of a number or a modulus is opened only where others may merge
     /// with it: in a second such product, or `beside` the products. So sqrt(3) x / l stays shared in all its multiples.
     fn product_to_open(&self, factors: &[(Id, Number)], beside: bool) -> Option<usize> {
-        if factors.len() < 2 || factors.len() > MERGE_SEARCH {
-            // A single factor, or radicals of numbers beside a product that contains one.
+        if let [(base, exponent)] = factors {
+            // Radicals of numbers beside a product: what may merge with them is all of it, or it stays shared.
+            let is_of_numbers = exponent.is_one() && self.is_product_of_numbers(*base);
+            return (beside && is_of_numbers).then_some(0);
+        }
+        if factors.len() > MERGE_SEARCH {
             return None;
         }
         let opens =

@@ -104,7 +104,7 @@ impl Graph {
         let literals: Vec<Number> =
             numbers.into_iter().map(|number| self.get_number(NumberId(number)).clone()).collect();
         let roots: Vec<Id> = of.nodes().collect();
-        let are_long = literals.iter().any(is_long);
+        let are_long = literals.iter().chain(&bases).any(is_long);
         let pairs = self.at_pairs_of_points(&roots, are_long);
         let shared = pairs.iter().flatten().flat_map(|pair| shared_at(pair, of, &sums));
         let is_rational =
