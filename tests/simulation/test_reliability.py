@@ -304,7 +304,8 @@ if __name__ == "__main__":
     if sys.argv[1] == "native":
         reported = long(threads=2)
     else:
-        kind = ThreadPoolExecutor(2) if sys.argv[1] == "threads" else ProcessPoolExecutor(2, get_context("spawn"))
+        spawned = ProcessPoolExecutor(int(sys.argv[3]), get_context("spawn"))
+        kind = ThreadPoolExecutor(2) if sys.argv[1] == "threads" else spawned
         with kind as executor:
             reported = long(executor=executor)
     print(*reported, sep="\\n")
@@ -317,7 +318,7 @@ if __name__ == "__main__":
         ("native", ["motion"], os.killpg),
         ("threads", ["motion", "motion"], os.killpg),
         ("processes", ["motion", "motion"], os.killpg),
-        pytest.param("processes", ["motion", "motion"], os.kill, id="processes that get no signal"),
+        pytest.param("processes", ["motion"], os.kill, id="processes that get no signal"),
         pytest.param("processes", ["call"], os.killpg, id="processes that have not begun"),
     ],
 )
@@ -329,7 +330,7 @@ def test_ctrl_c_in_a_terminal_ends_motions_that_take_long(
     signs, marks = tmp_path / "signs", tmp_path / "marks"
     signs.mkdir()
     marks.mkdir()
-    command = [sys.executable, str(tmp_path / "long.py"), workers, str(marks)]
+    command = [sys.executable, str(tmp_path / "long.py"), workers, str(marks), str(len(begun))]
     with subprocess.Popen(
         command,
         stdout=subprocess.PIPE,

@@ -278,14 +278,14 @@ fn deep_and_large_tapes_need_no_stack() -> Result<(), Error> {
     let g = &mut Graph::new();
     let [a, b] = ["a", "b"].map(|name| g.symbol(name, Assumption::Real));
     let (mut x, mut expected) = (a, 0.3_f64);
-    for _ in 0..100_000 {
+    for _ in 0..40_000 {
         let product = g.mul(x, b)?;
         let sine = g.apply(Function::Sin, &[product])?;
         x = g.add(sine, a);
         expected = (expected * 0.9).sin() + 0.3;
     }
     let tape = g.tape(&[a, b], &[x])?;
-    assert_eq!(tape.instructions.len(), 300_000);
+    assert_eq!(tape.instructions.len(), 120_000);
     assert!(tape.registers().count <= 3, "{} registers", tape.registers().count);
     let found = Evaluator::new(&tape).evaluate(&[0.3, 0.9])?;
     assert!((found[0] - expected).abs() < 1e-12);
@@ -293,18 +293,18 @@ fn deep_and_large_tapes_need_no_stack() -> Result<(), Error> {
 }
 
 #[test]
-fn a_tape_of_a_million_nodes() -> Result<(), Error> {
+fn a_tape_of_hundreds_of_thousands_of_nodes() -> Result<(), Error> {
     let g = &mut Graph::new();
     let [a, b] = ["a", "b"].map(|name| g.symbol(name, Assumption::Real));
     let (mut x, mut y, mut expected) = (a, b, (0.3_f64, 0.2_f64));
-    while g.len() < 1_000_000 {
+    while g.len() < 300_000 {
         let product = g.mul(x, a)?;
         (x, y) = (g.add(product, y), g.mul(x, b)?);
         expected = (expected.0 * 0.3 + expected.1, expected.0 * 0.2);
     }
     let tape = g.tape(&[a, b], &[x, y])?;
     let (length, registers) = (tape.instructions.len(), tape.registers().count);
-    assert!(length > 990_000 && registers < 10, "{length} instructions, {registers} registers");
+    assert!(length > 297_000 && registers < 10, "{length} instructions, {registers} registers");
     let found = Evaluator::new(&tape).evaluate(&[0.3, 0.2])?;
     let close = (found[0] - expected.0).abs() < 1e-9 && (found[1] - expected.1).abs() < 1e-9;
     assert!(close, "{found:?} {expected:?}");
