@@ -35,8 +35,9 @@ CASES = {
     ),
     "an entry of an entry": (
         (
-            "assign('T[1][b]' = 3); T[1][b]; W := 'T[1][b]': T[1][b] := 4: W; assigned('T[1][b]'), "
-            "assigned('T[1][c]'); unassign('T[1][b]'): T[1][b]; L := [[1, 2], [3, 4]]: 'L[2][1]'; %;"
+            "assign('T[1][b]' = 3); T[1][b]; W := 'T[1][b]': T[1][b] := 4: W; "
+            "assigned('T[1][b]'), assigned('T[1][c]'); unassign('T[1][b]'): T[1][b]; "
+            "L := [[1, 2], [3, 4]]: 'L[2][1]'; %;"
         ),
         ["3", "4", "true, false", "T[1][b]", "L[2][1]", "3"],
     ),

@@ -51,6 +51,13 @@ CASES = {
         "subs(x^2=0, x^3+x^2*k);",
         ["x^3"],
     ),
+    "a rate that the printed form has cancelled": (
+        (
+            "w := simplify(solve(a*diff(q(t),t)*cos(q(t)) = b*diff(p(t),t), diff(p(t),t))): i := w/diff(q(t),t): "
+            "subs(q(t) = 0, i); eval(i, q(t) = Pi/3); 1/diff(q(t),t): subs(q(t) = 1, w/diff(q(t),t)^2*diff(q(t),t));"
+        ),
+        ["a/b", "1/2*a/b", "a*cos(1)/b"],
+    ),
     "a sum inside a longer one stays": (
         "subs(a+b=c,a+b+d);",
         ["a+b+d"],

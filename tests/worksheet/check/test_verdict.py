@@ -46,6 +46,12 @@ def test_outputs_can_stand_further_down() -> None:
     assert [(one.line, one.kind) for one in check(text)] == [(1, "equal"), (3, "equal")]
 
 
+def test_outputs_that_are_broken_within_brackets_are_whole() -> None:
+    text = "> a := 1:\n> b := [f(x),\n> g(y)*2];\nb := [f(x),\n2*\ng(y)]\n\n> c := {x, 2};\n\nc := {2,\nx}\n"
+    assert check(text) == [Verdict(2, "equal"), Verdict(8, "equal")]
+    assert [each.kind for each in check(text.replace("\n2*", "\n3*"))] == ["differs", "equal"]
+
+
 def test_tables_have_no_order() -> None:
     text = "> T := table([a=x, b=y]): entries(T), [indices(T, 'nolist')];\n\n[y], [x], [b, a]\n"
     kinds = [

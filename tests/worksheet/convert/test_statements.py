@@ -242,6 +242,19 @@ def test_cases_texts_and_parts_of_solutions_are_code(
     assert capsys.readouterr().out == "6.28\n[4, 16]\nTrue\n4\n"
 
 
+def test_percent_signs_of_formats_are_single(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    program, _ = made(
+        'f := fopen("a.m", WRITE): fprintf(f, "%% by hand\\n"): fprintf(f, "%5.2f%%\\n", Pi): fclose(f):\n'
+        'printf("50%%\\n");'
+    )
+    assert (program.values, program.left_out) == (0, 0)
+    assert (tmp_path / "a.m").read_text() == "% by hand\n 3.14%\n"
+    assert capsys.readouterr().out == "50%\n"
+
+
 def test_a_radius_of_a_tyre_that_changes_leaves_the_road_at_rest() -> None:
     program, found = made(
         "with(MBSymba_r6): use_moving_frame(u(t), 0, 0, 0, 0, 0):\n"

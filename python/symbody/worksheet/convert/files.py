@@ -7,7 +7,9 @@ from typing import TypeAlias
 
 from symbody.symbolic import Expr
 from symbody.worksheet.convert.names import NoText
+from symbody.worksheet.convert.text_calls import formatted
 from symbody.worksheet.convert.writer import Arguments, Writer
+from symbody.worksheet.sheet import syntax
 
 __all__ = ["FILES"]
 
@@ -22,11 +24,12 @@ def _opened(text: Writer, arguments: Arguments) -> str:
 
 def _printed(text: Writer, arguments: Arguments) -> str:
     """Return ``fprintf`` as a format of Python."""
-    file, form, *rest = [text.text(each) for each in arguments]
-    if "%a" in form and any(isinstance(text.value(each), Expr) for each in rest):
+    file, form, *rest = arguments
+    if not isinstance(form, syntax.Text):
+        raise NoText("fprintf")
+    if "%a" in form.text and any(isinstance(text.value(text.text(each)), Expr) for each in rest):
         raise NoText("%a of an expression")  # Python writes x**2
-    values = f" % ({', '.join(rest)},)" if rest else ""
-    return f"{file}.write({form}{values})"
+    return f"{text.text(file)}.write({formatted(text, form.text, rest)})"
 
 
 def _path(method: str) -> Call:

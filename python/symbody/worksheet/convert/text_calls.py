@@ -34,7 +34,7 @@ def formatted(text: Writer, form: str, rest: Sequence[syntax.Expression]) -> str
     if kinds:
         raise NoText("printf")
     if not values:
-        return repr(form)
+        return repr(form.replace("%%", "%"))
     form = _CONVERSION.sub(lambda found: found[0][:-1] + "s" if found[1] == "a" else found[0], form)
     return f"{form!r} % ({', '.join(values)}{',' if len(values) == 1 else ''})"
 

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Protocol
 
-from symbody.errors import ExpressionError, WorksheetError
+from symbody.errors import DivisionByZeroError, ExpressionError, WorksheetError
 from symbody.symbolic import Expr, UndefinedFunction, free_symbols, pi, t, time_derivative
 from symbody.symbolic.expression.traverse import post_order
 from symbody.worksheet.printing.print import sort_key
@@ -314,10 +314,14 @@ def _evaluated(session: State, value: Expr) -> Value:
 
 
 def replaced(session: State, value: Expr, scalars: Mapping[Expr, Expr]) -> Value:
-    """Return a scalar with others in place of some; the root of what becomes a negative number is complex."""
+    """Return a scalar with others in place of some.
+
+    The root of what becomes a negative number is complex. What the printed form has cancelled, such as the rate in a
+    ratio of rates, is replaced nowhere.
+    """
     try:
         return value.subs(scalars)
-    except ExpressionError:
+    except (ExpressionError, DivisionByZeroError):
         return session.rebuild(value, dict(scalars))
 
 

@@ -151,7 +151,10 @@ def _read_paragraph(cells: _Cells, lines: Sequence[Line]) -> None:
 
 def _read_code(cells: _Cells, lines: Sequence[Line]) -> None:
     """Read lines from the first prompt on: code, up to lines without a prompt that can't be code."""
+    behind = 0
     for index, line in enumerate(lines):
+        if index < behind:
+            continue
         prompt = prompt_of(line)
         if prompt:
             if cells.printed:
@@ -163,6 +166,9 @@ def _read_code(cells: _Cells, lines: Sequence[Line]) -> None:
             cells.print_below(line)
         elif not cells.printed and _goes_on(cells.input, _unprompted(lines[index:])):
             cells.input.append(line)
+        elif broken := _broken_output(lines[index:]):
+            cells.print(" ".join(each.text.strip() for each in broken), line.line)
+            behind = index + len(broken)
         elif _is_output(line.text, cells.expected) or _repeats_target(cells.input, line):
             cells.print(line.text.strip(), line.line)
         elif ":=" in line.text or line.text.rstrip().endswith((";", ":")):
@@ -170,6 +176,24 @@ def _read_code(cells: _Cells, lines: Sequence[Line]) -> None:
         else:
             cells.doubt(line)
             cells.prose.append(line.text.strip())
+
+
+def _broken_output(lines: Sequence[Line]) -> Sequence[Line]:
+    """Return the lines of an output that is broken within brackets; nothing for another line."""
+    depth = 0
+    for count, line in enumerate(lines[:_HELD], start=1):
+        if prompt_of(line) or line.text.rstrip().endswith("..."):
+            return ()
+        kinds = [token.type for token in tokens_of(line)]
+        depth += sum(kind in _OPENING for kind in kinds) - sum(kind in _CLOSING for kind in kinds)
+        if depth <= 0:
+            text = " ".join(each.text.strip() for each in lines[:count])
+            return lines[:count] if count > 1 and depth == 0 and _is_output(text) else ()
+    return ()
+
+
+_OPENING = frozenset({"LPAR", "LSQB", "LBRACE"})
+_CLOSING = frozenset({"RPAR", "RSQB", "RBRACE"})
 
 
 def _is_printed_below(code: Sequence[Line], lines: Sequence[Line], index: int) -> bool:
@@ -276,6 +300,10 @@ def _read_text(cells: _Cells, lines: Sequence[Line]) -> None:
         cells.print("\n".join(line.text for line in lines), lines[0].line)
         return
     seen: list[str] = []
+    broken = _broken_output(lines) if cells.input else ()
+    if broken:
+        cells.print(" ".join(each.text.strip() for each in broken), lines[0].line)
+        lines = lines[len(broken) :]
     for line in lines:
         text = line.text.strip()
         if text in seen:  # the export repeats an output that had several lines
