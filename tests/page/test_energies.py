@@ -23,6 +23,7 @@ from symbody import (
 )
 from symbody.document.sections.energies import energies
 from symbody.document.subject import Subject
+from symbody.symbolic.calculus.reading import awkward_terms
 from symbody.symbolic.calculus.shown_form import shown_form
 from symbody.symbolic.calculus.summands import summands
 
@@ -61,6 +62,16 @@ def test_each_product_of_speeds_occurs_once(name: str) -> None:
     for p, q in combinations_with_replacement(map(time_derivative, coordinates), 2):
         terms = [term for term in summands(found) if not diff(diff(term, p), q).is_zero]
         assert len(terms) <= 1, (p, q)
+
+
+@pytest.mark.parametrize("name", MODELS)
+def test_an_entry_by_itself_has_flat_squares_of_lengths(name: str) -> None:
+    """``m2*(c2**2 + c2*l1*cos(q2))`` as in the matrix, which stood as ``c2*m2*(c2 + l1*cos(q2))`` by itself."""
+    bodies, coordinates = MODELS[name]
+    for entry in newton_euler(System(bodies, coordinates=coordinates)).mass_matrix.entries:
+        found = readable(entry)
+        assert found == entry
+        assert awkward_terms(found) == 0
 
 
 def test_a_report_has_the_same_terms() -> None:

@@ -19,7 +19,7 @@ from .reading import awkward_terms, nodes_of
 from .standard_names import standard_names
 from .summands import summands
 
-__all__ = ["energy_form", "quadratic_terms"]
+__all__ = ["energy_form", "flat_inertia", "quadratic_terms"]
 
 _MOST = 250
 """Operations up to which an energy is read."""
@@ -88,6 +88,32 @@ def _half(form: Expr) -> Expr:
     )
 
 
+def flat_inertia(expression: Expr, form: Expr) -> Expr:
+    """Return the form of an entry of a mass matrix, or another one whose quadratic forms of lengths are flat.
+
+    Args:
+        expression: the entry.
+        form: its form, such as ``l*m*(l + a*cos(q))``.
+
+    >>> from symbody import cos, functions_of_time, symbols
+    >>> q, (m, a, l) = functions_of_time("q"), symbols("m a l")
+    >>> flat_inertia(m * l**2 + m * a * l * cos(q), l * m * (l + a * cos(q)))
+    m*(l**2 + a*l*cos(q))
+    """
+    leaves = [leaf for leaf in expression.free_symbols if leaf.kind == "time_function"]
+    is_entry = leaves and not any(leaf.order for leaf in leaves) and cost(expression).total <= _MOST
+    inertias = _inertias(expression) if is_entry and awkward_terms(form) else ()
+    if not inertias:
+        return form
+    flat = Reader(standard_names([], [expression]), inertias=inertias)(expression)
+    is_flatter = awkward_terms(flat) < awkward_terms(form) and len(str(flat)) <= _FLATTER * len(str(form))
+    return flat if is_flatter else form
+
+
+_FLATTER = 1.25
+"""The length of a flat form, at most, in relation to one with a length before brackets in which it is."""
+
+
 def _is_nested(form: Expr) -> bool:
     """Return whether sums with speeds stand within sums with speeds, or a factor before brackets in which it is."""
     depth = dict[int, int]()
@@ -106,8 +132,17 @@ def _squared_speeds(expression: Expr) -> list[Expr]:
 
 
 def _inertias(expression: Expr) -> tuple[Expr, ...]:
-    """Return the masses and moments of inertia, in which an energy is linear and homogeneous; none if it isn't."""
+    """Return the masses and moments of inertia, one of which is a factor of each term; none if there are no such.
+
+    A length in which an energy is linear, too, is a factor beside masses: it has products with more of the others.
+    """
     slopes = {leaf: diff(expression, leaf) for leaf in expression.free_symbols if leaf.kind == "symbol"}
-    linear = {leaf: slope for leaf, slope in slopes.items() if leaf not in slope.free_symbols}
-    total = _core.sum_of([leaf * slope for leaf, slope in linear.items()])
-    return tuple(linear) if total == expression else ()
+    linear = sorted((leaf for leaf, slope in slopes.items() if leaf not in slope.free_symbols), key=str)
+    beside = {leaf: [each for each in linear if each in slopes[leaf].free_symbols] for leaf in linear}
+    while any(beside.values()):
+        length = max(beside, key=lambda leaf: (len(beside[leaf]), leaf * slopes[leaf] != expression))
+        beside = {
+            leaf: [each for each in beside[leaf] if each != length] for leaf in beside if leaf != length
+        }
+    total = _core.sum_of([leaf * slopes[leaf] for leaf in beside])
+    return tuple(beside) if total == expression else ()

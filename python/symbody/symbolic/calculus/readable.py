@@ -9,7 +9,7 @@ from symbody.symbolic.expression.container import Kind, is_container, rewritten
 from symbody.symbolic.expression.leaves import ExprLike
 from symbody.symbolic.given.arguments import expression_or_container
 
-from .energy_form import energy_form
+from .energy_form import energy_form, flat_inertia
 from .shortest_text import shortest_text
 
 __all__ = ["readable"]
@@ -26,7 +26,8 @@ def readable(expression: Any) -> Any:
     acceleration and each product of speeds, and one is multiplied out and simplified. Multiples of angles that the
     expression does not have count as longer. The text is never longer than that of the expression, unless that has
     a factor before brackets in which it occurs again, as ``c + x*(a + b*x)``. An energy whose brackets hold sums of
-    speeds in brackets has a coefficient for each product of speeds, too. Parts that are too large stay as they
+    speeds in brackets has a coefficient for each product of speeds, and entries of mass matrices have flat squares of
+    lengths, ``m*(l**2 + a*l*cos(q))``. Parts that are too large stay as they
     are. The value at the random point proves that the mathematics is unchanged.
 
     >>> from symbody import cos, readable, sin, symbols
@@ -43,4 +44,4 @@ def readable(expression: Any) -> Any:
 
 def _most_readable(expression: Expr) -> Expr:
     energy = energy_form(expression)
-    return shortest_text(expression) if energy is None else energy
+    return flat_inertia(expression, shortest_text(expression)) if energy is None else energy

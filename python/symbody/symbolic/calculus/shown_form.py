@@ -16,7 +16,7 @@ from symbody.symbolic._core import Expr
 from .by_rates import by_rates
 from .cost import cost
 from .derivative import substitute
-from .energy_form import energy_form
+from .energy_form import energy_form, flat_inertia
 from .idle import idle_symbols, without_idle_symbols
 from .reading import WAVES, awkward_terms, multiples_of_angles, nodes_of, parts_of
 from .rewrite import textbook_form
@@ -115,7 +115,7 @@ def _read(expression: Expr) -> Expr:
     apart = by_rates(expression, _coefficient)
     if cost(expression).total > _SHORT:
         return _coefficient(expression) if apart is None else apart
-    found = shortest_text(expression)
+    found = flat_inertia(expression, shortest_text(expression))
     return apart if apart is not None and len(str(apart)) <= _APART * len(str(found)) else found
 
 
