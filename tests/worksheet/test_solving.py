@@ -38,7 +38,7 @@ CASES = {
         ["{a = a, b = a*x, x = x}", "{u = 1/2-1/2*v^2, v = v}", "{u = 3-v, v = v}"],
     ),
     "branches in lists and expressions": (
-        "allvalues([[x=RootOf(_Z^2-3), y=1]]); allvalues(RootOf(_Z^2-2)+1); allvalues({u=2});",
+        "allvalues([[x=RootOf(_Z^2-3), y=1]]); allvalues(RootOf(z^2-2)+1); allvalues({u=2});",
         ["[[x = 3^(1/2), y = 1]], [[x = -3^(1/2), y = 1]]", "2^(1/2)+1, 1-2^(1/2)", "{u = 2}"],
     ),
     "a list under one derivative": (
@@ -172,3 +172,7 @@ def test_solutions_have_no_pivots_that_vanish() -> None:
 def test_fsolve_names_values_of_functions_that_have_no_number() -> None:
     (message,) = failures("fsolve({cos(p)+phi(0)=1, s=2}, {p=0..2, s=1..3});")
     assert "fsolve: phi(0) is in the equations, and not solved for" in message
+
+
+def test_roots_of_several_names_need_their_unknown() -> None:
+    assert failures("RootOf(x^2 - a);") == ["RootOf: x^2-a; expected its unknown, as in RootOf(x^2 - a, x)"]

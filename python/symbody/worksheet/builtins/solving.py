@@ -279,9 +279,15 @@ def _polynomial_of_root(value: Value) -> list[Expr] | None:
 
 
 def root_of(session: Session, equation: Value, *options: Value) -> Value:
-    """RootOf(p(x), x [, index = k]): a root of a polynomial, as such."""
+    """RootOf(p(x) [, x] [, index = k]): a root of a polynomial, as such; x may be left out if it is the only name."""
     (residual,) = residuals_of(session, equation)
     names = [each for each in options if isinstance(each, Expr) and each.kind == "symbol"]
+    if not names and symbol("_Z") not in residual.free_symbols:
+        names = list(residual.free_symbols)
+    if len(names) != 1 and symbol("_Z") not in residual.free_symbols:
+        raise WorksheetError(
+            f"RootOf: {session.text(residual)[:60]}; expected its unknown, as in RootOf(x^2 - a, x)"
+        )
     rest = tuple(each for each in options if isinstance(each, Relation))
     return Unevaluated(symbol("RootOf"), (residual.subs({each: symbol("_Z") for each in names}), *rest))
 

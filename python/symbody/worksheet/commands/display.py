@@ -39,7 +39,8 @@ def show(session: Session, thing: Value, *options: Value) -> Value:
     by_name = any(_word(option).startswith("synt") for option in options)
     for option in options:
         if not _word(option).startswith("synt"):
-            session.notices.append(f"show: the option {_word(option)} is not known; expected 'synthetic'")
+            text = _word(option) if isinstance(option, String | Expr) else session.text(option)[:60]
+            session.notices.append(f"show: the option {text} is not known; expected 'synthetic'")
     found = session.resolve(thing)
     if kind_of(found) == "":
         return _plain(session, found)
