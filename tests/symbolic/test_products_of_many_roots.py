@@ -1,4 +1,4 @@
-"""Products and sums of many roots and signs are equal in any order and nesting."""
+"""Products and sums of many factors, roots and signs are equal in any order and nesting, and what cancels is gone."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from operator import add, mul
 
 import pytest
 
-from symbody.symbolic import Abs, Expr, number, parse, sign, sqrt, symbols
+from symbody.symbolic import Abs, Expr, free_symbols, number, parse, sign, sin, sqrt, subs, symbols
 
-x, y = symbols("x y")
+x, y, z, w = symbols("x y z w")
 PARTS: dict[str, Callable[[int], Expr]] = {
     "roots": lambda k: sqrt(x**2 + k),
     "lengths": lambda k: sqrt((x - k) ** 2 + (y - 2 * k) ** 2),
@@ -40,3 +40,21 @@ def test_roots_of_a_number_that_make_it_are_the_number(whole: int) -> None:
     assert (root**2 * root).kind == "number"
     assert (sqrt(3) * (sqrt(5) * sqrt(whole))) == sqrt(15 * whole)
     assert sqrt((root**2 * root + 67) * x) == sqrt((whole + 67) * x)
+
+
+@pytest.mark.parametrize(
+    "quotient",
+    [
+        x * y * z / y,
+        x * y * z * w / y,
+        z * (x * (y * w)) / y,
+        x * sin(z) * y / (w * y),
+        (x * (z / y)) * (w * y),
+        (w * (x * y * z)) / (z * (x * y)),
+        reduce(mul, symbols("s:30"), y) / y,
+    ],
+    ids=str,
+)
+def test_a_factor_that_is_divided_by_is_gone_at_any_depth(quotient: Expr) -> None:
+    assert y not in free_symbols([quotient])
+    assert subs(quotient, {y: 0}) == quotient

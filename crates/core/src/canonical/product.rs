@@ -287,15 +287,14 @@ impl Graph {
 
     /// Open child products that share a base with a factor beside them where that cancels or merges roots.
     fn open_shared_products(&mut self, out: &mut Collector) {
-        for _ in 0..8 {
+        for _ in 0..MERGE_SEARCH {
             let beside = !out.primes.is_empty()
                 || out.factors.iter().any(|&(base, _)| self.kind(base) == Kind::Function(Function::Abs));
             let Some(position) = self.product_to_open(&out.factors, beside) else { return };
-            let (product, _) = out.factors.remove(position);
-            let View::Product(inner) = self.view(product) else { return };
-            let inner: Vec<(Id, Number)> =
-                inner.iter().map(|(id, e)| (id, self.get_number(e).clone())).collect();
+            let (product, outer) = out.factors.remove(position);
+            let inner: Vec<(Id, Number)> = self.inner_factors(product).collect();
             for (node, exponent) in inner {
+                let exponent = exponent.mul(&outer);
                 match self.as_number(node).cloned() {
                     Some(number) => out.push_power_of_number(&number, &exponent),
                     None => out.push(self, node, &exponent),
@@ -315,24 +314,44 @@ impl Graph {
         if factors.len() > MERGE_SEARCH {
             return None;
         }
-        let opens =
-            |&(base, ref exponent): &(Id, Number)| exponent.is_one() && self.kind(base) == Kind::Product;
-        let merging = factors.iter().filter(|factor| opens(factor) && self.holds_number_or_modulus(factor.0));
-        let has_others = merging.count() > 1 || beside;
-        factors.iter().position(|factor| {
-            opens(factor)
-                && (has_others && self.holds_number_or_modulus(factor.0)
-                    || self.inner_factors(factor.0).any(|(node, e)| {
-                        factors.iter().any(|(other, other_e)| {
-                            (self.same_up_to_sign(*other, node) && Self::merges(&e, other_e))
-                                || (opens(&(*other, other_e.clone()))
-                                    && *other != factor.0
-                                    && self
-                                        .inner_factors(*other)
-                                        .any(|(n, f)| self.same_up_to_sign(n, node) && Self::merges(&e, &f)))
-                        })
-                    }))
+        let has_radicals = |(base, exponent): &(Id, Number)| {
+            exponent.is_one() && self.kind(*base) == Kind::Product && self.holds_number_or_modulus(*base)
+        };
+        let radicals_merge = beside || factors.iter().filter(|factor| has_radicals(factor)).count() > 1;
+        let within: Vec<Vec<(Id, Number)>> =
+            factors.iter().map(|factor| self.factors_within(factor)).collect();
+        let merge =
+            |(a, e): &(Id, Number), (b, f): &(Id, Number)| Self::merges(e, f) && self.same_up_to_sign(*a, *b);
+        let merges_beside = |position: usize| {
+            let others = (0..factors.len()).filter(|&other| other != position);
+            let beside: Vec<_> =
+                others.flat_map(|other| within[other].iter().chain([&factors[other]])).collect();
+            within[position].iter().any(|factor| beside.iter().any(|other| merge(factor, other)))
+        };
+        (0..factors.len()).find(|&k| {
+            radicals_merge && has_radicals(&factors[k]) || !within[k].is_empty() && merges_beside(k)
         })
+    }
+
+    /// The factors inside of a factor that is a whole power of a product, and those of the products among them.
+    fn factors_within(&self, (base, exponent): &(Id, Number)) -> Vec<(Id, Number)> {
+        let mut found = Vec::new();
+        if self.kind(*base) != Kind::Product || !exponent.is_integer() {
+            return found;
+        }
+        let mut products = vec![(*base, exponent.clone())];
+        while let Some((product, outer)) = products.pop()
+            && found.len() < 2 * MERGE_SEARCH
+        {
+            for (node, exponent) in self.inner_factors(product) {
+                let exponent = exponent.mul(&outer);
+                if self.kind(node) == Kind::Product && exponent.is_integer() {
+                    products.push((node, exponent.clone()));
+                }
+                found.push((node, exponent));
+            }
+        }
+        found
     }
 
     /// Whether a product has factors that merge with others of their kind: roots of numbers, and moduli.
