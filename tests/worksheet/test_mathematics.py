@@ -107,6 +107,10 @@ def test_the_last_exception_is_kept() -> None:
             ["2+2*x+x^2+O(x^3)", "1+2*x+1/2*x^2+O(x^3)"],
         ),
         (
+            "convert(exp(x),trig); convert([sec(x),cot(x)],sincos);",
+            ["cosh(x)+sinh(x)", "[1/cos(x), cos(x)/sin(x)]"],
+        ),
+        (
             "convert(1/(x^2-1), parfrac, x); convert((2*a+x)/(x^2+a*x), parfrac, x);",
             ["1/2/(x-1)-1/2/(x+1)", "2/x-1/(a+x)"],
         ),

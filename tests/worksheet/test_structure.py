@@ -57,6 +57,13 @@ CASES = {
         "collect(a*x+b*x+c,x); collect((x+1)*(x+a),x,simplify);",
         ["x*(a+b)+c", "x^2+x*(a+1)+a"],
     ),
+    "negative powers": (
+        (
+            "coeff(a/x^2+b,x,-2), coeff(expand((x+1)^2/x),x,-1), ldegree(x+1/x,x), degree(1/x,x);"
+            " collect(a*V+b/V+c*V+d/V,V,simplify);"
+        ),
+        ["a, 1, -1, -1", "V*(a+c)+(b+d)/V"],
+    ),
     "parts of a structured type": (
         (
             "e := X*cos(d) + m*diff(x(t),t,t): indets(e,'specfunc(anything,diff)'); indets(e,specfunc(cos));"

@@ -222,6 +222,31 @@ def test_what_may_be_output_has_a_verdict(text: str, expected: list[str]) -> Non
     assert [f"{one.line} {one}" for one in check(text)] == expected
 
 
+def test_prose_is_no_text_that_a_statement_printed() -> None:
+    text = """Numbers of the links
+
+> printf("%d links\\n",4);
+
+4 links
+
+> printf("%d\\n",2);
+
+![](links.png)
+
+here are 2 pictures of it
+
+> printf("crank = %f\\n",1.5);
+
+rocker = 1.500000
+"""
+    assert [f"{one.line} {one}" for one in check(text)] == [
+        "3 equal",
+        "7 not comparable: a picture, or in Maple's own encoding",
+        "7 not comparable: the text below it may be prose: here are 2 pictures of it",
+        "13 differs: the file has 'rocker = 1.500000', the run 'crank = 1.500000'",
+    ]
+
+
 @pytest.mark.parametrize(
     ("text", "reason"),
     [

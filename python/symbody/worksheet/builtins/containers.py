@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from symbody.errors import WorksheetError
-from symbody.symbolic import Expr, cos, exp, number, pi, sin
+from symbody.symbolic import Expr, cos, cosh, exp, number, pi, sin, sinh
 from symbody.symbolic.expression.traverse import post_order
 from symbody.worksheet.builtins.arrays import array_of
 from symbody.worksheet.builtins.elementary import in_decimals
@@ -203,7 +203,11 @@ _EXPONENTIALS: dict[str, Callable[[Expr], Expr]] = {
     "cosh": lambda u: (exp(u) + exp(-u)) / 2,
     "tanh": lambda u: (exp(u) - exp(-u)) / (exp(u) + exp(-u)),
 }
-_LEFT = {"exp": frozenset({"sin", "cos", "tan"}), "sincos": frozenset({"sinh", "cosh", "tanh"})}
+_LEFT = {
+    "exp": frozenset({"sin", "cos", "tan"}),
+    "sincos": frozenset({"sinh", "cosh", "tanh"}),
+    "trig": frozenset[str](),
+}
 
 
 def _rewritten(kind: str, forms: dict[str, Callable[[Expr], Expr]]) -> Command:
@@ -225,6 +229,8 @@ def _rewritten(kind: str, forms: dict[str, Callable[[Expr], Expr]]) -> Command:
                     each = each.subs({node: forms[node.name](*node.args)})
             return each
 
+        if kind == "sincos":
+            session.options.reciprocals -= {"sec", "csc"}  # from now on 1/cos(u) is printed so
         return entrywise(session, value, rewrite)
 
     return conversion
@@ -254,7 +260,7 @@ _CONVERSIONS: dict[str, Command] = {
     "degrees": _to_degrees,
     "radians": _to_radians,
     "exp": _rewritten("exp", _EXPONENTIALS),
-    "trig": _same,
+    "trig": _rewritten("trig", {"exp": lambda u: cosh(u) + sinh(u)}),
     "sincos": _rewritten("sincos", {"tan": lambda u: sin(u) / cos(u)}),
     "diff": _same,
     "D": _same,

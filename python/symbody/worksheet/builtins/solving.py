@@ -24,7 +24,7 @@ from symbody.worksheet.mathematics.closed_roots import (
 )
 from symbody.worksheet.mathematics.elimination import eliminated_roots
 from symbody.worksheet.mathematics.exact_angle import with_exact_angles
-from symbody.worksheet.mathematics.factors_of_equation import simpler_equations
+from symbody.worksheet.mathematics.factors_of_equation import is_pole, simpler_equations
 from symbody.worksheet.mathematics.multiplicity import repeated
 from symbody.worksheet.mathematics.root_finding import newton
 from symbody.worksheet.values.complex_number import I, has_i, of_number
@@ -133,6 +133,7 @@ def solutions(session: Session, residuals: list[Expr], unknowns: list[Expr]) -> 
     parts = simpler_equations(left[0], unknowns[0]) if len(left) == len(unknowns) == 1 else None
     if parts is not None:
         united = [each for part in parts for each in solutions(session, [part], unknowns)]
+        united = [each for each in united if not is_pole(left[0], unknowns[0], each[unknowns[0]])]
         return [each for k, each in enumerate(united) if each not in united[:k]]
     try:
         found = all_solutions(left, unknowns)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-__all__ = ["same_words", "text_difference"]
+__all__ = ["may_be_prose", "same_words", "text_difference"]
 
 _NUMBER = re.compile(r"(?<![\w.])[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?(?![\w.])")
 
@@ -22,6 +22,13 @@ def text_difference(theirs: str, ours: str) -> str:
 def same_words(theirs: str, ours: str) -> bool:
     """Whether two texts are the same but for their numbers and blanks."""
     return _words(theirs) == _words(ours)
+
+
+def may_be_prose(theirs: str, ours: str) -> bool:
+    """Whether a text of the file is a sentence that shares less than half of its words with the text of the run."""
+    words = re.findall(r"[^\W\d_]{2,}", theirs)
+    printed = re.findall(r"[^\W\d_]{2,}", ours)
+    return len(words) > 2 and 2 * sum(word in printed for word in words) < len(words)
 
 
 def _words(text: str) -> list[str]:

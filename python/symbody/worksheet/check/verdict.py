@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -11,7 +12,7 @@ from symbody.worksheet.check.code import code_difference
 from symbody.worksheet.check.compare import difference
 from symbody.worksheet.check.failures import expected_failures
 from symbody.worksheet.check.printed import NotComparable, is_cut
-from symbody.worksheet.check.texts import text_difference
+from symbody.worksheet.check.texts import may_be_prose, text_difference
 from symbody.worksheet.reading.prompts import is_declaration, is_picture
 from symbody.worksheet.reading.two_dimensions import is_layout
 from symbody.worksheet.sheet import syntax
@@ -233,12 +234,12 @@ def _difference(block: Block, output: Output) -> str:
     if not prints_text(output.statement):
         return difference(block.text, output.text, output.aliases)
     reason = text_difference(block.text, output.text)
-    if not reason or not isinstance(output.statement, syntax.For | syntax.If):
-        return reason
-    try:  # a loop prints values too
-        return difference(block.text, output.text, output.aliases) and reason
-    except NotComparable:
-        return reason
+    if reason and isinstance(output.statement, syntax.For | syntax.If):
+        with contextlib.suppress(NotComparable):  # a loop prints values too
+            reason = difference(block.text, output.text, output.aliases) and reason
+    if reason and may_be_prose(block.text, output.text):
+        raise NotComparable(f"the text below it may be prose: {_shown(block.text)}")
+    return reason
 
 
 def _declared(block: Block, output: Output) -> Verdict:

@@ -13,7 +13,9 @@ from typing import TYPE_CHECKING
 
 from symbody.deferred import Deferred
 from symbody.errors import ExpressionError, WorksheetError
-from symbody.symbolic import Expr, acos, asin, atan, cos, exp, log, number, sin, tan
+from symbody.symbolic import Expr, acos, asin, atan, cos, exp, expand, log, number, sin, tan
+from symbody.symbolic.expression.traverse import post_order
+from symbody.worksheet.mathematics.common_fraction import common_fraction
 from symbody.worksheet.mathematics.cubic import cubic_roots
 from symbody.worksheet.mathematics.polynomial import coefficients
 from symbody.worksheet.values.complex_number import I, angle_of, of_number, root_of_negative
@@ -34,20 +36,38 @@ _Z = symbol("_Z")
 
 def closed_roots(residual: Expr, unknown: Expr) -> list[Value] | None:
     """Return the roots of an equation in one unknown; None if there is no form for them."""
-    known = polynomial_in(residual, unknown)
+    known = polynomial_in(_numerator(residual, unknown), unknown)
     if known is None:
         return _peeled(residual, unknown)
     return roots_of(known) if len(known) > 1 else None
 
 
 def polynomial_in(residual: Expr, unknown: Expr) -> list[Expr] | None:
-    """Return the coefficients of the numerator of an expression, the constant first; None for no polynomial."""
+    """Return the coefficients of a polynomial, the constant first; None for another expression."""
+    if not _is_polynomial(residual, unknown):
+        return None
     try:
         found = coefficients(residual, unknown)
     except (WorksheetError, ExpressionError):
         return None
     coefficients_ = [found.get(k, number(0)) for k in range(max(found, default=0) + 1)]
     return None if any(each.has(unknown) for each in coefficients_) else coefficients_
+
+
+def _is_polynomial(value: Expr, unknown: Expr) -> bool:
+    """Whether nothing else than sums, products and whole positive powers contains the unknown."""
+    for node in post_order([value], lambda node: node.args, lambda node: node.id):
+        if node == unknown or not node.has(unknown) or node.kind in ("sum", "product"):
+            continue
+        exponent = node.args[1] if node.kind == "power" else number(-1)
+        if not exponent.is_number or exponent.ratio[1] != 1 or exponent.ratio[0] < 0:
+            return False
+    return True
+
+
+def _numerator(residual: Expr, unknown: Expr) -> Expr:
+    """Return what is zero where a rational function of the unknown is."""
+    return residual if _is_polynomial(residual, unknown) else expand(common_fraction(residual)[0])
 
 
 def roots_of(known: Sequence[Expr]) -> list[Value]:

@@ -10,12 +10,13 @@ from collections.abc import Iterator
 
 from symbody.symbolic import Expr, atan, cos, expand, factor_terms, sin
 from symbody.worksheet.mathematics.closed_roots import polynomial_in, roots_of
+from symbody.worksheet.mathematics.common_fraction import common_fraction
 from symbody.worksheet.mathematics.polynomial import reduced
 from symbody.worksheet.values.complex_number import has_i
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.structure import Tree, tree_of, walk
 
-__all__ = ["simpler_equations"]
+__all__ = ["is_pole", "simpler_equations"]
 
 _VALUE = symbol("_value")
 
@@ -32,6 +33,12 @@ def simpler_equations(residual: Expr, unknown: Expr) -> list[Expr] | None:
         if found is not None:
             return found
     return None
+
+
+def is_pole(residual: Expr, unknown: Expr, root: object) -> bool:
+    """Whether a denominator of an equation is zero at a root of its numerator: 1 of ``(x^2 - 1)/(x - 1) = 0``."""
+    below = common_fraction(residual)[1]
+    return isinstance(root, Expr) and below.has(unknown) and expand(below.subs({unknown: root})).is_zero
 
 
 def _factors(residual: Expr, unknown: Expr) -> list[Expr] | None:

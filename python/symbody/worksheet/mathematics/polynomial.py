@@ -13,7 +13,7 @@ _LEAVES = ("symbol", "time_function", "application", "function")
 
 
 def coefficients(value: Expr, variable: Expr) -> dict[int, Expr]:
-    """Return the coefficients of a polynomial by exponent, those that are zero left out.
+    """Return the coefficients of a polynomial by exponent, those that are zero left out; ``a/x`` has exponent -1.
 
     Raises:
         WorksheetError: the value is not a polynomial in the variable.
@@ -24,33 +24,39 @@ def coefficients(value: Expr, variable: Expr) -> dict[int, Expr]:
     if variable.kind not in _LEAVES:
         base = symbol("_part")
         value = value.subs({variable: base})
+    lowest, highest = _bounds(value, base)
+    if lowest < 0:
+        value = expand(expand(value) * base**-lowest)
     try:
-        found = {n: coeff(value, base, n) for n in range(_highest(value, base) + 1)}
+        found = {n: coeff(value, base, n - lowest) for n in range(lowest, highest + 1)}
     except ExpressionError as error:
         raise WorksheetError(f"coeff: {error}") from error
     return {n: each for n, each in found.items() if not each.is_zero}
 
 
-def _highest(value: Expr, variable: Expr) -> int:
-    """Return a bound of the degree of a polynomial."""
-    bounds: dict[int, int] = {}
+def _bounds(value: Expr, variable: Expr) -> tuple[int, int]:
+    """Return bounds of the exponents of a variable: the lowest, at most 0, and the highest, at least 1."""
+    bounds: dict[int, tuple[int, int]] = {}
     for node in walk(tree_of(value)):
         parts = [bounds[id(part)] for part in node.parts]
+        low, high = 0, 0
         if node.value == variable:
-            bound = 1
+            low, high = 1, 1
         elif node.kind == "product":
-            bound = sum(parts)
+            low, high = sum(part[0] for part in parts), sum(part[1] for part in parts)
         elif node.kind == "power":
             exponent = node.parts[1].value
-            whole = exponent.is_number and exponent.ratio[1] == 1 and exponent.ratio[0] > 0
-            bound = parts[0] * exponent.ratio[0] if whole else 0
-        else:
-            bound = max(parts, default=0) if node.kind == "sum" else 0
-        bounds[id(node)] = bound
-    highest = bounds[id(tree_of(value))]
-    if highest > 200:
-        raise WorksheetError(f"coeff: a polynomial of degree {highest}; expected at most 200")
-    return max(highest, 1)
+            whole = exponent.ratio[0] if exponent.is_number and exponent.ratio[1] == 1 else 0
+            is_sum = node.parts[0].kind == "sum"
+            ends = (parts[0][0] * whole, parts[0][1] * whole) if whole > 0 or not is_sum else (0, 0)
+            low, high = min(ends), max(ends)
+        elif node.kind == "sum":
+            low, high = min(part[0] for part in parts), max(part[1] for part in parts)
+        bounds[id(node)] = low, high
+    low, high = bounds[id(tree_of(value))]
+    if high > 200 or low < -200:
+        raise WorksheetError(f"coeff: a polynomial of degree {max(high, -low)}; expected at most 200")
+    return min(low, 0), max(high, 1)
 
 
 def degree(value: Expr, variable: Expr) -> int:

@@ -7,7 +7,7 @@ as statements, each with its terminator; it is output if it can be read as a val
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
 from lark import Token
@@ -51,7 +51,8 @@ _HELD = 20
 class _Cells:
     """The cells that are complete, and what is known of the next one.
 
-    ``held`` are lines without a prompt that are code if later lines close a bracket that is open, else prose.
+    ``held`` are lines without a prompt that are code if later lines close a bracket that is open, else prose. The first
+    ``prose_above`` pieces of ``prose`` stand above the code.
     """
 
     done: list[Cell] = field(default_factory=list)
@@ -60,7 +61,14 @@ class _Cells:
     printed_at: list[int] = field(default_factory=list)
     doubtful: list[Line] = field(default_factory=list)
     prose: list[str] = field(default_factory=list)
+    prose_above: int = 0
     held: list[Line] = field(default_factory=list)
+
+    def add_input(self, lines: Iterable[Line]) -> None:
+        """Add lines of code; the prose that was read before the first of them stands above the cell's output."""
+        if not self.input:
+            self.prose_above = len(self.prose)
+        self.input += lines
 
     def close(self) -> None:
         """Complete the cell, if it has code."""
@@ -159,7 +167,7 @@ def _read_code(cells: _Cells, lines: Sequence[Line]) -> None:
         if prompt:
             if cells.printed:
                 cells.close()
-            cells.input += inputs(line, prompt)
+            cells.add_input(inputs(line, prompt))
         elif is_declaration(line.text):
             cells.print(line.text.strip(), line.line)
         elif _is_printed_below(cells.input, lines, index):
@@ -290,9 +298,9 @@ def _read_text(cells: _Cells, lines: Sequence[Line]) -> None:
     """Read a paragraph that is no continuation."""
     if _is_code(lines):
         cells.close()
-        cells.input += lines
+        cells.add_input(lines)
         return
-    if cells.input and _prints(cells.input) and not cells.prose:
+    if cells.input and _prints(cells.input) and len(cells.prose) == cells.prose_above:
         for line in lines:
             cells.print_below(line)
         return
