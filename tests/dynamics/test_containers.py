@@ -194,6 +194,18 @@ def test_latex_of_containers() -> None:
     assert latex({"a_b": 1}) == r"\begin{aligned} \text{a}\_\text{b} &= 1 \end{aligned}"
 
 
+def test_notebooks_show_forms_for_the_reader() -> None:
+    """A form of the computation had five times the length of the equation."""
+    p, q = functions_of_time("p q")
+    link = rotate("Z", p) * translate(l, 0, 0)
+    bodies = [Body(link, m), Body(link * rotate("Y", q) * translate(l, 0, 0), m)]
+    equations = newton_euler(System(bodies, coordinates=[p, q], gravity=Vector(ground, 0, -g, 0)))
+    for shown in (equations.residuals[0], equations.mass_matrix):
+        assert (
+            shown._repr_latex_() == rf"$\displaystyle {latex(shown)}$" != rf"$\displaystyle {shown.latex()}$"
+        )
+
+
 def model() -> Equations:
     bob = Body(rotate("Z", phi) * translate(0, -l, 0), m, name="bob")
     spring = Force(ground, -k * x, 0, 0, at=bob.center_of_mass, on=bob)

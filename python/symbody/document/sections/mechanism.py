@@ -13,7 +13,7 @@ from symbody.dynamics.display.row import written
 from symbody.errors import SymbodyError
 from symbody.geometry import Vector
 from symbody.multibody import Body, System
-from symbody.multibody.element.element import is_along_line, terms_of_law
+from symbody.multibody.element.element import Element, is_along_line, terms_of_law
 from symbody.multibody.quantity.role import in_order, units_of_names
 from symbody.symbolic import Expr, cost, free_symbols, latex, listing
 from symbody.symbolic.expression.latex_layout import LINE, width
@@ -79,12 +79,14 @@ def _numbers(subject: Subject, drawn: DrawableMotion) -> list[Block]:
 
 
 def _placing(subject: Subject) -> list[Expr]:
-    """Return the coordinates and parameters that place bodies, in their order."""
+    """Return the coordinates and parameters that place bodies and the ends of springs, in their order."""
     system = subject.mechanism
     if system is None:
         return []
     poses = (body.frame.pose for body in system.bodies)
     entries = [entry for rows, at in poses for entry in (*rows[0], *rows[1], *rows[2], *at)]
+    ends = (end for load in system.loads if isinstance(load, Element) for end in load.ends)
+    entries += [entry for end in ends for entry in end.coordinates]
     leaves = free_symbols([*entries, *system.position_constraints])
     symbols = sorted((leaf for leaf in leaves if leaf.kind == "symbol"), key=in_order)
     return [*(q for q in system.coordinates if q in leaves), *symbols]

@@ -17,6 +17,9 @@ AXES = tuple((number(int(k == 0)), number(int(k == 1)), number(int(k == 2))) for
 def kinds_of_coordinates(system: System) -> dict[Expr, str]:
     """Return the kinds of functions of time, from the frames of bodies and the names of natural coordinates.
 
+    One that displaces by itself is a length, as x in ``x`` and ``-x/r``; others that turn are angles, as phi in
+    ``0.3*phi`` and ``-phi``.
+
     >>> from symbody import Body, functions_of_time, rotate, translate
     >>> x, phi = q = functions_of_time("x phi")
     >>> kinds_of_coordinates(System([Body(translate(x, 0, 0) * rotate("Z", phi), 1, 1, 1, 1)], coordinates=q))
@@ -27,8 +30,9 @@ def kinds_of_coordinates(system: System) -> dict[Expr, str]:
     twists = [m.twist for m in motions if m.twist is not None]
     twists += [] if system.root.carrier is None else [system.root.carrier]
     for kind, leaves in (
-        ("length", (leaf for motion in motions for leaf in _moving_multiples(motion.displacement))),
+        ("length", (leaf for motion in motions for leaf in motion.displacement if leaf.depends_on_time)),
         ("angle", (leaf for motion in motions for leaf in _angles(motion))),
+        ("length", (leaf for motion in motions for leaf in _moving_multiples(motion.displacement))),
         ("length", (x for point in natural_points(system) for x in point.coordinates)),
         ("velocity", (u for twist in twists for u in twist.linear)),
         ("angular velocity", (u for twist in twists for u in twist.angular)),
@@ -62,7 +66,7 @@ def natural_points(system: System) -> list[Point]:
 
 
 def multiples(expressions: Iterable[Expr]) -> list[Expr]:
-    """Return the names that appear in expressions multiplied by a number.
+    """Return the names that appear in expressions multiplied by a number other than zero.
 
     >>> from symbody import sin, symbols
     >>> a, b, c = symbols("a b c")
@@ -73,7 +77,7 @@ def multiples(expressions: Iterable[Expr]) -> list[Expr]:
         leaf
         for expression in expressions
         for leaf in sorted(expression.free_symbols, key=str)
-        if expression.diff(leaf).kind == "number"
+        if (slope := expression.diff(leaf)).kind == "number" and not slope.is_zero
     ]
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations
 
+from symbody.geometry import Point
 from symbody.multibody.body import Body
 from symbody.multibody.element.element import Element
 from symbody.multibody.system import System
@@ -74,17 +75,28 @@ def _of_system(system: System) -> Iterator[tuple[Expr, Role]]:
     for each in () if gravity is None else multiples(gravity.components):
         yield each, ("acceleration of gravity", "m/s²")
     yield from _of_laws(system)
+    kinds = kinds_of_coordinates(system)
     for motion in (motion for body in system.bodies for motion in body.frame.motions):
-        yield from ((leaf, LENGTH) for leaf in multiples(motion.displacement))
+        shifts = multiples(motion.displacement)
+        yield from ((leaf, LENGTH) for leaf in shifts if kinds.get(leaf) != "angle")
         yield from ((leaf, ("velocity", "m/s")) for leaf in multiples(map(_rate, motion.displacement)))
         if motion.turn_axis is not None:
-            yield from ((leaf, ANGLE) for leaf in multiples(motion.variables))
+            turns = multiples(motion.variables)
+            yield from ((leaf, ANGLE) for leaf in turns if kinds.get(leaf) != "length")
             rates = multiples(map(_rate, motion.variables))
             yield from ((leaf, ("angular velocity", "rad/s")) for leaf in rates)
+    for point in _ends_of_lines(system):
+        yield from ((leaf, LENGTH) for leaf in multiples(point.coordinates))
     yield from _of_loads(system)
     points = (action.point for load in system.loads for action in load.actions if action.point is not None)
     for point in (*(body.center_of_mass for body in system.bodies), *points):
         yield from ((leaf, LENGTH) for leaf in multiples(point.coordinates))
+
+
+def _ends_of_lines(system: System) -> Iterator[Point]:
+    """Yield the points between which springs and other forces along lines act."""
+    for load in system.loads:
+        yield from load.ends if isinstance(load, Element) else ()
 
 
 def _rate(given: Expr) -> Expr:
@@ -164,9 +176,19 @@ def _role_in_law(argument: str, element: Element) -> Role:
 
 
 def _of_loads(system: System) -> Iterator[tuple[Expr, Role]]:
+    """Yield the terms of forces and torques, such as F; not x0 in ``-100*(x - x0)``, where 100 has a unit."""
+    unknowns = {*system.coordinates, *system.coordinate_rates, *system.speeds}
     for action in (action for load in system.loads for action in load.actions):
         role = ("force", "N") if action.is_force else ("torque", "N m")
-        yield from ((each, role) for each in multiples(action.vector.components))
+        for component in action.vector.components:
+            squares = {leaf: component.diff(leaf) ** 2 for leaf in multiples([component])}
+            of_unknowns = {square for leaf, square in squares.items() if leaf in unknowns}
+            pure = _PURE - of_unknowns
+            yield from ((leaf, role) for leaf, square in squares.items() if square in pure)
+
+
+_PURE = frozenset(number(square) for square in ("1", "4", "1/4"))
+"""The squares of 1, 2 and 1/2, by which a force is multiplied; other numbers may have units."""
 
 
 def _geometry(system: System) -> Iterator[tuple[Expr, tuple[int, ...]]]:
@@ -175,7 +197,7 @@ def _geometry(system: System) -> Iterator[tuple[Expr, tuple[int, ...]]]:
         yield from ((component, (1,)) for component in motion.displacement)
         if motion.turn_axis is None and motion.rotates:
             yield from ((entry, (0,)) for axis in AXES for entry in motion.to_parent(axis))
-    points = (body.center_of_mass for body in system.bodies)
+    points = (*(body.center_of_mass for body in system.bodies), *_ends_of_lines(system))
     yield from ((component, (1,)) for point in points for component in point.coordinates)
     yield from ((each, (0, 1, 2)) for each in (*system.position_constraints, *system.eliminated_constraints))
 

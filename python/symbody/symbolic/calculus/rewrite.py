@@ -139,8 +139,9 @@ def simplify(expression: Kind) -> Kind: ...
 def simplify(expression: Any) -> Any:
     """Return the cheapest form that a fixed list of rewrites finds.
 
-    The search is bounded and deterministic, and the result never costs more than the expression. The value at the
-    random point proves that the mathematics is unchanged.
+    It seeks the form that takes the fewest operations, for code; `readable` seeks the form for text to be read. The
+    search is bounded and deterministic, and the result never costs more than the expression. The value at the random
+    point proves that the mathematics is unchanged.
 
     >>> from symbody import cos, simplify, sin, symbols
     >>> a, b, x = symbols("a b x")

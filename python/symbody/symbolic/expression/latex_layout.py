@@ -237,18 +237,43 @@ def _without_long_fractions(formula: str, line: int) -> str:
 def _without_long_fraction(term: str, line: int) -> str:
     r"""Return a term with its first fraction, if its numerator is too long, as a factor before the numerator.
 
+    If the last factor of the numerator is a sum that fits, it stays over the denominator.
+
     >>> print(_without_long_fraction(r"- a \frac{b + c}{2}", 2))
     - a \frac{1}{2} \left(b + c\right)
+    >>> print(_without_long_fraction(r"\frac{k n \left(x - y\right)}{c}", 4))
+    k n \frac{x - y}{c}
     """
     before, found, rest = term.partition(r"\frac{")
     numerator, rest = _group(rest)
     is_inside = before.count("{") > before.count("}") or before.count(r"\left") > before.count(r"\right")
     if not found or is_inside or width(numerator) <= line:
         return term
+    denominator, rest = _group(rest.removeprefix("{"))
     if len(terms_of(_tokens(numerator))) > 1:
         numerator = rf"\left({numerator}\right)"
-    denominator, rest = _group(rest.removeprefix("{"))
+    factors, last = _last_sum(numerator)
+    if last and width(last) <= line:
+        return rf"{before}{factors}\frac{{{last}}}{{{denominator}}}{rest}"
     return rf"{before}\frac{{1}}{{{denominator}}} {numerator}{rest}"
+
+
+def _last_sum(product: str) -> tuple[str, str]:
+    r"""Return the factors before the sum in brackets that ends a product, and this sum; nothing if none does.
+
+    >>> _last_sum(r"k n \left(x - y\right)")
+    ('k n ', 'x - y')
+    """
+    tokens, level, opening = _tokens(product), 0, 0
+    texts = [token.text for token in tokens]
+    for place, token in enumerate(tokens):
+        if token.role == "factor" and not level:
+            opening = place
+        level += (token.role in {"open", "factor", "argument", "kept"}) - (token.role == "close")
+        if token.role == "close" and not level and place < len(tokens) - 2:
+            opening = 0
+    is_last = opening and texts[-2:] == [r"\right", ")"]
+    return ("".join(texts[:opening]), "".join(texts[opening + 2 : -2])) if is_last else ("", "")
 
 
 def _group(text: str) -> tuple[str, str]:

@@ -40,7 +40,9 @@ _Piece: TypeAlias = tuple[Token, ...]
 _OPENING: Collection[Role] = {"open", "factor", "argument", "kept"}
 _SUMS: Collection[Role] = {"open", "factor"}
 _LONG = 0.6
-"""The part of a line from which on a bracket is broken before the product in which it stands is."""
+"""The part of a line from which on a bracket is broken before the product in which it stands is, and a part is long."""
+_HALF, _INDENT = 0.3, 4
+"""The least part of a line that each of two parts of a term fills, and the characters that the second is indented."""
 _SHORT = 12
 """The characters of a side of an equation that never stands alone."""
 _DEEPEST = 5
@@ -111,13 +113,34 @@ def terms_of(tokens: Sequence[Token]) -> list[tuple[Token, ...]]:
 def _parts(term: _Piece, room: int) -> list[_Piece]:
     """Return the parts of a term that is too long: it is broken in long sums and before short ones.
 
-    If nothing else can be, short sums are broken, and at last the arguments of functions.
+    Before that, two parts are tried of which the first isn't short: those before and after a factor or a division. If
+    nothing else can be, short sums are broken, and at last the arguments of functions.
     """
+    halves = _halves(term, room)
+    if halves:
+        return halves
     for kinds, long in ((_SUMS, _LONG * room), (_SUMS, 0), ({*_SUMS, "argument"}, 0)):
         places = [*_breaks(term, 0, len(term), kinds, long)]
         if places:
             return _split(term, places)
     return [term]
+
+
+def _halves(term: _Piece, room: int) -> list[_Piece]:
+    """Return a term in two parts, the first as long as possible: both fit, or the first fills most of a line."""
+    level = 0
+    found = list[list[_Piece]]()
+    for place, token in enumerate(term):
+        if place and not level and (token.role == "factor" or _divides(term, place)):
+            found.append(_split(term, [place]))
+        level += (token.role in _OPENING) - (token.role == "close")
+    fitting = [each for each in found if all(_HALF * room <= _width(part) <= room - _INDENT for part in each)]
+    return next(reversed(fitting or [each for each in found if _LONG * room <= _width(each[0]) <= room]), [])
+
+
+def _divides(term: _Piece, place: int) -> bool:
+    """Return whether a token is the division by a function, as by a root."""
+    return term[place].text == "/" and any(token.role == "argument" for token in term[place + 1 : place + 3])
 
 
 def _breaks(term: _Piece, start: int, end: int, kinds: Collection[str], long: float) -> Iterator[int]:

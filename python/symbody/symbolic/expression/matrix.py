@@ -13,7 +13,7 @@ from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 from symbody.symbolic.expression.array import is_array
 from symbody.symbolic.expression.encoding import Encoded, decode, encode
-from symbody.symbolic.expression.latex_layout import bmatrix, displayed, with_definitions
+from symbody.symbolic.expression.latex_layout import bmatrix, with_definitions
 from symbody.symbolic.expression.leaves import ExprLike
 from symbody.symbolic.expression.naming import latex_listing
 from symbody.symbolic.expression.to_sympy import ToSympy, import_sympy
@@ -239,9 +239,6 @@ class Matrix:
         """Return the matrix in LaTeX."""
         definitions, texts = latex_listing(self.entries)
         return with_definitions(definitions, bmatrix(texts, self.columns))
-
-    def _repr_latex_(self) -> str:
-        return displayed(self.latex())
 
 
 def _made(rows: int, columns: int, entries: tuple[Expr, ...]) -> Matrix:

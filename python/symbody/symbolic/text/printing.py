@@ -9,7 +9,9 @@ from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 from symbody.symbolic.calculus.shown_form import ShownForms, shown_form
 from symbody.symbolic.expression.container import Typeset, in_latex, is_container, printed_in
+from symbody.symbolic.expression.latex_layout import displayed
 from symbody.symbolic.expression.leaves import ExprLike
+from symbody.symbolic.expression.matrix import Matrix
 from symbody.symbolic.expression.naming import latex_listing, latex_of, naming_of
 from symbody.symbolic.given.arguments import expression_or_container
 
@@ -38,6 +40,15 @@ def latex(expression: Any) -> str:
     if isinstance(expression, Typeset) and not isinstance(expression, type | Expr):
         return expression.latex()
     return latex_of(shown_form(expression_or_container(expression, "latex")))
+
+
+def _repr_latex_(thing: Expr | Matrix) -> str:
+    """Return what a notebook shows of an expression or a matrix."""
+    return displayed(latex(thing))
+
+
+Expr._repr_latex_ = _repr_latex_  # type: ignore[assignment, method-assign]  # their room finds no forms for the reader
+Matrix._repr_latex_ = _repr_latex_  # type: ignore[attr-defined]
 
 
 def maple(expression: ExprLike) -> str:

@@ -1,0 +1,63 @@
+"""Units of names: none is told that the model doesn't show."""
+
+from __future__ import annotations
+
+import pytest
+
+from symbody import (
+    Body,
+    Expr,
+    Force,
+    Point,
+    System,
+    functions_of_time,
+    ground,
+    number,
+    rotate,
+    spring,
+    symbols,
+    t,
+    time_derivative,
+    translate,
+)
+from symbody.multibody.quantity.role import units_of_names
+
+x, phi = functions_of_time("x phi")
+m, J, F, x0, a, b, c, k, r = symbols("m J F x0 a b c k r")
+CART = Body(translate(x, 0, 0), m)
+TUB = Body(translate(x, r, 0), m)
+PUSHED = "F N, m kg, x m"
+
+
+def pushed(force: Expr) -> System:
+    return System([CART], [Force(ground, force, 0, 0, at=CART.center_of_mass, on=CART)], coordinates=[x])
+
+
+def rolling(shift: Expr, turn: Expr, q: Expr) -> System:
+    return System([Body(translate(shift, 0, 0) * rotate("Z", -turn), m, Iz=J)], coordinates=[q])
+
+
+@pytest.mark.parametrize(
+    ("system", "expected"),
+    [
+        (pushed(F - 100 * (x - x0)), PUSHED),
+        (pushed(F - 5 * (time_derivative(x) - x0)), PUSHED),
+        (pushed(F - (x - x0)), "m kg, x m"),
+        (pushed(2 * F), PUSHED),
+        (rolling(number("0.3") * phi, phi, phi), "J kg m², m kg, phi rad"),
+        (rolling(x, x / number("0.3"), x), "J kg m², m kg, x m"),
+        (rolling(r * phi, phi, phi), "J kg m², m kg, phi rad, r m"),
+        (
+            System(
+                [TUB],
+                [spring(Point(TUB.frame, a, 0, 0), Point(ground, a + b, c, 0), k, on=TUB)],
+                coordinates=[x],
+            ),
+            "a m, b m, c m, k N/m, m kg, r m, x m",
+        ),
+    ],
+)
+def test_units_are_those_that_the_model_shows(system: System, expected: str) -> None:
+    """A number before a length may be a stiffness, and before an angle a radius; the ends of a spring are places."""
+    found = sorted(f"{name} {unit}" for name, unit in units_of_names(system).items() if name != t)
+    assert ", ".join(found) == expected
