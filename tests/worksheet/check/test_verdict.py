@@ -259,6 +259,13 @@ def test_another_left_side_differs(text: str, reason: str) -> None:
     assert check(text) == [Verdict(1, "differs", reason)]
 
 
+def test_objects_may_tell_what_they_are() -> None:
+    text = "> restart: with(MBSymba_r6):\n> show(make_POINT(ground,a,0,0));\n"
+    shown = "POINT(coords = Matrix(4,1,[[a],[0],[0],[1]]),obj = POINT,frame = ground)"
+    assert check(f"{text}{shown}\n") == [Verdict(2, "equal")]
+    assert check(f"{text}{shown.replace('[a]', '[b]')}\n")[0].kind == "differs"
+
+
 def test_drawings_are_no_outputs() -> None:
     cells = source_cells("> a+1;\n> plot(x);\n  a+1\n")
     done = [Outcome(0, 1, printed=("a+1",)), Outcome(0, 2, printed=("[Plot: plot1.png]",))]

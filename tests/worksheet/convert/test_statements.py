@@ -242,6 +242,32 @@ def test_cases_texts_and_parts_of_solutions_are_code(
     assert capsys.readouterr().out == "6.28\n[4, 16]\nTrue\n4\n"
 
 
+def test_files_with_procedures_are_part_of_the_program(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "lib.mpl").write_text(
+        "rod := proc(T) local v; v := make_POINT(T, l, 0, 0); if nargs > 1 then make_BODY(v, args[2])"
+        " else make_BODY(v, m) fi end:\n"
+        'fact := proc(n) if n < 0 then error "n is %1", n fi; if n = 0 then 1 else n*procname(n-1) fi end:\n'
+        "unused := proc(B) local A; A := copy(B); A[mass] := 0; A end:\nk := 4;\n"
+    )
+    sheet = tmp_path / "a.mpl"
+    sheet.write_text(
+        'with(MBSymba_r6): read "lib.mpl":\n'
+        "B := rod(translate(v(t), 0, 0)): C := rod(ground, 2*m): kinetic_energy({B, C}); fact(k);\n"
+        "for c in [2, 4] do print(c, linalg[matrix](1, 1, [c*I + 1])) od:\n"
+    )
+    assert convert_file(argparse.Namespace(file=sheet, program=tmp_path / "a.py")) == 0
+    text = (tmp_path / "a.py").read_text()
+    assert "    v = sb.Point(T, l, 0, 0)" in text
+    assert "raise ValueError(f'n is {n}')" in text
+    assert "    return n*fact(n - 1)" in text
+    assert "# left out: unused" in text
+    capsys.readouterr()
+    exec(text, {})
+    assert capsys.readouterr().out.splitlines() == ["m*v'**2/2", "24", "2", "[[1.+2.j]]", "4", "[[1.+4.j]]"]
+
+
 def test_percent_signs_of_formats_are_single(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -15,7 +15,7 @@ from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.numeric import as_integer
 from symbody.worksheet.values.value import NULL, Boolean, Reference, String, Value
 
-__all__ = ["COMMANDS", "PACKAGES", "output_path", "read_file", "save_file"]
+__all__ = ["COMMANDS", "PACKAGES", "file_to_read", "output_path", "read_file", "save_file"]
 
 _LARGEST = 100_000_000
 
@@ -58,6 +58,16 @@ def _existing(session: Session, value: Value) -> Path | None:
 
 def read_file(session: Session, name: Value) -> Value:
     """Read "f": execute the statements of a file."""
+    session.run(*file_to_read(session, name))
+    return NULL
+
+
+def file_to_read(session: Session, name: Value) -> tuple[str, str]:
+    """Return the name of a file and its text.
+
+    Raises:
+        WorksheetError: there is no such file, or it is too large.
+    """
     path = _existing(session, name)
     if path is None:
         raise WorksheetError(
@@ -70,8 +80,7 @@ def read_file(session: Session, name: Value) -> Value:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError:
         text = data.decode("latin-1")
-    session.run(path.name, text)
-    return NULL
+    return path.name, text
 
 
 _OF_MODES = {

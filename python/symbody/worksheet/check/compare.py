@@ -227,6 +227,8 @@ class _Comparison:
         left, right = _by_name(file), _by_name(run)
         if left is None or right is None:
             return self._items(file, run, cut=cut)
+        if ("obj" in left) != ("obj" in right):  # the word before the fields says the same
+            left, right = ({k: v for k, v in each.items() if k != "obj"} for each in (left, right))
         last = [*left][-1] if left else ""
         for name in sorted(left, key="frame".__eq__):  # last, since names of frames may not be comparable
             if name not in right:

@@ -127,6 +127,7 @@ def _written(text: PythonText, target: syntax.Expression, written: str) -> list[
     if target_text(text, target) == written:
         return []  # as ``e := eval(e)``
     lines = motion_lines(text, target.name, written) if isinstance(target, syntax.Name) else []
+    text.names.assigned |= {target.name} & text.names.local if isinstance(target, syntax.Name) else set()
     return lines or [*_table_of(text, target), f"{target_text(text, target)} = {written}"]
 
 
@@ -175,6 +176,8 @@ def _table_of(text: PythonText, target: syntax.Expression) -> list[str]:
         case syntax.Selection(whole=syntax.Name(name=name)):
             whole = identifier(name)
             found = text.names.values.get(whole)
+            if name in text.names.assigned and not isinstance(found, dict | list):
+                raise NoText("entry")  # it may be an object
             if found is None or (isinstance(found, Expr) and found.kind in {"symbol", "time_function"}):
                 text.names.values[whole] = {}
                 return [f"{whole} = {{}}"]

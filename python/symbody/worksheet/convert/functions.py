@@ -10,8 +10,10 @@ from symbody.worksheet.convert.condition import condition
 from symbody.worksheet.convert.expressions import PythonText
 from symbody.worksheet.convert.names import Names, identifier
 from symbody.worksheet.convert.parameter_types import type_tests
+from symbody.worksheet.convert.sheet_names import names_in
 from symbody.worksheet.convert.statements import INDENT, block, branch_words
 from symbody.worksheet.sheet import syntax
+from symbody.worksheet.sheet.within import replaced
 
 __all__ = ["definition"]
 
@@ -34,7 +36,10 @@ def definition(
         values: the values of the arguments of the call.
         keywords: those that are given by name.
     """
+    procedure = replaced(procedure, "procname", syntax.Name(name, place=procedure.place))
     inner = names.inner()
+    hidden = (*(each.name for each in procedure.parameters), *getattr(procedure, "local", ()))
+    inner.local, inner.assigned = inner.local | {*hidden}, set(inner.assigned)
     writer = text.within(inner)
     parameters = [each for each in procedure.parameters if not each.rest]
     heads = list(_parameters(parameters, text))
@@ -49,7 +54,10 @@ def definition(
                 given if given is not None else text.value(text.text(parameter.default or _zero(procedure)))
             )
     inner.values[identifier(name)] = _recursion
-    if not parameters and isinstance(procedure, syntax.Procedure):
+    first: list[str] = []
+    is_open = not parameters or {"args", "nargs"} & {*names_in(getattr(procedure, "body", ()))}
+    if is_open and isinstance(procedure, syntax.Procedure) and not any(map(_is_optional, parameters)):
+        first = [f"{INDENT}{', '.join([*heads, '*_'])} = arguments"] if parameters else []
         heads, inner.arguments = ["*arguments"], "arguments"
         inner.values["arguments"] = tuple(values)
     if isinstance(procedure, syntax.Arrow):
@@ -68,7 +76,11 @@ def definition(
     shared = [identifier(each) for each in getattr(procedure, "shared", ())]
     outer = [f"{INDENT}global {', '.join(shared)}"] if shared else []
     head = f"def {identifier(name)}({', '.join(heads)}):"
-    return [*decorators, head, *outer, *tests, *_body(body, writer)]
+    return [*decorators, head, *outer, *first, *tests, *_body(body, writer)]
+
+
+def _is_optional(parameter: syntax.Parameter) -> bool:
+    return parameter.keyword or parameter.default is not None
 
 
 def _copy(value: Any) -> Any:

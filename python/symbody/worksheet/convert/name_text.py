@@ -20,7 +20,7 @@ def name_text(to: Writer, node: syntax.Name) -> str:
         return to.names.master or "sb.ground"
     if name == "nargs" and to.names.arguments:
         return f"len({to.names.arguments})"
-    if name in {"NULL", "infinity"}:
+    if name in {"NULL", "infinity", "nargs"}:
         raise NoText(name)
     return _CONSTANTS.get(name) or to.names.bare_text(name)
 

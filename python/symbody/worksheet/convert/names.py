@@ -131,6 +131,8 @@ class Names:
         motions: the equations of motions, by their variables.
         acting: procedures that change tables or other names of the sheet, or print: they are called for that.
         own_functions: names whose value is the function of time of that name: ``theta := theta(t)``.
+        local: parameters and variables of the functions at hand, which hide functions of time.
+        assigned: those that have been assigned as a whole.
         bare: identifiers of symbols that have the name of a function of time, as V in ``V(t) = V``.
     """
 
@@ -160,6 +162,8 @@ class Names:
     acting: set[str] = field(default_factory=set)
     behind: set[str] = field(default_factory=set)
     own_functions: frozenset[str] = frozenset()
+    local: frozenset[str] = frozenset()
+    assigned: set[str] = field(default_factory=set)
 
     def own(self, name: str) -> str:
         """Return an identifier for what only the program has a name for."""
@@ -171,7 +175,7 @@ class Names:
     def text(self, name: str) -> str:
         """Return the identifier of a name, which is declared if it has no value."""
         text = identifier(name)
-        if text not in self.values:
+        if text not in self.values and name not in self.local:
             self.declare(name)
         return text
 
@@ -179,7 +183,8 @@ class Names:
         """Return the identifier of a symbol that may have the name of a function of time."""
         known = self.values.get(identifier(name))
         is_function = isinstance(known, Expr) and known.kind == "time_function" and known.name == name
-        if name not in self.functions or name in self.own_functions or not (known is None or is_function):
+        hides = name in self.own_functions or name in self.local
+        if name not in self.functions or hides or not (known is None or is_function):
             return self.text(name)
         text = f"{identifier(name)}_"
         self.values.setdefault(text, symbol(name))
@@ -273,6 +278,8 @@ class Names:
             self.sets,
             self.called,
             own_functions=self.own_functions,
+            local=self.local,
+            assigned=self.assigned,
         )
 
     def value(self, text: str) -> Any:

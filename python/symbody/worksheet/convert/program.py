@@ -24,6 +24,7 @@ from symbody.worksheet.convert.layout import laid_out
 from symbody.worksheet.convert.names import Names, identifier
 from symbody.worksheet.convert.open_files import leave_alone, note_files
 from symbody.worksheet.convert.procedures import Procedures
+from symbody.worksheet.convert.read_files import items_of, with_read_cells
 from symbody.worksheet.convert.sheet_names import (
     called_names,
     functions_of_time,
@@ -43,7 +44,7 @@ from symbody.worksheet.convert.trial import as_code, prepare
 from symbody.worksheet.convert.written_values import as_values, update
 from symbody.worksheet.evaluation.session import Session
 from symbody.worksheet.interpreter.interpret import Interpreter, Stop
-from symbody.worksheet.reading import names_in_code, statements
+from symbody.worksheet.reading import names_in_code
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.sheet.source import Cell, Remark, SyntaxMistake
 from symbody.worksheet.sheet.within import mentions
@@ -78,17 +79,19 @@ class Converted:
 
 def converted(cells: Sequence[Cell], title: str, session: Session | None = None) -> Converted:
     """Return the program of a worksheet, which is executed in a session."""
+    interpreter = Interpreter(session)
+    found = with_read_cells(cells, interpreter.session)
     names = Names(
-        functions=set(functions_of_time(cells)),
-        solved=set(solved_names(cells)),
-        sided=set(sided_names(cells)),
-        sets=named_sets(cells),
-        values_of=set(substituted_names(cells)),
-        reserved=frozenset(map(identifier, names_in_code(cells))),
-        called=frozenset(called_names(cells)),
-        own_functions=frozenset(own_functions(cells)),
+        functions=set(functions_of_time(found)),
+        solved=set(solved_names(found)),
+        sided=set(sided_names(found)),
+        sets=named_sets(found),
+        values_of=set(substituted_names(found)),
+        reserved=frozenset(map(identifier, names_in_code(found))),
+        called=frozenset(called_names(found)),
+        own_functions=frozenset(own_functions(found)),
     )
-    program = Draft(tuple(cells), Interpreter(session), names, PythonText(names), Procedures(names))
+    program = Draft(tuple(cells), interpreter, names, PythonText(names), Procedures(names))
     program.interpreter.session.draws = False
     with tempfile.TemporaryDirectory() as program.folder, warnings.catch_warnings():
         warnings.simplefilter("ignore", ModelNotice)  # attempts make variables that the program doesn't have
@@ -100,11 +103,18 @@ def converted(cells: Sequence[Cell], title: str, session: Session | None = None)
 
 
 def _write(program: Draft) -> None:
-    used = names_in_code(program.cells)
-    found = [(cell, statements(cell, used)) for cell in program.cells]
-    items = [(cell, item) for cell, listed in found for item in (None, *listed)]
-    following = [item for _, item in items if isinstance(item, syntax.Statement)]
-    for cell, item in items:
+    items = [*items_of(program.cells, program.interpreter.session)]
+    following = [item for _, _, item, _ in items if isinstance(item, syntax.Statement)]
+    file = failed = ""
+    for cells, cell, item, name in items:
+        failures = program.failed
+        if name and name != file:
+            program.lines.append(f'# read "{name}":')
+        file, program.cells = name, cells
+        if name and name == failed:  # a mistake ends the file
+            following = following[isinstance(item, syntax.Statement) :]
+            continue
+        failed = ""
         if item is None:
             program.lines += ["", *(f"# {line}" for text in cell.prose for line in text.split("\n"))]
         elif isinstance(item, SyntaxMistake):
@@ -118,6 +128,7 @@ def _write(program: Draft) -> None:
                 goes_on = _add(program, item, keeps=bool(following) and mentions(following[0], syntax.Ditto))
             if not goes_on:
                 break
+        failed = name if program.failed > failures else ""
 
 
 @contextlib.contextmanager

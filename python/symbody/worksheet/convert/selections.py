@@ -26,7 +26,9 @@ _FIELDS = {
 
 def selection(text: Writer, node: syntax.Selection) -> str:
     """Return an entry of a list, a table or a matrix, a field of an object, or a name with indices."""
-    if isinstance(node.whole, syntax.Name) and node.whole.name == "args" and text.names.arguments:
+    if isinstance(node.whole, syntax.Name) and node.whole.name == "args":
+        if not text.names.arguments:
+            raise NoText("args")
         return f"{text.names.arguments}[{place(text.text(node.indices[0]))}]"
     if isinstance(node.whole, syntax.Name) and identifier(node.whole.name) not in text.names.values:
         return indexed(text, node)

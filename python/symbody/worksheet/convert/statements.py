@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import re
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -89,8 +90,22 @@ def _line(statement: syntax.Statement, text: PythonText) -> str:
         case syntax.Read(file=syntax.Text(text=file)):  # that this program has saved
             return f'globals().update(pickle.loads(Path("{Path(file).stem}.pickle").read_bytes()))'
         case syntax.Raise(arguments=arguments):
-            return f"raise ValueError({items(text, arguments[:1])})"
+            return f"raise ValueError({_message(text, arguments)})"
     raise NoText(type(statement).__name__)
+
+
+def _message(text: PythonText, arguments: tuple[syntax.Expression, ...]) -> str:
+    """Return the message of an error, in which ``%1`` is what stands next in the statement."""
+    first, *others = arguments
+    if not isinstance(first, syntax.Text) or not re.search(r"%\d", first.text):
+        return items(text, arguments[:1])
+    values = [text.text(each) for each in others]
+    parts = re.split(r"%(\d)", first.text.replace("{", "{{").replace("}", "}}"))
+    for k, number in enumerate(parts[1::2]):
+        if not 0 < int(number) <= len(values) or any(mark in values[int(number) - 1] for mark in "\"'{}"):
+            return items(text, arguments[:1])
+        parts[2 * k + 1] = f"{{{values[int(number) - 1]}}}"
+    return f"f{''.join(parts)!r}"
 
 
 def block(

@@ -73,6 +73,9 @@ def _matrix(session: Session, value: Array, names: Names) -> str:
         return known_frame(value.frame, names)
     rows = [value.entries[i * value.columns : (i + 1) * value.columns] for i in range(value.rows)]
     texts = [literal(session, Listed(tuple(row)), names) for row in rows]
+    found = (session.current(each) for each in value.entries)
+    if any(isinstance(each, Expr) and _number(each) for each in found):
+        return f"np.array([{', '.join(texts)}])"  # a Matrix has no complex entries
     return f"sb.{'Matrix' if value.frame is None else 'Frame'}([{', '.join(texts)}])"
 
 

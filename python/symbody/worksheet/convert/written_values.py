@@ -77,7 +77,7 @@ def _printed_values(program: Draft) -> bool:
     """Write what a loop, a branch or ``print`` has printed; return whether all of it has a text."""
     found = [*shown_items(program.interpreter.session.shown)]
     texts = [repr(each) if isinstance(each, str) else _literal(program, each) for each in found]
-    if not texts or not all(texts):
+    if not texts or any(not text or program.names.value(f"[{text}]") is None for text in texts):
         return False
     program.lines += [
         f"print({text}, end='')" if isinstance(each, str) else f"print({text})"
