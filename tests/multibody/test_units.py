@@ -10,6 +10,8 @@ from symbody import (
     Force,
     Point,
     System,
+    air_force,
+    contact,
     functions_of_time,
     ground,
     number,
@@ -24,8 +26,11 @@ from symbody.multibody.quantity.role import units_of_names
 
 x, phi = functions_of_time("x phi")
 m, J, F, x0, a, b, c, k, r = symbols("m J F x0 a b c k r")
+R, d, mu, v0, rho, A = symbols("R d mu v0 rho A")
 CART = Body(translate(x, 0, 0), m)
 TUB = Body(translate(x, r, 0), m)
+TOUCH = contact(CART.center_of_mass, R, k, damping=d, friction=mu, creep_speed=v0, on=CART)
+DRAG = air_force(CART.center_of_mass, on=CART, density=rho, drag_area=A)
 PUSHED = "F N, m kg, x m"
 
 
@@ -54,6 +59,10 @@ def rolling(shift: Expr, turn: Expr, q: Expr) -> System:
                 coordinates=[x],
             ),
             "a m, b m, c m, k N/m, m kg, r m, x m",
+        ),
+        (
+            System([CART], [TOUCH, DRAG], coordinates=[x]),
+            "A m², R m, d s/m, m kg, mu , rho kg/m³, v0 m/s, x m",
         ),
     ],
 )

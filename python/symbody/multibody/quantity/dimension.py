@@ -32,6 +32,9 @@ _OF_UNITS: dict[str, Dimension] = {
     "N m/rad": (1, 2, -2),
     "N s/m": (1, 0, -1),
     "N m s/rad": (1, 2, -1),
+    "s/m": (0, -1, 1),
+    "m²": (0, 2, 0),
+    "kg/m³": (1, -3, 0),
 }
 _WORK, _POWER = (1, 2, -2), (1, 2, -3)
 _EXPONENTS = (0, 1, -1, 2, -2)

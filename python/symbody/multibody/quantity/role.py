@@ -151,21 +151,42 @@ _IN_LAWS = {
     "creep_speed": (("creep speed", "creep speed"), _SPEED),
 }
 """Meanings and units of the arguments of laws: of forces along lines and slides, and of torques about axes."""
+_SIZES = {
+    "contact": {
+        "radius": LENGTH,
+        "damping": ("damping", "s/m"),
+        "friction": ("coefficient of friction", ""),
+        "creep_speed": ("creep speed", "m/s"),
+    },
+    "air_force": {"density": ("density of air", "kg/m³"), "drag_area": ("drag area", "m²")},
+}
+"""Meanings and units of the sizes of other elements; the stiffness of a contact has a unit that depends on its law."""
 
 
 def _of_laws(system: System) -> Iterator[tuple[Expr, Role]]:
     """Yield what stands alone in the laws of elements, such as springs, motors and frictions."""
     roles = [
-        (value, *_role_in_law(argument, element), element.name or f"the {element.kind.replace('_', ' ')}")
+        (value, *_role_in_law(argument, element), _owner(element))
         for element in system.loads
         if isinstance(element, Element)
         for argument, value in element.law.items()
+    ]
+    roles += [
+        (value, *_SIZES[element.kind][argument], _owner(element))
+        for element in system.loads
+        if isinstance(element, Element)
+        for argument, value in element.sizes.items()
+        if argument in _SIZES.get(element.kind, {})
     ]
     for value, meaning, unit, _ in roles:
         owners = dict.fromkeys(owner for *role, owner in roles if role == [value, meaning, unit])
         yield value, (f"{meaning} of {_in_words([*owners])}", unit)
     for value, meaning, unit, _ in roles:
         yield from ((leaf, (meaning, unit)) for leaf in multiples([value]))
+
+
+def _owner(element: Element) -> str:
+    return element.name or f"the {element.kind.replace('_', ' ')}"
 
 
 def _role_in_law(argument: str, element: Element) -> Role:

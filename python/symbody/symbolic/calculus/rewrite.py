@@ -143,6 +143,9 @@ def simplify(expression: Any) -> Any:
     search is bounded and deterministic, and the result never costs more than the expression. The value at the random
     point proves that the mathematics is unchanged.
 
+    In a container, each expression is simplified by itself: what several of them share is not counted, so that code
+    for all residuals is best made from them as they were derived.
+
     >>> from symbody import cos, simplify, sin, symbols
     >>> a, b, x = symbols("a b x")
     >>> simplify(a * sin(x) ** 2 + (a + b) * cos(x) ** 2)
