@@ -280,6 +280,10 @@ def _replaced(node: Any, name: str, other: syntax.Expression) -> Any:
 
 
 def _coefficient(text: Writer, arguments: Arguments) -> str:
+    """Return ``coeff(e, x, n)``, also for ``coeff(e, x^n)``."""
+    match arguments:
+        case (whole, syntax.Infix(operator="^", left=variable, right=syntax.Integer() as exponent)):
+            arguments = (whole, variable, exponent)
     return f"sb.coeff({items(text, arguments)})"
 
 
