@@ -33,6 +33,24 @@ CASES = {
             "{u = -1, v = 3}, {u = -I, v = 2+I}, {u = I, v = 2-I}",
         ],
     ),
+    "angles by their tangent": (
+        "solve(a*cos(q)=b*sin(q),q); solve(cos(2*q)=sin(2*q),q);",
+        ["arctan(a/b)", "1/8*Pi"],
+    ),
+    "angles and logarithms that are not real": (  # as by cmath, at the sides of the cuts that Maple has
+        (
+            "solve(cos(q)=1.5,q); ln(-2.); arcsin(-1.5); e := arccos(c): c := -1.2: e; subs(z=2,arccos(z));"
+            " solve(exp(q)+2,q);"
+        ),
+        [
+            ".9624236501*I",
+            ".6931471806+3.141592654*I",
+            "-1.570796327+.9624236501*I",
+            "3.141592654-.6223625037*I",
+            "I*ln(3^(1/2)+2)",
+            "I*Pi+ln(2)",
+        ],
+    ),
     "a set": (
         "solve({u+v=3,u-v=1},{u,v});",
         ["{u = 2, v = 1}"],

@@ -39,7 +39,7 @@ from symbody.worksheet.mathematics.closed_roots import root_number
 from symbody.worksheet.mathematics.exact_angle import with_exact_angles
 from symbody.worksheet.mathematics.inverse_functions import of_inverse
 from symbody.worksheet.mathematics.quadrature import integral_number
-from symbody.worksheet.values.complex_number import as_complex, of_number
+from symbody.worksheet.values.complex_number import as_complex, beyond_the_reals, of_number
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.numeric import as_float, as_integer, decimal, with_decimals
 from symbody.worksheet.values.structure import Tree, is_negative, tree_of, walk
@@ -65,8 +65,12 @@ def _of_one(function: Callable[[Expr], Expr]) -> Command:
             raise WorksheetError(
                 f"{name}: {session.text(x)[:60]} is no expression; map applies a function to each item"
             )
-        argument = scalar(session, x)
-        found = of_inverse(getattr(function, "__name__", ""), argument) or function(argument)
+        argument, name = scalar(session, x), getattr(function, "__name__", "")
+        found = beyond_the_reals(name, argument)
+        if found is not None:
+            session.options.imaginary = True
+            return found
+        found = of_inverse(name, argument) or function(argument)
         found = with_exact_angles(found) if found.is_constant else found
         return with_decimals(found, argument, digits=session.options.digits)
 

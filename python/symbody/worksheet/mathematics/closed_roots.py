@@ -18,7 +18,13 @@ from symbody.symbolic.expression.traverse import post_order
 from symbody.worksheet.mathematics.common_fraction import common_fraction
 from symbody.worksheet.mathematics.cubic import cubic_roots
 from symbody.worksheet.mathematics.polynomial import coefficients
-from symbody.worksheet.values.complex_number import I, angle_of, of_number, root_of_negative
+from symbody.worksheet.values.complex_number import (
+    I,
+    angle_of,
+    beyond_the_reals,
+    of_number,
+    root_of_negative,
+)
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.numeric import as_float, as_integer
 from symbody.worksheet.values.structure import Tree, tree_of, walk
@@ -231,7 +237,8 @@ def _undone(tree: Tree, inner: Tree, sides: list[Expr]) -> list[Expr] | None:
     if tree.kind == "power" and tree.parts[0] is inner:
         return _unraised(tree.parts[1].value, sides)
     if tree.kind == "function" and len(tree.parts) == 1 and tree.name in _INVERSES:
-        return [_INVERSES[tree.name](side) for side in sides]
+        inverse = _INVERSES[tree.name]
+        return [beyond_the_reals(inverse.__name__, side) or inverse(side) for side in sides]
     return None
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from symbody.symbolic import Expr, atan, cos, expand, factor_terms, sin
+from symbody.symbolic import Expr, atan, coeff, cos, expand, factor_terms, sin
 from symbody.worksheet.mathematics.closed_roots import polynomial_in, roots_of
 from symbody.worksheet.mathematics.common_fraction import common_fraction
 from symbody.worksheet.mathematics.polynomial import reduced
@@ -25,6 +25,9 @@ def simpler_equations(residual: Expr, unknown: Expr) -> list[Expr] | None:
     """Return equations whose solutions together are those of an equation; None if it doesn't split."""
     if polynomial_in(residual, unknown) is not None:
         return None
+    angle = _by_tangent(residual, unknown)
+    if angle is not None:
+        return [angle]
     factors = _factors(residual, unknown)
     if factors is not None:
         return factors
@@ -33,6 +36,19 @@ def simpler_equations(residual: Expr, unknown: Expr) -> list[Expr] | None:
         if found is not None:
             return found
     return None
+
+
+def _by_tangent(residual: Expr, unknown: Expr) -> Expr | None:
+    """Return ``A + atan(c/s)`` of ``s*sin(A) + c*cos(A)``, by the tangent; None for another equation."""
+    angles = {node.args[0] for node in _functions(residual, unknown) if node.name in {"sin", "cos"}}
+    if len(angles) != 1:
+        return None
+    (angle,) = angles
+    value = expand(residual)
+    s, c = coeff(value, sin(angle), 1), coeff(value, cos(angle), 1)
+    if s.is_zero or c.is_zero or s.has(unknown) or c.has(unknown):
+        return None
+    return None if not expand(value - s * sin(angle) - c * cos(angle)).is_zero else angle + atan(c / s)
 
 
 def is_pole(residual: Expr, unknown: Expr, root: object) -> bool:

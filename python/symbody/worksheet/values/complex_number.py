@@ -9,12 +9,22 @@ from __future__ import annotations
 import cmath
 from collections.abc import Callable
 
-from symbody.symbolic import Expr, atan2, cos, cosh, exp, log, number, sin, sinh, sqrt
+from symbody.symbolic import Expr, atan2, cos, cosh, exp, expand, log, number, pi, sin, sinh, sqrt
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.numeric import decimal
 from symbody.worksheet.values.structure import Tree, tree_of, walk
 
-__all__ = ["I", "angle_of", "as_complex", "has_i", "normal", "of_number", "parts", "root_of_negative"]
+__all__ = [
+    "I",
+    "angle_of",
+    "as_complex",
+    "beyond_the_reals",
+    "has_i",
+    "normal",
+    "of_number",
+    "parts",
+    "root_of_negative",
+]
 
 I = symbol("I")
 _ZERO, _ONE = number(0), number(1)
@@ -165,6 +175,23 @@ def root_of_negative(base: Expr, exponent: Expr) -> Expr:
     found = _root((base, _ZERO), exponent)
     assert found is not None
     return _like(found[0] + I * found[1], base)
+
+
+def beyond_the_reals(name: str, base: Expr) -> Expr | None:
+    """Return a logarithm of a negative number, or an arc sine or cosine of one beyond 1; None for what is real.
+
+    Beyond 1, arccos(u) is I*ln(u + sqrt(u^2 - 1)), as Maple has it; arcsin is odd, and both add up to pi/2.
+    """
+    known = float(base) if base.is_constant and not has_i(base) else 0.0
+    found: Expr | None = None
+    if name == "log" and known < 0:
+        found = log(-base) + I * pi
+    elif name in {"asin", "acos"} and abs(known) > 1:
+        size = base if known > 0 else -base
+        high = I * log(size + sqrt(size**2 - 1))
+        sine = (pi / 2 - high) * (1 if known > 0 else -1)
+        found = expand(sine if name == "asin" else pi / 2 - sine)
+    return None if found is None else _like(found, base)
 
 
 def _like(value: Expr, given: Expr) -> Expr:
