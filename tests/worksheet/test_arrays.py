@@ -61,3 +61,10 @@ def test_saved_arrays_are_read_with_their_bounds(made: str, tmp_path: Path) -> N
 )
 def test_indices_and_values_outside_are_refused(statement: str, message: str) -> None:
     assert failures(statement) == [message]
+
+
+def test_lists_of_matrices_are_by_columns() -> None:
+    assert printed("convert(Matrix([[a,b],[c,d]]), list); convert(<a|b>, list);") == [
+        "[a, c, b, d]",
+        "[a, b]",
+    ]

@@ -146,6 +146,11 @@ def test_remarks(text: str, kinds: list[str], remarks: list[str]) -> None:
 
 
 EXPORTS = [
+    (
+        "> p := [m = 2, mass (kg)\n k = 100, stiffness (N/m)\n c = 3]; damping\n> q := [x(t), y (t)];",
+        ["Assignment", "Assignment"],
+        ["mass (kg)", "stiffness (N/m)", "damping"],
+    ),
     ("> e := m*a +   inertia\n  c*v;  damping\n> e;", ["Assignment", "Evaluation"], ["inertia", "damping"]),
     (
         "> e := m*a +   inertia\n\n  c*v;  damping\n\n> e;",

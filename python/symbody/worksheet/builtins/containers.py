@@ -112,8 +112,11 @@ def _ordered(table_: Table) -> list[tuple[Value, ...]]:
 
 def _to_list(session: Session, value: Value, *options: Value) -> Value:
     found = session.resolve(value)
-    if isinstance(found, Array) and found.columns > 1 and found.rows > 1:
-        return Listed(tuple(session.current(each) for each in found.entries))
+    if (
+        isinstance(found, Array) and found.columns > 1 and found.rows > 1
+    ):  # column by column, as Maple stores it
+        entries = (each for k in range(found.columns) for each in found.entries[k :: found.columns])
+        return Listed(tuple(session.current(each) for each in entries))
     return Listed(tuple(_items(session, value)))
 
 

@@ -55,7 +55,8 @@ def _as_list(text: Writer, whole: str, name: str) -> str:
         case list():
             return whole
         case Matrix():
-            entries = f"{grouped(whole)}.entries"
+            flat = min(text.value(whole).shape) == 1 or name != "list"
+            entries = f"{grouped(whole)}{'' if flat else '.T'}.entries"  # column by column
             return f"list({entries if name == 'list' else f'dict.fromkeys({entries})'})"
         case dict() as found:
             are_equations = all(isinstance(each, Expr) and each.kind == "time_function" for each in found)

@@ -19,6 +19,7 @@ __all__ = [
     "holds_code",
     "is_prose",
     "is_used",
+    "is_word_with_unit",
     "stands_far",
 ]
 
@@ -89,6 +90,21 @@ def has_bracketed_word(text: Sequence[Token], used: Collection[str]) -> bool:
     if not all(token.type in WORDS | _OF_UNITS for token in inner) or end + 1 == len(text):
         return False
     return text[end + 1].type == "NAME" and text[end + 1] not in used
+
+
+def is_word_with_unit(text: Sequence[Token]) -> bool:
+    """Whether a text is words and, apart, a unit in brackets: ``stiffness (N/m)``; ``y (t)`` is a function."""
+    first = next((k for k, token in enumerate(text) if token.type in OPENING), 0)
+    inner = text[first + 1 : -1]
+    is_unit = bool(inner) and all(token.type in WORDS | _OF_UNITS for token in inner) and [*inner] != ["t"]
+    return (
+        first > 0
+        and text[first].type == "LPAR"
+        and text[-1].type in CLOSING
+        and all(token.type == "NAME" for token in text[:first])
+        and text[first - 1].end_column != text[first].column
+        and is_unit
+    )
 
 
 def is_used(line: Sequence[Token], index: int) -> bool:

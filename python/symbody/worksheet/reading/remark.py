@@ -13,7 +13,14 @@ from lark import Token
 
 from symbody.worksheet.reading.numbered_text import is_numbered
 from symbody.worksheet.reading.parse import TERMINATORS, Failure, Parsed, is_statement, next_statement
-from symbody.worksheet.reading.prose import CLOSING, MARKS, WORDS, has_bracketed_word, is_prose
+from symbody.worksheet.reading.prose import (
+    CLOSING,
+    MARKS,
+    WORDS,
+    has_bracketed_word,
+    is_prose,
+    is_word_with_unit,
+)
 from symbody.worksheet.reading.remark_behind_code import begins_with_code, tails
 from symbody.worksheet.reading.remark_places import SEPARATORS, Span, candidates
 from symbody.worksheet.sheet import syntax
@@ -54,7 +61,8 @@ def remark_in(tokens: Sequence[Token], begin: int, failure: Failure, used: Colle
                 return part
         if tokens[span.begin].line != tokens[span.end - 1].line:  # a remark ends with its line
             continue
-        is_unit = has_bracketed_word(tokens[span.begin : span.end], used)
+        text = tokens[span.begin : span.end]
+        is_unit = has_bracketed_word(text, used) or is_word_with_unit(text)
         if (
             _is_within(tokens, begin, span)
             and begins_with_code(tokens, span.begin, span.end, used)
@@ -150,7 +158,10 @@ def _is_text(tokens: Sequence[Token], span: Span, begin: int, used: Collection[s
         return False
     is_behind_operand = tokens[span.begin - 1].type in CLOSING | {"NAME"} and text[0].type == "NAME"
     return (
-        is_prose(text) or has_bracketed_word(text, used) or (is_behind_operand and text[-1].type in CLOSING)
+        is_prose(text)
+        or has_bracketed_word(text, used)
+        or (span.begin > begin and tokens[span.begin - 1].type == "COMMA" and is_word_with_unit(text))
+        or (is_behind_operand and text[-1].type in CLOSING)
     )  # deflection [m]
 
 
