@@ -219,6 +219,11 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         lambda: anything.collect(x, 3),
         "collect, variables: 3 is an int; expected a list of expressions",
     ),
+    (
+        ArgumentError,
+        lambda: anything.coeff(x, 2),
+        "coeff, variable: 2 is a number; expected a symbol, or a function, such as x",
+    ),
     (ArgumentError, lambda: anything.coeff(x, x, 1.5), "coeff, n: 1.5 is a float; expected a whole number"),
     (
         ArgumentError,

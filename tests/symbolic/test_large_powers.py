@@ -26,6 +26,7 @@ from symbody import (
     symbols,
     tan,
     tanh,
+    to_sympy,
 )
 from symbody.errors import ExpressionError
 
@@ -138,3 +139,23 @@ def test_multiples_beyond_the_limit_are_refused() -> None:
         ExpressionError, match="terms of an expanded expression: at most 200000, found 1000001"
     ):
         expand_trig(cos(10**6 * x))
+
+
+@pytest.mark.parametrize(
+    ("expression", "variable", "n"),
+    [
+        (3 * y * x**2 + 1, x**2, 1),
+        (x**4 + x**3 + 2 * y * x**2, x**2, 2),
+        (x**2 + x + 1, x**2, 0),
+        (a / x + x, 1 / x, 1),
+        (a * sqrt(x) + x, sqrt(x), 1),
+        (a * (x * (b * y)) + x, x * y, 1),
+        (3 * x * y**2 + 5 * x * y, x * y, 1),
+        (3 * sin(x) ** 2 + 1, sin(x) ** 2, 1),
+    ],
+    ids=str,
+)
+def test_coefficients_of_powers_and_products_are_those_of_sympy(
+    expression: Expr, variable: Expr, n: int
+) -> None:
+    assert coeff(expression, variable, n) == from_sympy(to_sympy(expression).coeff(to_sympy(variable), n))

@@ -333,10 +333,12 @@ impl Graph {
         })
     }
 
-    /// The factors inside of a factor that is a whole power of a product, and those of the products among them.
+    /// The factors inside of a factor that is a whole power of a product, and those of the products among them. In a
+    /// derivation, whose results share products, only the factors of a product itself.
     fn factors_within(&self, (base, exponent): &(Id, Number)) -> Vec<(Id, Number)> {
         let mut found = Vec::new();
-        if self.kind(*base) != Kind::Product || !exponent.is_integer() {
+        let is_deep = self.classes.is_none();
+        if self.kind(*base) != Kind::Product || !exponent.is_integer() || !(is_deep || exponent.is_one()) {
             return found;
         }
         let mut products = vec![(*base, exponent.clone())];
@@ -345,7 +347,7 @@ impl Graph {
         {
             for (node, exponent) in self.inner_factors(product) {
                 let exponent = exponent.mul(&outer);
-                if self.kind(node) == Kind::Product && exponent.is_integer() {
+                if is_deep && self.kind(node) == Kind::Product && exponent.is_integer() {
                     products.push((node, exponent.clone()));
                 }
                 found.push((node, exponent));

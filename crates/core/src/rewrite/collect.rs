@@ -4,7 +4,7 @@ use rustc_hash::FxHashSet;
 use std::collections::BTreeMap;
 
 use crate::error::Error;
-use crate::graph::{Graph, Id, View};
+use crate::graph::{Graph, Id, NumberId, View};
 use crate::polynomial::{Budget, Monomial, Polynomial};
 use crate::value::Number;
 
@@ -44,18 +44,37 @@ impl Graph {
         })
     }
 
-    /// The coefficient of variable ** n.
+    /// The coefficient of variable ** n, where the variable may be a power or a product itself: that of `x**2` is found
+    /// among the powers of `x`.
     ///
     /// # Errors
     /// If the expression has too many terms in the variable.
     pub fn coeff(&mut self, id: Id, variable: Id, n: i64) -> Result<Id, Error> {
+        let (_, node) = self.split_multiple(NumberId::ONE, variable);
+        let bases: Vec<Id> = match self.view(node) {
+            View::Product(factors) => factors.iter().map(|(base, _)| base).collect(),
+            _ => vec![node],
+        };
         self.choose_form(|graph| {
             let mut ring = Ring::new(graph, BUDGET);
             ring.opens_all = true;
-            let groups = ring.grouped_by_variables(id, &[variable])?;
-            let power = ring.leaf(variable);
+            let mut closed = ring.graph.free_of(id, &bases);
+            closed.extend(&bases);
+            let power = ring.polynomial_over(variable, Opening::Products, closed.clone())?;
             let (monomial, factor) = super::ring::single_power(&power, n)?;
-            let coefficient = groups.get(&monomial).cloned().unwrap_or_default();
+            let (one, _) = super::ring::single_power(&power, 1)?;
+            let polynomial = ring.polynomial_over(id, Opening::Products, closed)?;
+            let groups = grouped(&polynomial, |atom| one.exponent(atom) != 0);
+            let mut coefficient = Polynomial::default();
+            for (key, cofactor) in groups {
+                if n != 0 && key == monomial {
+                    coefficient = cofactor;
+                } else if n == 0 && !is_power_of(&key, &one) {
+                    for (rest, number) in cofactor.iter() {
+                        coefficient.add_term(key.times(rest), number);
+                    }
+                }
+            }
             ring.sum_of_terms(&coefficient.scaled(&factor.recip()?))
         })
     }
@@ -137,6 +156,13 @@ impl Ring<'_> {
         }
         Ok(self.sum_of(&parts))
     }
+}
+
+/// Whether a monomial is a positive power of another one.
+fn is_power_of(monomial: &Monomial, base: &Monomial) -> bool {
+    let Some(&(atom, exponent)) = base.factors().first() else { return false };
+    let n = monomial.exponent(atom) / exponent;
+    n > 0 && base.pow(n) == *monomial
 }
 
 /// The cofactors of the monomials in the picked atoms.

@@ -10,6 +10,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any, overload
 
+from symbody.errors import ArgumentError
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 from symbody.symbolic.expression.container import Kind, Rewrite, is_container, rewritten
@@ -91,14 +92,21 @@ def coeff(expression: ExprLike, variable: ExprLike, n: int = 1) -> Expr:
 
     Args:
         expression: the expression, a polynomial in the variable after expansion.
-        variable: the variable.
+        variable: the variable, or a power or a product of variables.
         n: the exponent of the power; 0 for the terms without the variable.
+
+    Raises:
+        ArgumentError: the variable is a number.
 
     >>> from symbody import coeff, symbols
     >>> x, a, b = symbols("x a b")
-    >>> coeff((a + x) * b, x), coeff((a + x) * b, x, 0)
-    (b, a*b)
+    >>> coeff((a + x) * b, x), coeff((a + x) * b, x, 0), coeff(a * x**2 + b / x, 1 / x)
+    (b, a*b, b)
     """
+    if isinstance(variable, (int, float)) or getattr(variable, "is_number", False):
+        raise ArgumentError(
+            f"coeff, variable: {variable} is a number; expected a symbol, or a function, such as x"
+        )
     return _core.coeff(expression, variable, n)
 
 
