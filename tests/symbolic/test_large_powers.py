@@ -148,6 +148,7 @@ def test_multiples_beyond_the_limit_are_refused() -> None:
         (x**4 + x**3 + 2 * y * x**2, x**2, 2),
         (x**2 + x + 1, x**2, 0),
         (a / x + x, 1 / x, 1),
+        (a / x + b + x, x, 0),
         (a * sqrt(x) + x, sqrt(x), 1),
         (a * (x * (b * y)) + x, x * y, 1),
         (3 * x * y**2 + 5 * x * y, x * y, 1),

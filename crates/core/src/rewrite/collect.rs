@@ -158,11 +158,11 @@ impl Ring<'_> {
     }
 }
 
-/// Whether a monomial is a positive power of another one.
+/// Whether a monomial is a power of another one.
 fn is_power_of(monomial: &Monomial, base: &Monomial) -> bool {
     let Some(&(atom, exponent)) = base.factors().first() else { return false };
     let n = monomial.exponent(atom) / exponent;
-    n > 0 && base.pow(n) == *monomial
+    n != 0 && base.pow(n) == *monomial
 }
 
 /// The cofactors of the monomials in the picked atoms.
