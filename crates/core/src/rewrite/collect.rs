@@ -209,9 +209,9 @@ mod tests {
         let (sum, other) = (g.add(a, x), g.sub(b, x));
         let closed = g.add(b, c);
         let product = g.product(&[
-            (sum, crate::graph::NumberId::ONE),
-            (other, crate::graph::NumberId::ONE),
-            (closed, crate::graph::NumberId::ONE),
+            (sum, NumberId::ONE),
+            (other, NumberId::ONE),
+            (closed, NumberId::ONE),
         ])?;
         let mut rebuilt = Id::ZERO;
         for n in 0..=2 {

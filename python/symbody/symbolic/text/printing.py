@@ -42,9 +42,9 @@ def latex(expression: Any) -> str:
     return latex_of(shown_form(expression_or_container(expression, "latex")))
 
 
-def _repr_latex_(thing: Expr | Matrix) -> str:
+def _repr_latex_(self: Expr | Matrix) -> str:
     """Return what a notebook shows of an expression or a matrix."""
-    return displayed(latex(thing))
+    return displayed(latex(self))
 
 
 Expr._repr_latex_ = _repr_latex_  # type: ignore[assignment, method-assign]  # their room finds no forms for the reader
