@@ -9,14 +9,17 @@ import pytest
 from symbody import (
     Body,
     Equations,
+    Point,
     System,
     Vector,
     describe,
     functions_of_time,
     ground,
+    linearize,
     newton_euler,
     parse,
     rotate,
+    spring,
     symbols,
     translate,
 )
@@ -104,3 +107,37 @@ def test_a_decimal_that_meets_a_fraction_is_shown_exactly(half: float, coefficie
     row = describe(equations).splitlines()[-1].strip()
     assert row == f"{coefficient}*m*l**2*q'' = 0"
     assert parse(f"{coefficient}*m*l**2", {"m": m, "l": l}) == equations.mass_matrix[0, 0]
+
+
+@pytest.mark.parametrize("form", ["text", "latex"])
+def test_sums_in_brackets_have_leading_fractions(form: str) -> None:
+    """A cylinder and a ball roll with a cart on which a rod hangs."""
+    (x, theta), (m, M, a, r) = functions_of_time("x theta"), symbols("m M a r")
+    hanging = translate(x, 0, 0) * rotate("Z", theta) * translate(0, -a, 0)
+    bodies = [
+        Body(translate(x, 0, 0) * rotate("Z", -x / r), M, Iz=M * r**2 / 2),
+        Body(translate(x, 0, 0) * rotate("Z", x / r), m, Iz=2 * m * r**2 / 5),
+        Body(hanging, m, Iz=m * a**2 / 4),
+    ]
+    equations = newton_euler(System(bodies, coordinates=[x, theta]))
+    shown = describe(equations) if form == "text" else equations.latex()
+    for expected in LEADING[form]:
+        assert expected in shown
+
+
+LEADING = {
+    "text": ("(3/2*M + 12/5*m)*x''", "5/4*m*a**2*theta''"),
+    "latex": (r"\frac{3}{2} M + \frac{12}{5} m", r"\frac{5}{4} m a^{2}"),
+}
+
+
+def test_divisors_have_no_fractions() -> None:
+    """A damper from the middle of a rod: its rate is divided by the square of its length."""
+    (q,), (m, a, b, c, d) = functions_of_time(["q"]), symbols("m a b c d")
+    frame = rotate("Z", q)
+    rod = Body(frame * translate(a, 0, 0), m)
+    damper = spring(Point(frame, a / 2, 0, 0), Point(ground, b, -c, 0), 0, damping=d, on=rod)
+    equations = newton_euler(System([rod], [damper], coordinates=[q]))
+    assert "*q'/((2*b - a*cos(q))**2 + (2*c + a*sin(q))**2) = 0" in describe(equations)
+    linear = linearize(equations, about={q: 0})
+    assert "C = [d*a**2*c**2/(4*c**2 + (a - 2*b)**2)]" in describe(linear)

@@ -7,10 +7,12 @@ from collections.abc import Iterable, Sequence
 
 from symbody.multibody import System, Variables
 from symbody.symbolic import Expr, latex, listing_of_equations, time_derivative
+from symbody.symbolic.calculus.whole_divisors import with_whole_divisors
 
 from .deflection import with_own_signs
 from .difference import are_lengths, signs
 from .inertia_sign import with_positive_inertia
+from .leading_fraction import with_leading_fractions
 from .one_direction import in_one_direction
 
 Listing = tuple[list[tuple[str, str]], list[str]]
@@ -22,7 +24,7 @@ def printed(terms: Iterable[Expr], notation: str, system: Variables, further: Se
 
     Differences of lengths in the model, such as `R - r`, keep their direction; of the two directions of others, that
     with fewer minus signs is printed. Differences of two other parameters, and those with sines and cosines, have one
-    direction in all terms. From the deflections of springs, lengths are subtracted.
+    direction in all terms. From the deflections of springs, lengths are subtracted. Divisors have no fractions.
 
     Args:
         terms: the terms.
@@ -30,7 +32,7 @@ def printed(terms: Iterable[Expr], notation: str, system: Variables, further: Se
         system: the system to which they belong.
         further: functions of time that are ordered like speeds, such as names of velocities.
     """
-    terms = tuple(terms)
+    terms = tuple(map(with_whole_divisors, terms))
     added, behind = signs(system) if isinstance(system, System) else ((), ())
     is_open = added and isinstance(system, System) and not are_lengths(system)
     directions = [behind, added] if is_open else [behind]
@@ -44,7 +46,8 @@ def printed(terms: Iterable[Expr], notation: str, system: Variables, further: Se
 
     definitions, texts = plain if notation == "text" else _listed(terms, notation, system, direction, further)
     moving = [str(each) if notation == "text" else latex(each) for each in (*in_order(system), *further)]
-    return definitions, in_one_direction(with_own_signs(terms, texts, system, texts_of), moving)
+    signed = in_one_direction(with_own_signs(terms, texts, system, texts_of), moving)
+    return definitions, [*map(with_leading_fractions, signed)]
 
 
 def _listed(

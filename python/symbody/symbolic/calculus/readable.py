@@ -11,6 +11,7 @@ from symbody.symbolic.given.arguments import expression_or_container
 
 from .energy_form import energy_form, flat_inertia
 from .shortest_text import shortest_text
+from .whole_divisors import with_whole_divisors
 
 __all__ = ["readable"]
 
@@ -27,8 +28,8 @@ def readable(expression: Any) -> Any:
     expression does not have count as longer. The text is never longer than that of the expression, unless that has
     a factor before brackets in which it occurs again, as ``c + x*(a + b*x)``. An energy whose brackets hold sums of
     speeds in brackets has a coefficient for each product of speeds, and entries of mass matrices have flat squares of
-    lengths, ``m*(l**2 + a*l*cos(q))``. Parts that are too large stay as they
-    are. The value at the random point proves that the mathematics is unchanged.
+    lengths, ``m*(l**2 + a*l*cos(q))``. Divisors have no fractions. Parts that are too large stay as they are. The
+    value at the random point proves that the mathematics is unchanged.
 
     >>> from symbody import cos, readable, sin, symbols
     >>> m, l, c, a, b = symbols("m l c a b")
@@ -44,4 +45,5 @@ def readable(expression: Any) -> Any:
 
 def _most_readable(expression: Expr) -> Expr:
     energy = energy_form(expression)
-    return flat_inertia(expression, shortest_text(expression)) if energy is None else energy
+    form = flat_inertia(expression, shortest_text(expression)) if energy is None else energy
+    return with_whole_divisors(form)
