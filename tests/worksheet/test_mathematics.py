@@ -219,3 +219,12 @@ def test_integrals_of_functions_and_over_areas() -> None:
         f"{math.sqrt(math.pi):.9f}",
         "Int(f,0 .. 1)",
     ]
+
+
+def test_what_has_no_degree_or_coefficient() -> None:
+    assert printed("degree(0,x); degree(sin(x),x); degree((x+1)^2-x^2,x);") == ["-infinity", "FAIL", "1"]
+    assert failures("coeff(a*x^n,x,n);") == ["coeff: the power n; expected an integer"]
+
+
+def test_a_new_value_of_a_function_forgets_its_entries() -> None:
+    assert printed("f(2) := 5: f := x -> x^2: f(2); f(3) := 1: f(3); f(2);") == ["4", "1", "4"]

@@ -5,6 +5,23 @@ import pytest
 from tests.worksheet.printed_by import failures, printed
 
 CASES = {
+    "of both kinds": (  # a name of a matrix of the old kind is no scalar beside a Matrix
+        "A := Matrix([[1,2],[3,4]]): B := matrix([[a,b],[c,d]]): v := <x,y>: A.B; B.A; A+B; B.v; A*vector([p,q]);",
+        [
+            "Matrix([[a+2*c, b+2*d], [3*a+4*c, 3*b+4*d]])",
+            "matrix([[a+3*b, 2*a+4*b], [c+3*d, 2*c+4*d]])",
+            "Matrix([[a+1, b+2], [c+3, d+4]])",
+            "vector([a*x+b*y, c*x+d*y])",
+            "Vector[column]([[p+2*q], [3*p+4*q]])",
+        ],
+    ),
+    "complex vectors": (
+        (
+            "with(LinearAlgebra): DotProduct(<I,1>,<1,1>); <I,1>.<I,1>; HermitianTranspose(<I,1>); "
+            "linalg[dotprod]([I,1],[1,1]);"
+        ),
+        ["1-I", "2", "Vector[row]([-I, 1])", "1+I"],
+    ),
     "row operations change the matrix itself only in place": (
         (
             "with(LinearAlgebra): A := <<1|2>,<3|4>>: RowOperation(A,[2,1],-3); A; "

@@ -33,6 +33,21 @@ CASES = {
             "{u = -1, v = 3}, {u = -I, v = 2+I}, {u = I, v = 2-I}",
         ],
     ),
+    "functions by cases": (  # each value by hand, at both sides of its case
+        (
+            "solve(piecewise(q<0,-q,q^2)=4,q); solve(signum(q)*q^2=4,q); solve(max(q,1)=3,q); solve(q*abs(q)=-4,q); "
+            "solve({max(u,v)=3,u-v=1},{u,v}); solve(k*abs(q)+c*signum(q)*q=F,q); solve(abs(q-1)+abs(q+1)=4,q); "
+            "solve(min(q,5)=3,q); solve(signum(q)*(q-2)=0,q);"
+        ),
+        ["-4, 2", "2", "3", "-2", "{u = 3, v = 2}", "F/(c+k), -F/(c+k)", "2, -2", "3", "2, 0"],
+    ),
+    "no values that a root and an arc function don't have": (
+        (
+            "[solve(sqrt(q)=-3,q)]; [solve(sqrt(q^2+1)=-1,q)]; [solve({sqrt(u)=v,v=-1},{u,v})]; "
+            "[solve(arctan(q)=2,q)]; solve(sqrt(q)=3,q); solve(arctan(q)=-1,q); solve(q^(-1/2)=2,q);"
+        ),
+        ["[]", "[]", "[]", "[]", "9", "-tan(1)", "1/4"],
+    ),
     "angles by their tangent": (
         "solve(a*cos(q)=b*sin(q),q); solve(cos(2*q)=sin(2*q),q);",
         ["arctan(a/b)", "1/8*Pi"],
@@ -206,3 +221,9 @@ def test_fsolve_names_values_of_functions_that_have_no_number() -> None:
 
 def test_roots_of_several_names_need_their_unknown() -> None:
     assert failures("RootOf(x^2 - a);") == ["RootOf: x^2-a; expected its unknown, as in RootOf(x^2 - a, x)"]
+
+
+def test_an_equation_that_holds_all_over_a_case_is_refused() -> None:
+    assert failures("solve(signum(q)=1,q);") == [
+        "solve: signum(q) = 1 solves an equation wherever it holds; expected equations with single solutions"
+    ]

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+import re
 
 import pytest
 
 from symbody import (
     Expr,
+    Max,
     cos,
     functions_of_time,
     sin,
@@ -89,3 +91,14 @@ def test_unknowns_stay_free_and_contradictions_have_no_solution() -> None:
 def test_what_has_no_closed_form_is_refused() -> None:
     with pytest.raises(ExpressionError, match="no solution in closed form of 1 equation in x"):
         solutions([x - cos(x) * a], [x])
+
+
+def test_functions_by_cases_and_roots_that_are_not_negative() -> None:
+    message = (
+        "solve: Max(1, x) is a different expression in each case; put the expression of one case in its place, and "
+        "keep the solutions for which the case holds"
+    )
+    with pytest.raises(ExpressionError, match=re.escape(message)):
+        solutions([Max(x, 1) - 3], [x])
+    assert solutions([Max(a, 1) * x - b], [x]) == [{x: b / Max(a, 1)}]
+    assert solutions([sqrt(x) + 3], [x]) == []

@@ -49,6 +49,7 @@ def solutions(equations: Sequence[Expr], unknowns: Sequence[Expr]) -> list[Solut
     >>> [found[phi] for found in solutions([l * cos(phi) - x + a, l * sin(phi) - b], [x, phi])]
     [atan2(b/l, sqrt(1 - b**2/l**2)), atan2(b/l, -sqrt(1 - b**2/l**2))]
     """
+    _refuse_cases(equations, unknowns)
     names = _plain_names([*equations, *unknowns])
     back = {plain: leaf for leaf, plain in names.items()}
     plain_unknowns = substitute(tuple(unknowns), names)
@@ -60,6 +61,20 @@ def solutions(equations: Sequence[Expr], unknowns: Sequence[Expr]) -> list[Solut
         {leaf: substitute((each[x],), back)[0] for x, leaf in order if x in each and each[x] != x}
         for each in found
     ]
+
+
+def _refuse_cases(equations: Sequence[Expr], unknowns: Sequence[Expr]) -> None:
+    """Refuse functions that are one expression here and another one there: their derivatives don't tell their zeros."""
+    held = {*unknowns}
+    for node in _nodes(equations):
+        if node.kind == "function" and node.name in _BY_CASES and not held.isdisjoint(node.free_symbols):
+            raise ExpressionError(
+                f"solve: {brief(str(node))} is a different expression in each case; put the expression of one case in "
+                "its place, and keep the solutions for which the case holds"
+            )
+
+
+_BY_CASES = frozenset({"Abs", "sign", "Max", "Min", "Piecewise"})
 
 
 def _first_form(equations: list[Expr], unknowns: list[Expr], names: Solution) -> list[Solution]:
@@ -202,8 +217,16 @@ def _through_function(e: Expr, x: Expr) -> list[Expr] | None:
         return None
     base, n = roots[0].args
     values = polynomial_roots(polynomial) or []
+    if n.ratio[0] in (1, -1):  # a root of a real number is not negative
+        values = [value for value in values if not _is_negative(value)]
+        if not values:
+            return []
     found = [polynomial_roots(coefficients(base - value ** (1 / n), x) or []) for value in values]
     return [root for each in found if each for root in each] or None
+
+
+def _is_negative(e: Expr) -> bool:
+    return e.is_constant and e.evaluate() < 0
 
 
 def _one_linear(equations: Sequence[Expr], unknowns: Sequence[Expr], *, alone: bool) -> list[Solution] | None:

@@ -17,7 +17,7 @@ from symbody.worksheet.evaluation.entrywise import entrywise
 from symbody.worksheet.evaluation.session import Command, Session
 from symbody.worksheet.mathematics.elimination import eliminated_in_turn
 from symbody.worksheet.mathematics.inverse_functions import has_inverse, without_inverses
-from symbody.worksheet.mathematics.polynomial import coefficients, degree, reduced
+from symbody.worksheet.mathematics.polynomial import coefficients, reduced
 from symbody.worksheet.mathematics.positive_roots import with_positive_roots
 from symbody.worksheet.printing.print import Style, text_of
 from symbody.worksheet.values.naming import symbol
@@ -243,7 +243,10 @@ def coeff(session: Session, value: Value, variable: Value, power: Value | None =
     """coeff(e, x, n), coeff(e, x^n): the coefficient of a power, by value."""
     by, exponent = scalar(session, variable), 1
     if power is not None:
-        exponent = as_integer(power) or 0
+        found = as_integer(power)
+        if found is None:
+            raise WorksheetError(f"coeff: the power {session.text(power)[:60]}; expected an integer")
+        exponent = found
     elif tree_of(by).kind == "power" and (found := as_integer(tree_of(by).parts[1].value)) is not None:
         by, exponent = tree_of(by).parts[0].value, found
     return entrywise(session, value, lambda each: coefficients(each, by).get(exponent, number(0)))
@@ -266,12 +269,15 @@ def coeffs(session: Session, value: Value, variables: Value | None = None) -> Va
 
 
 def degree_of(session: Session, value: Value, variable: Value | None = None) -> Value:
-    """degree(p, x)."""
+    """degree(p, x): FAIL for what is no polynomial in x; that of 0 is -infinity."""
     expression = scalar(session, value)
     if variable is None and not expression.free_symbols:
         return number(0)
+    if expanded(expression).is_zero:
+        return -symbol("infinity")
     by = min(expression.free_symbols, key=str) if variable is None else scalar(session, variable)
-    return number(degree(expression, by))
+    found = coefficients(expanded(expression), by)
+    return symbol("FAIL") if any(each.has(by) for each in found.values()) else number(max(found, default=0))
 
 
 def _extreme(choose: Callable[[Iterable[int]], int], *, exponent: bool) -> Command:

@@ -13,6 +13,7 @@ from symbody.worksheet.builtins.blocks import from_columns, from_rows
 from symbody.worksheet.builtins.row_echelon import solved
 from symbody.worksheet.evaluation.arithmetic import (
     binary,
+    conjugate,
     identity,
     inverted,
     matrix_product,
@@ -118,7 +119,7 @@ def cross(session: Session, a: Value, b: Value) -> Value:
 
 
 def dot(session: Session, a: Value, b: Value, *options: Value) -> Value:
-    """DotProduct(a, b)."""
+    """DotProduct(a, b): the sum of conjugate(a[i])*b[i]."""
     one, two = array_of(session, a, "DotProduct"), array_of(session, b, "DotProduct")
     if len(one.entries) != len(two.entries):
         raise WorksheetError(
@@ -126,8 +127,14 @@ def dot(session: Session, a: Value, b: Value, *options: Value) -> Value:
         )
     total: Value = number(0)
     for x, y in zip(one.entries, two.entries, strict=True):
-        total = binary(session, "+", total, binary(session, "*", x, y))
+        total = binary(session, "+", total, binary(session, "*", conjugate(session, x), y))
     return total
+
+
+def hermitian_transpose(session: Session, value: Value) -> Value:
+    """HermitianTranspose(A): the conjugate entries of the transpose."""
+    array = transposed(array_of(session, value, "HermitianTranspose"))
+    return replace(array, entries=[conjugate(session, each) for each in array.entries])
 
 
 def norm(session: Session, value: Value, kind: Value | None = None, *options: Value) -> Value:
@@ -368,6 +375,7 @@ def old_kind(function: Callable[..., Value]) -> Command:
 
 _NEW: dict[str, Command] = {
     "Transpose": transpose,
+    "HermitianTranspose": hermitian_transpose,
     "MatrixInverse": inverse,
     "Determinant": determinant,
     "Trace": trace,
@@ -418,7 +426,7 @@ _OLD: dict[str, Command] = {
     "matadd": matrix_sum,
     "scalarmul": scaled,
     "crossprod": cross,
-    "dotprod": dot,
+    "dotprod": lambda session, a, b, *options: dot(session, b, a),  # conjugates its second vector
     "norm": norm,
     "submatrix": sub_matrix,
     "row": row,

@@ -27,7 +27,7 @@ _BY_PURPOSE = {
         "LUdecomp cholesky svd singularvals rowspan colspan "
         "JordanForm LUDecomposition QRDecomposition SingularValues ConditionNumber "
         "ConstantVector MatrixFunction RandomMatrix RandomVector BandMatrix ToeplitzMatrix HilbertMatrix "
-        "HessianMatrix CompanionMatrix MinimalPolynomial SchurForm HermitianTranspose "
+        "HessianMatrix CompanionMatrix MinimalPolynomial SchurForm "
         "GramSchmidt LeastSquares ColumnSpace RowSpace SumBasis "
         "IntersectionBasis IsDefinite IsOrthogonal IsUnitary JordanBlockMatrix "
         "Permanent KroneckerProduct exponential jordan frobenius hadamard "

@@ -7,7 +7,6 @@ from collections.abc import Iterator, Mapping
 
 from symbody.errors import SymbodyError, WorksheetError
 from symbody.symbolic import Expr, expand, factor_terms, t
-from symbody.symbolic.expression.traverse import post_order
 from symbody.symbolic.roots.solutions import solutions as all_solutions
 from symbody.worksheet.builtins.inequalities import inequalities_of, solved_inequalities
 from symbody.worksheet.builtins.unknowns import names_of_unknowns, with_names
@@ -16,6 +15,7 @@ from symbody.worksheet.evaluation.at_numbers import calls_functions, value_at
 from symbody.worksheet.evaluation.current import set_of
 from symbody.worksheet.evaluation.select import assigned_entry
 from symbody.worksheet.evaluation.session import Command, Session, sequence
+from symbody.worksheet.mathematics.cases import cases_of, function_by_cases
 from symbody.worksheet.mathematics.closed_roots import (
     is_complex,
     numeric_roots,
@@ -87,34 +87,28 @@ def unknowns_of(session: Session, value: Value | None, residuals: list[Expr]) ->
 Solution = dict[Expr, Value]
 
 
-def _magnitude(residuals: list[Expr], unknowns: list[Expr]) -> Expr | None:
-    """Return an absolute value that depends on unknowns, or None."""
-    nodes = post_order(residuals, lambda node: node.args, lambda node: node.id)
-    sizes = (node for node in nodes if node.kind == "function" and node.name == "Abs")
-    return next((node for node in sizes if node.free_symbols & {*unknowns}), None)
-
-
-def _of_sign(
-    session: Session, residuals: list[Expr], unknowns: list[Expr], size: Expr, sign: int
+def _by_cases(
+    session: Session, residuals: list[Expr], unknowns: list[Expr], function: Expr
 ) -> list[Solution]:
-    """Return the solutions for which abs(u) is u or -u, without those of which numbers show that it is not.
+    """Return the solutions in each case of a function such as abs(u), if no numbers show that the case is another one.
 
-    Args:
-        session: the session.
-        residuals: what is to be zero.
-        unknowns: what is solved for.
-        size: abs(u).
-        sign: 1 or -1.
+    Raises:
+        WorksheetError: an equation holds all over a case.
     """
-    (inner,) = size.args
-    found = solutions(session, [each.subs({size: sign * inner}) for each in residuals], unknowns)
-    kept = []
-    for solution in found:
-        at = {x: value for x, value in solution.items() if isinstance(value, Expr)}
-        bound = as_float((sign * inner).subs(at))
-        if bound is None or bound > 0 or (sign > 0 and bound == 0):
-            kept.append(solution)
-    return kept
+    made = []
+    for case in cases_of(function):
+        left = [each.subs({function: case.value, **case.also}) for each in residuals]
+        if not case.zero and any(each.is_zero for each in left):
+            raise WorksheetError(
+                f"solve: {session.text(function)[:60]} = {session.text(case.value)[:60]} solves an equation wherever "
+                "it holds; expected equations with single solutions"
+            )
+        left.extend(case.zero)
+        for solution in solutions(session, left, unknowns):
+            at = {x: value for x, value in solution.items() if isinstance(value, Expr)}
+            if case.may_hold(at):
+                made.append(solution)
+    return made
 
 
 def solutions(session: Session, residuals: list[Expr], unknowns: list[Expr]) -> list[Solution]:
@@ -127,9 +121,9 @@ def solutions(session: Session, residuals: list[Expr], unknowns: list[Expr]) -> 
         back = {name: x for x, name in unknown.items()}
         return [{back.get(x, x): value for x, value in solution.items()} for solution in renamed]
     left = [each for each in residuals if not each.is_zero]
-    size = _magnitude(left, unknowns)
-    if size is not None:
-        return [each for sign in (1, -1) for each in _of_sign(session, left, unknowns, size, sign)]
+    switching = function_by_cases(left, unknowns)
+    if switching is not None:
+        return _by_cases(session, left, unknowns, switching)
     parts = simpler_equations(left[0], unknowns[0]) if len(left) == len(unknowns) == 1 else None
     if parts is not None:
         united = [each for part in parts for each in solutions(session, [part], unknowns)]

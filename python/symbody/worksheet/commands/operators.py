@@ -22,7 +22,7 @@ _PRODUCTS = {"*", ".", "&*"}
 def overloaded(session: Session, operator: str, left_value: Value, right_value: Value) -> Value | None:
     """Return what an operator makes of objects and frames; None where it has its meaning in Maple."""
     a, b = session.resolve(left_value), session.resolve(right_value)
-    if frame_face.is_frame(a) and operator in {"*", ".", "&*", "^"}:
+    if frame_face.is_frame(a) and operator in {"*", ".", "&*", "^"} and not kind_of(b):
         return _of_frames(session, operator, a, b)
     if not (kind_of(a) or kind_of(b)):
         return None
@@ -58,7 +58,9 @@ def _left_as_it_stands(session: Session, operator: str, left_value: Value, right
     kinds = [kind_of(session.resolve(each)) for each in operands]
     what = f"{_operand(session, left_value)} {operator} {_operand(session, right_value)}"
     expected = "a POINT + a VECTOR, two VECTORs, or a number times a VECTOR"
-    if any(kind and not isinstance(each, Reference) for kind, each in zip(kinds, operands, strict=True)):
+    if any(
+        kind and not isinstance(each, Reference) for kind, each in zip(kinds, operands, strict=True)
+    ) or any(isinstance(session.resolve(each), Array) for each in operands):
         raise WorksheetError(f"{what} has no meaning; expected {expected}")
     session.notices.append(f"{what} has no meaning and stays as it is; expected {expected}")
 
@@ -68,6 +70,8 @@ def _operand(session: Session, value: Value) -> str:
     kind = kind_of(session.resolve(value))
     if isinstance(value, Reference):
         return f"{kind} {value.name}".strip()
+    if isinstance(value, Array):
+        return "a matrix"
     return f"a {kind}" if kind else session.text(value)
 
 

@@ -10,7 +10,7 @@ from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, Matrix, number
 from symbody.worksheet.mathematics.order_term import absorbed
 from symbody.worksheet.printing.print import text_of
-from symbody.worksheet.values.complex_number import normal, root_of_negative
+from symbody.worksheet.values.complex_number import has_i, normal, root_of_negative
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.numeric import as_float, power, quotient
 from symbody.worksheet.values.structure import Tree, tree_of
@@ -35,6 +35,7 @@ if TYPE_CHECKING:
 __all__ = [
     "binary",
     "called_with",
+    "conjugate",
     "identity",
     "matrix_product",
     "negated",
@@ -158,7 +159,7 @@ def _column(value: Value) -> Value:
 
 
 def _arrays(session: Session, operator: str, left: Value, right: Value) -> Value:
-    left, right = session.current(left), session.current(right)
+    left, right = _held(session, left), _held(session, right)
     if isinstance(left, Array) and isinstance(right, Array):
         if operator in "+-":
             return _entrywise(session, operator, left, right)
@@ -171,6 +172,12 @@ def _arrays(session: Session, operator: str, left: Value, right: Value) -> Value
         return _with_scalar(session, operator, left, right, reverse=False)
     assert isinstance(right, Array)
     return _with_scalar(session, operator, right, left, reverse=True)
+
+
+def _held(session: Session, value: Value) -> Value:
+    """Return the present value of an operand: a name of a matrix of the old kind stands for the matrix here."""
+    found = session.resolve(value)
+    return session.current(found if isinstance(found, Array) else value)
 
 
 def _with_scalar(session: Session, operator: str, array: Array, other: Value, *, reverse: bool) -> Value:
@@ -223,7 +230,9 @@ def _entrywise(session: Session, operator: str, left: Array, right: Array) -> Ar
 def matrix_product(session: Session, left: Array, right: Array) -> Value:
     """Return the product of two matrices, or of a matrix and a vector; that of two vectors is a scalar."""
     if left.columns == 1 and right.columns == 1 and left.rows == right.rows > 1:
-        left = transposed(left)
+        turned = transposed(left)
+        conjugates = [conjugate(session, each) for each in turned.entries]
+        left = turned if left.kind.islower() else replace(turned, entries=conjugates)
         vectors = True
     else:
         vectors = left.rows == 1 and right.columns == 1 and "ector" in left.kind + right.kind
@@ -248,6 +257,12 @@ def matrix_product(session: Session, left: Array, right: Array) -> Value:
     if vectors and len(entries) == 1:
         return entries[0]
     return Array(left.rows, right.columns, entries, _kind_of_product(left, right))
+
+
+def conjugate(session: Session, value: Value) -> Value:
+    """Return the conjugate of an entry; all names but I are real."""
+    is_complex = isinstance(value, Expr) and has_i(value)
+    return session.call(symbol("conjugate"), (value,)) if is_complex else value
 
 
 def _kind_of_product(left: Array, right: Array) -> str:

@@ -169,8 +169,9 @@ class Session:
         return self.scopes[-1] if self.scopes else None
 
     def assign(self, name: str, value: Value) -> None:
-        """Give a name of the session a value."""
+        """Give a name of the session a value, in place of the one before with its remember table."""
         self.names[name] = value
+        self.remembered.pop(name, None)
         if name.startswith("diff/"):
             self.rules.add(name)
         self.touch(name)

@@ -6,6 +6,7 @@ cube roots degree three; higher degrees are ``RootOf(p(_Z), index = k)``, as in 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from math import gcd, lcm
@@ -206,6 +207,21 @@ _INVERSES: dict[str, Callable[[Expr], Expr]] = {
 }
 
 
+_VALUES: dict[str, tuple[float, float]] = {
+    "root": (0.0, math.inf),
+    "arcsin": (-math.pi / 2, math.pi / 2),
+    "arccos": (0.0, math.pi),
+    "arctan": (-math.pi / 2, math.pi / 2),
+}
+"""The least and the largest real value of functions that have one."""
+
+
+def _is_value_of(name: str, side: Expr) -> bool:
+    """Whether a function may have a value: no number shows that it can't."""
+    low, high = _VALUES.get(name, (-math.inf, math.inf))
+    return not side.is_constant or low <= side.evaluate() <= high
+
+
 def _peeled(residual: Expr, unknown: Expr) -> list[Value] | None:
     """Return the roots of an equation in which the unknown occurs once, by the inverses of what is around it."""
     tree = tree_of(residual)
@@ -238,6 +254,7 @@ def _undone(tree: Tree, inner: Tree, sides: list[Expr]) -> list[Expr] | None:
         return _unraised(tree.parts[1].value, sides)
     if tree.kind == "function" and len(tree.parts) == 1 and tree.name in _INVERSES:
         inverse = _INVERSES[tree.name]
+        sides = [side for side in sides if _is_value_of(tree.name, side)]
         return [beyond_the_reals(inverse.__name__, side) or inverse(side) for side in sides]
     return None
 
@@ -247,6 +264,7 @@ def _unraised(exponent: Expr, sides: list[Expr]) -> list[Expr] | None:
         return [side ** (1 / exponent) for side in sides]
     numerator, denominator = exponent.ratio
     if abs(numerator) == 1:
+        sides = [side for side in sides if denominator == 1 or _is_value_of("root", side)]
         return [side ** (denominator * numerator) for side in sides]
     if abs(numerator) == 2:
         roots = [side ** (number(denominator) / numerator) for side in sides]
