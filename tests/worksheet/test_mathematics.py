@@ -223,8 +223,19 @@ def test_integrals_of_functions_and_over_areas() -> None:
 
 def test_what_has_no_degree_or_coefficient() -> None:
     assert printed("degree(0,x); degree(sin(x),x); degree((x+1)^2-x^2,x);") == ["-infinity", "FAIL", "1"]
+    assert printed("coeff(a*sqrt(x)+b*x,sqrt(x)); coeffs(a*sqrt(x)+b,sqrt(x));") == ["a", "b, a"]
+    interpreter = Interpreter()
+    assert printed("coeff(sin(x)+2*x,x);", None, interpreter) == ["2"]
+    assert interpreter.session.notices == [
+        "coeff: sin(x)+2*x is no polynomial in x; what else depends on it counts as known"
+    ]
     assert failures("coeff(a*x^n,x,n);") == ["coeff: the power n; expected an integer"]
 
 
 def test_a_new_value_of_a_function_forgets_its_entries() -> None:
     assert printed("f(2) := 5: f := x -> x^2: f(2); f(3) := 1: f(3); f(2);") == ["4", "1", "4"]
+
+
+def test_normal_is_one_fraction() -> None:
+    sheet = "normal(a/b+c/d); normal(1/(x+1)+1/(x-1)); normal(sin(x)/cos(x)+1); normal((a+b)^2/(a^2-b^2));"
+    assert printed(sheet) == ["(a*d+b*c)/b/d", "2*x/(x^2-1)", "(cos(x)+sin(x))/cos(x)", "(a+b)/(a-b)"]

@@ -83,3 +83,16 @@ CASES = {
 @pytest.mark.parametrize(("sheet", "expected"), CASES.values(), ids=CASES.keys())
 def test_sequences(sheet: str, expected: list[str]) -> None:
     assert printed(sheet) == expected
+
+
+def test_several_functions_at_one_argument() -> None:
+    sheet = "[(f,g)(x)]; [q||(1..3)(t)]; 'q||(1..2)(t)'; diff([q||(a,b)(t)],t); {f,g}(x); (sin,cos)(0); [q||(1..2)];"
+    assert printed(sheet) == [
+        "[f(x), g(x)]",
+        "[q1(t), q2(t), q3(t)]",
+        "q1(t), q2(t)",
+        "[diff(qa(t),t), diff(qb(t),t)]",
+        "{f(x), g(x)}",
+        "0, 1",
+        "[q1, q2]",
+    ]

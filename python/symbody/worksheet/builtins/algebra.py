@@ -249,7 +249,17 @@ def coeff(session: Session, value: Value, variable: Value, power: Value | None =
         exponent = found
     elif tree_of(by).kind == "power" and (found := as_integer(tree_of(by).parts[1].value)) is not None:
         by, exponent = tree_of(by).parts[0].value, found
-    return entrywise(session, value, lambda each: coefficients(each, by).get(exponent, number(0)))
+
+    def rewrite(each: Expr) -> Expr:
+        found = coefficients(each, by)
+        if any(part.has(by) for part in found.values()):
+            session.notice(
+                f"coeff: {session.text(each)[:60]} is no polynomial in {session.text(by)}; what else depends on it "
+                "counts as known"
+            )
+        return found.get(exponent, number(0))
+
+    return entrywise(session, value, rewrite)
 
 
 def coeffs(session: Session, value: Value, variables: Value | None = None) -> Value:
@@ -349,7 +359,6 @@ COMMANDS: dict[str, Command] = {
     "simplify": simplify,
     "expand": _rewriting(_expanded),
     "combine": _rewriting(combine_trig),
-    "normal": _rewriting(simplified),
     "radsimp": _rewriting(simplified),
     "rationalize": _rewriting(simplified),
     "collect": collect,

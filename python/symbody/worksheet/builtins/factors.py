@@ -8,7 +8,7 @@ from importlib.util import find_spec
 from typing import Any
 
 from symbody.errors import WorksheetError
-from symbody.symbolic import Expr, UndefinedFunction, factor_terms, from_sympy, number, to_sympy
+from symbody.symbolic import Expr, UndefinedFunction, factor_terms, from_sympy, number, simplify, to_sympy
 from symbody.symbolic.expression.traverse import post_order
 from symbody.worksheet.evaluation.arithmetic import scalar
 from symbody.worksheet.evaluation.entrywise import entrywise
@@ -66,6 +66,17 @@ def _apart(session: Session, value: Expr, unknown: Expr | None) -> Expr:
 def fraction_part(which: int) -> Command:
     """Return numer(e) or denom(e): what stands above or below the common denominator."""
     return lambda session, value: _reduced(*common_fraction(scalar(session, value)))[which]
+
+
+def normal(session: Session, value: Value, *options: Value) -> Value:
+    """normal(e): one fraction, without a common polynomial factor."""
+
+    def rewrite(each: Expr) -> Expr:
+        session.limits.check()
+        above, below = _reduced(*common_fraction(simplify(each)))
+        return above / below
+
+    return entrywise(session, value, rewrite, keeps_value=True)
 
 
 def _reduced(above: Expr, below: Expr) -> tuple[Expr, Expr]:
@@ -181,6 +192,7 @@ def _common(name: str, of_integers: Callable[[int, int], int]) -> Command:
 COMMANDS: dict[str, Command] = {
     "numer": fraction_part(0),
     "denom": fraction_part(1),
+    "normal": normal,
     "factor": factor,
     "ifactor": integer_factors,
     "gcd": _common("gcd", math.gcd),

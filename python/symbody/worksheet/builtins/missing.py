@@ -17,7 +17,7 @@ _BY_PURPOSE = {
     ),
     "assumptions": "about coulditbe property",
     "numbers": (
-        "isqrt iroot "
+        "isqrt iroot symmdiff polar "
         "ifactors divisors primes rand randpoly randmatrix GAMMA Beta Zeta erf "
         "erfc BesselJ BesselY EllipticF EllipticK EllipticE LambertW Dirac Si Ci Ei arcsec arccsc arcsinh "
         "arccosh arctanh sech csch coth"
@@ -26,8 +26,8 @@ _BY_PURPOSE = {
         "toeplitz vandermonde wronskian QRdecomp "
         "LUdecomp cholesky svd singularvals rowspan colspan "
         "JordanForm LUDecomposition QRDecomposition SingularValues ConditionNumber "
-        "ConstantVector MatrixFunction RandomMatrix RandomVector BandMatrix ToeplitzMatrix HilbertMatrix "
-        "HessianMatrix CompanionMatrix MinimalPolynomial SchurForm "
+        "ConstantVector MatrixFunction MatrixExponential RandomMatrix RandomVector BandMatrix ToeplitzMatrix "
+        "HilbertMatrix HessianMatrix CompanionMatrix MinimalPolynomial SchurForm "
         "GramSchmidt LeastSquares ColumnSpace RowSpace SumBasis "
         "IntersectionBasis IsDefinite IsOrthogonal IsUnitary JordanBlockMatrix "
         "Permanent KroneckerProduct exponential jordan frobenius hadamard "

@@ -10,9 +10,9 @@ from symbody.symbolic import Expr, UndefinedFunction, t
 from symbody.symbolic.given.similar_name import did_you_mean
 from symbody.worksheet import builtins
 from symbody.worksheet.evaluation import arithmetic
-from symbody.worksheet.evaluation.current import flattened
+from symbody.worksheet.evaluation.current import flattened, set_of
 from symbody.worksheet.evaluation.entrywise import entrywise
-from symbody.worksheet.evaluation.session import Session
+from symbody.worksheet.evaluation.session import Session, sequence
 from symbody.worksheet.evaluation.structured_types import STRUCTURED
 from symbody.worksheet.interpreter.leaf import named
 from symbody.worksheet.interpreter.procedure import ProcedureCall, call_procedure
@@ -150,9 +150,19 @@ def _procedure_call(
     return call_procedure(session, ProcedureCall(found, arguments, name))
 
 
+def _each_call(
+    session: Session, functions: Listed | MapleSet | Sequence, arguments: tuple[Value, ...]
+) -> Value:
+    """Return ``[f(x), g(x)]`` for ``[f, g](x)``."""
+    made = [session.call(item, arguments) for item in functions.items]
+    if isinstance(functions, Sequence):
+        return sequence(made)
+    return Listed(tuple(made)) if isinstance(functions, Listed) else set_of(made)
+
+
 def _other_call(session: Session, function: Value, arguments: tuple[Value, ...]) -> Value:
-    if isinstance(function, Listed):
-        return Listed(tuple(session.call(item, arguments) for item in function.items))
+    if isinstance(function, Listed | MapleSet | Sequence):
+        return _each_call(session, function, arguments)
     if isinstance(function, Array):  # A(1, 2) is the entry A[1, 2]
         return session.select(function, arguments)
     if isinstance(function, Quoted):

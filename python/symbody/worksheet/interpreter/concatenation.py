@@ -12,12 +12,17 @@ from symbody.worksheet.interpreter.leaf import named
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.values.value import Sequence, String, Value
 
-__all__ = ["METHODS", "concatenation"]
+__all__ = ["METHODS", "concatenation", "names_of"]
 
 
 def concatenation(session: Session, node: syntax.Expression) -> str:
     """Return the name that ``a || b`` makes; the left side isn't evaluated."""
     return ", ".join(_texts(session, node))
+
+
+def names_of(session: Session, node: syntax.Concatenation) -> list[str]:
+    """Return the names that ``a || (1..3)`` makes."""
+    return _texts(session, node)
 
 
 def _concatenated(session: Session, node: syntax.Concatenation) -> Value:

@@ -10,7 +10,7 @@ from symbody.worksheet import builtins
 from symbody.worksheet.evaluation.current import flattened, set_of
 from symbody.worksheet.evaluation.session import Session, sequence
 from symbody.worksheet.interpreter.call import application
-from symbody.worksheet.interpreter.concatenation import concatenation
+from symbody.worksheet.interpreter.concatenation import names_of
 from symbody.worksheet.interpreter.quoted_name import at_entry, head_in_quotes
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.values.naming import symbol
@@ -25,7 +25,7 @@ def unevaluated(session: Session, node: syntax.Expression) -> Value:
         given = at_entry(session, node.name)
         return symbol(node.name) if given is None else given
     if isinstance(node, syntax.Concatenation):
-        return symbol(concatenation(session, node))
+        return sequence([symbol(name) for name in names_of(session, node)])
     if isinstance(node, syntax.Integer | syntax.Decimal | syntax.Text | syntax.Ditto):
         return session.evaluate(node)
     if isinstance(node, syntax.ListDisplay | syntax.SetDisplay | syntax.SequenceDisplay):
@@ -41,8 +41,11 @@ def unevaluated(session: Session, node: syntax.Expression) -> Value:
 
 
 def _kept_call(session: Session, node: syntax.Call) -> Value:
-    name = head_in_quotes(session, node.function)
     arguments = flattened(unevaluated(session, each) for each in node.arguments)
+    names = names_of(session, node.function) if isinstance(node.function, syntax.Concatenation) else []
+    if len(names) > 1 and all(isinstance(each, Expr) for each in arguments):
+        return sequence([application(session, name, tuple(arguments)) for name in names])
+    name = head_in_quotes(session, node.function)
     if builtins.command(session, name) is None and all(isinstance(each, Expr) for each in arguments):
         return application(session, name, tuple(arguments))
     if _has_given(session, node):  # unevaluated code would be evaluated outside of the procedure

@@ -18,10 +18,12 @@ def coefficients(value: Expr, variable: Expr) -> dict[int, Expr]:
     Raises:
         WorksheetError: the value is not a polynomial in the variable.
     """
-    if not value.has(variable):
+    is_root = variable.kind == "power"  # sqrt(x), which has and subs don't see in a*sqrt(x)
+    held = any(node.value == variable for node in walk(tree_of(value))) if is_root else value.has(variable)
+    if not held:
         return {} if value.is_zero else {0: value}
     base = variable
-    if variable.kind not in _LEAVES:
+    if not is_root and variable.kind not in _LEAVES:
         base = symbol("_part")
         value = value.subs({variable: base})
     lowest, highest = _bounds(value, base)
