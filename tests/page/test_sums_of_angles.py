@@ -9,14 +9,18 @@ from symbody import (
     Equations,
     System,
     Vector,
+    cos,
+    describe,
     functions_of_time,
     ground,
     newton_euler,
     rotate,
+    sin,
     symbols,
     translate,
 )
 from symbody.symbolic.calculus.reading import angles_in
+from symbody.symbolic.calculus.single_angles import in_single_angles
 
 
 def arm(axes: str) -> Equations:
@@ -55,3 +59,25 @@ def test_no_entry_has_both_angles_of_parallel_joints_and_their_sum(axes: str, zy
     assert shown == equations.mass_matrix
     for entry in shown.entries:
         assert not {q2, q3, q2 + q3} <= angles_in(entry), entry
+
+
+def test_a_page_has_no_double_angles_beside_products_of_single_ones() -> None:
+    """A cube on its corner: `cos(2*phi)` stood beside `sin(phi)**2 - cos(phi)**2`."""
+    q = psi, theta, phi = functions_of_time("psi theta phi")
+    m, J, l, g = symbols("m J l g")
+    corner = rotate("Z", psi) * rotate("Y", theta) * rotate("X", phi)
+    cube = Body(corner * translate(l, l, l), m, J, J, J)
+    equations = newton_euler(System([cube], coordinates=q, gravity=Vector(ground, 0, 0, -g)))
+    assert "2*phi" not in describe(equations)
+    assert any(2 * phi in angles_in(term) for each in equations.display.page.balances for term in each.left)
+
+
+def test_double_angles_that_the_user_gave_stay() -> None:
+    a, b, x = symbols("a b x")
+    forms = a * cos(2 * x), b * sin(x) ** 2
+    assert in_single_angles(forms, given={2 * x}) == forms
+    assert [str(each) for each in in_single_angles(forms)] == [
+        "a*(cos(x)**2 - sin(x)**2)",
+        "b*sin(x)**2",
+    ]
+    assert str(in_single_angles([a * cos(2 * x) + a, *forms])[0]) == "2*a*cos(x)**2"

@@ -8,6 +8,7 @@ from weakref import WeakKeyDictionary
 from symbody.multibody import System, Variables
 from symbody.symbolic import Expr, cost, diff, free_symbols, number
 from symbody.symbolic.calculus.reader import Reader
+from symbody.symbolic.calculus.reading import angles_in
 from symbody.symbolic.calculus.standard_names import standard_names
 from symbody.symbolic.expression.container import expressions_in
 
@@ -25,15 +26,27 @@ def reader_of(system: Variables, expressions: Sequence[Expr] = (), further: Sequ
     unknowns = (*system.coordinates, *system.quasi_velocities, *system.states, *further)
     if not isinstance(system, System):
         return Reader(standard_names(unknowns, [*system.others, *expressions]))
-    if system not in _placed:
-        _placed[system] = expressions_in(system, "show"), differences(system)
-    placing, written = _placed[system]
+    placing, written = _given(system)
     return Reader(
         standard_names(unknowns, placing),
         written,
         _inertias(system) if cost(expressions).total <= _BY_BODIES else (),
         _sums_of_angles(system),
     )
+
+
+def _given(system: System) -> tuple[Sequence[Expr], Sequence[Expr]]:
+    if system not in _placed:
+        _placed[system] = expressions_in(system, "show"), differences(system)
+    return _placed[system]
+
+
+def angles_given(system: Variables) -> set[Expr]:
+    """Return the angles of the sines and cosines in a system, and of its frames; none of equations without bodies."""
+    if not isinstance(system, System):
+        return set()
+    placing, _ = _given(system)
+    return {angle for each in placing for angle in (each, *angles_in(each))}
 
 
 def _sums_of_angles(system: System) -> list[Expr]:

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 
 from symbody.multibody import System, Variables
 from symbody.symbolic import Expr, latex, listing_of_equations, time_derivative
+from symbody.symbolic.calculus.single_angles import in_single_angles
 from symbody.symbolic.calculus.whole_divisors import with_whole_divisors
 
 from .deflection import with_own_signs
@@ -14,6 +15,7 @@ from .difference import are_lengths, signs
 from .inertia_sign import with_positive_inertia
 from .leading_fraction import with_leading_fractions
 from .one_direction import in_one_direction
+from .reader_of import angles_given
 
 Listing = tuple[list[tuple[str, str]], list[str]]
 """Named quantities and printed terms."""
@@ -24,7 +26,8 @@ def printed(terms: Iterable[Expr], notation: str, system: Variables, further: Se
 
     Differences of lengths in the model, such as `R - r`, keep their direction; of the two directions of others, that
     with fewer minus signs is printed. Differences of two other parameters, and those with sines and cosines, have one
-    direction in all terms. From the deflections of springs, lengths are subtracted. Divisors have no fractions.
+    direction in all terms. From the deflections of springs, lengths are subtracted. Divisors have no fractions, and
+    terms of x and 2*x have the angle x.
 
     Args:
         terms: the terms.
@@ -32,7 +35,7 @@ def printed(terms: Iterable[Expr], notation: str, system: Variables, further: Se
         system: the system to which they belong.
         further: functions of time that are ordered like speeds, such as names of velocities.
     """
-    terms = tuple(map(with_whole_divisors, terms))
+    terms = in_single_angles([*map(with_whole_divisors, terms)], angles_given(system))
     added, behind = signs(system) if isinstance(system, System) else ((), ())
     is_open = added and isinstance(system, System) and not are_lengths(system)
     directions = [behind, added] if is_open else [behind]
