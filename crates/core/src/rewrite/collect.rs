@@ -208,11 +208,7 @@ mod tests {
         let [a, b, c, x] = ["a", "b", "c", "x"].map(|name| g.symbol(name, Assumption::Real));
         let (sum, other) = (g.add(a, x), g.sub(b, x));
         let closed = g.add(b, c);
-        let product = g.product(&[
-            (sum, NumberId::ONE),
-            (other, NumberId::ONE),
-            (closed, NumberId::ONE),
-        ])?;
+        let product = g.product(&[(sum, NumberId::ONE), (other, NumberId::ONE), (closed, NumberId::ONE)])?;
         let mut rebuilt = Id::ZERO;
         for n in 0..=2 {
             let coefficient = g.coeff(product, x, n)?;
