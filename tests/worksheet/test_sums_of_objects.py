@@ -24,6 +24,11 @@ def test_what_has_no_meaning_of_named_objects_stays_with_a_note() -> None:
     assert printed(BODIES + "P := CoM(A): R := CoM(B): P + R;")[-1] == "P+R"
     (error,) = failures(BODIES + "CoM(A) + CoM(B);")
     assert error.startswith("a POINT + a POINT has no meaning")
+    assert failures(BODIES + "diff(v,t); coeff(v,h); series(v,h);") == [
+        f"{command}: v is a VECTOR; expected an expression: comp_XYZ(v) are the components of a VECTOR, velocity(v) is "
+        "its derivative"
+        for command in ("diff", "coeff", "series")
+    ]
     assert [each.split(" has")[0] for each in failures(BODIES + "T := rotate('X',1): T*v; v.T; T*A;")] == [
         "a matrix * VECTOR v",
         "VECTOR v . a matrix",

@@ -19,6 +19,7 @@ from symbody.worksheet.mathematics.elimination import eliminated_in_turn
 from symbody.worksheet.mathematics.inverse_functions import has_inverse, without_inverses
 from symbody.worksheet.mathematics.polynomial import coefficients, reduced
 from symbody.worksheet.mathematics.positive_roots import with_positive_roots
+from symbody.worksheet.mechanics.objects import refuse_object
 from symbody.worksheet.printing.print import Style, text_of
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.numeric import as_integer
@@ -259,6 +260,7 @@ def coeff(session: Session, value: Value, variable: Value, power: Value | None =
             )
         return found.get(exponent, number(0))
 
+    refuse_object(session, "coeff", value)
     return entrywise(session, value, rewrite)
 
 

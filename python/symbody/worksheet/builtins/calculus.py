@@ -18,6 +18,7 @@ from symbody.worksheet.mathematics.order_term import (
     order_terms,
     without_order,
 )
+from symbody.worksheet.mechanics.objects import refuse_object
 from symbody.worksheet.printing.print import text_of
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.values.naming import symbol
@@ -71,6 +72,7 @@ def _derived(session: Session, value: Value, variable: Value) -> Value:
         return derivative(session, value, by)
     if isinstance(value, Unevaluated):  # of a function of lists, no derivative is known
         return Unevaluated(symbol("diff"), (value, by))
+    refuse_object(session, "diff", value)
     return entrywise(session, value, lambda each: derivative(session, each, by))
 
 
@@ -197,6 +199,7 @@ def taylor(session: Session, value: Value, place: Value, order: Value | None = N
             total = laurent_series(each, variable, point, count or 0)
         return total if total == each else total + order_term((variable - point) ** (count or 0))
 
+    refuse_object(session, "series", value)
     return entrywise(session, value, expanded)
 
 
@@ -239,6 +242,7 @@ def several_taylor(session: Session, value: Value, variables: Value, order: Valu
     def expanded(each: Expr) -> Value:
         return _below(session, each.subs(along), scale, number(0), count).subs({scale: number(1)})
 
+    refuse_object(session, "series", value)
     return entrywise(session, value, expanded)
 
 

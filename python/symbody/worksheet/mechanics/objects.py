@@ -90,6 +90,20 @@ def kind_of(value: Value) -> str:
     return tag.name if isinstance(tag, Expr) and tag.kind == "symbol" else ""
 
 
+def refuse_object(session: Session, where: str, value: Value) -> None:
+    """Refuse an object where a command would change its fields, its frame among them, into something else.
+
+    Raises:
+        WorksheetError: the value is an object.
+    """
+    kind = kind_of(session.resolve(value))
+    if kind:
+        raise WorksheetError(
+            f"{where}: {session.text(value)[:60]} is a {kind}; expected an expression: comp_XYZ(v) are the components "
+            "of a VECTOR, velocity(v) is its derivative"
+        )
+
+
 def is_object(value: Value) -> bool:
     """Return whether a value is an object of MBSymba."""
     return bool(kind_of(value))
