@@ -59,3 +59,13 @@ def test_names_that_hold_each_other_do_not_hang() -> None:
 
 def test_restart_forgets_everything() -> None:
     assert printed("x := 3: f(t) := 5: alias(c=cos): restart: x, f(t), c;") == ["x, f(t), c"]
+
+
+def test_derivatives_of_functions_that_get_a_value_later() -> None:
+    sheet = "g := h(x)+diff(h(x),x): k := diff(h(q(t)),t): h := z -> z^2: g; k; h := sin: g; h := 'h': h(x) := x^3: g;"
+    assert printed(sheet) == ["x^2+2*x", "2*q(t)*diff(q(t),t)", "cos(x)+sin(x)", "x^3+3*x^2"]
+    sheet = (
+        "e := subs(f=sin,f(x)+diff(f(x),x)): e; diff(e,x); subs(f=cos,f(0)); subs(f=(z->z^2),diff(f(q(t)),t)); "
+        "subs(f=g,f(x));"
+    )
+    assert printed(sheet) == ["cos(x)+sin(x)", "cos(x)-sin(x)", "1", "2*q(t)*diff(q(t),t)", "g(x)"]

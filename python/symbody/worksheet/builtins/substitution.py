@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from symbody.symbolic import Expr, UndefinedFunction, t, time_derivative
 from symbody.symbolic.expression.traverse import post_order
 from symbody.worksheet.evaluation.arithmetic import scalar
-from symbody.worksheet.evaluation.current import called_again, replaced
+from symbody.worksheet.evaluation.current import called_again, derivative_at, replaced
 from symbody.worksheet.evaluation.entrywise import parts_of, with_parts
 from symbody.worksheet.mechanics import frame_face
 from symbody.worksheet.values.naming import symbol
@@ -142,24 +142,40 @@ def _with_derivatives(value: Expr, mapping: Mapping[Value, Value]) -> dict[Expr,
             new_value = _moved(variable, scalars, names, at)
             if new_value is not None:
                 scalars[variable] = new_value
-    return scalars | _renamed(value, names)
+    return _renamed(value, names) | scalars
 
 
 def _operated(session: Session, value: Expr, mapping: Mapping[Value, Value]) -> dict[Value, Value]:
-    """Return what functions become whose names are replaced by operators: ``x = (t -> t^3)``."""
+    """Return what functions become whose names are replaced: ``x = (t -> t^3)``, ``f = sin``."""
     operators = {
         old.name: new
         for old, new in mapping.items()
-        if isinstance(new, ProcedureValue) and isinstance(old, Expr | Reference) and hasattr(old, "name")
+        if isinstance(old, Expr | Reference) and hasattr(old, "name") and _is_operator(new)
     }
     made: dict[Value, Value] = {}
     for node in post_order([value], lambda node: node.args, lambda node: node.id) if operators else ():
         operator = operators.get(node.name) if node.kind in {"time_function", "application"} else None
         if operator is not None and node.kind == "time_function":
             made[UndefinedFunction(node.name)(t)] = session.call(operator, (t,))
-        elif operator is not None and not any(node.orders):
-            made[node] = session.call(operator, node.args)
+        elif operator is not None:
+            made[node] = (
+                derivative_at(session, operator, node, node.args)
+                if any(node.orders)
+                else session.call(operator, node.args)
+            )
     return made
+
+
+def _is_operator(value: Value) -> bool:
+    """Whether a value is a procedure, or the name of an elementary function."""
+    is_name = isinstance(value, Builtin) or (isinstance(value, Expr) and value.kind == "symbol")
+    return isinstance(value, ProcedureValue) or (is_name and getattr(value, "name", "") in _ELEMENTARY)
+
+
+_ELEMENTARY = frozenset(
+    {"sin", "cos", "tan", "sec", "csc", "cot", "exp", "ln", "sqrt", "sinh", "cosh", "tanh"}
+    | {"arcsin", "arccos", "arctan", "abs", "signum"}
+)
 
 
 def _of_applications(value: Expr, scalars: Mapping[Expr, Value]) -> dict[Expr, Value]:
