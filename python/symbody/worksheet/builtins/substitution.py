@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING
 from symbody.symbolic import Expr, UndefinedFunction, t, time_derivative
 from symbody.symbolic.expression.traverse import post_order
 from symbody.worksheet.evaluation.arithmetic import scalar
-from symbody.worksheet.evaluation.current import called_again, derivative_at, replaced
+from symbody.worksheet.evaluation.current import called_again, replaced
 from symbody.worksheet.evaluation.entrywise import parts_of, with_parts
+from symbody.worksheet.evaluation.late_derivative import derivative_at
 from symbody.worksheet.mechanics import frame_face
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.structure import Tree, tree_of, walk

@@ -10,9 +10,10 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Protocol
 
-from symbody.errors import DivisionByZeroError, ExpressionError, SymbodyError, WorksheetError
+from symbody.errors import DivisionByZeroError, ExpressionError, WorksheetError
 from symbody.symbolic import Expr, UndefinedFunction, free_symbols, pi, t, time_derivative
 from symbody.symbolic.expression.traverse import post_order
+from symbody.worksheet.evaluation.late_derivative import derivative_at
 from symbody.worksheet.printing.print import sort_key
 from symbody.worksheet.values.complex_number import normal
 from symbody.worksheet.values.logic_words import LOGIC
@@ -315,30 +316,6 @@ def _evaluated(session: State, value: Expr) -> Value:
     if others:
         return session.rebuild(value, new)
     return replaced(session, value, scalars) if scalars else value
-
-
-def derivative_at(session: State, function: Value, node: Expr, arguments: tuple[Value, ...]) -> Value:
-    """Return what a derivative becomes with a function: ``D(f)(x)`` of ``f := z -> z^2`` is 2*x.
-
-    Args:
-        session: the session.
-        function: the function that has a value by now, or that takes the place of another one.
-        node: the derivative; the answer if the function has none that is known.
-        arguments: the present values of its arguments.
-    """
-    are_names = all(each.kind == "symbol" for each in node.args) and len({*node.args}) == len(node.args)
-    places = node.args if are_names else tuple(symbol(f"_place{k}") for k in range(len(node.args)))
-    try:
-        found = session.call(function, tuple(places))
-    except SymbodyError:  # a procedure that needs numbers
-        return node
-    if not isinstance(found, Expr) or found.kind == "application":
-        return node
-    for place, order in zip(places, node.orders, strict=True):
-        for _ in range(order):
-            found = found.diff(place)
-    at = {x: each for x, each in zip(places, arguments, strict=True) if isinstance(each, Expr)}
-    return found.subs(at) if len(at) == len(places) else node
 
 
 def replaced(session: State, value: Expr, scalars: Mapping[Expr, Expr]) -> Value:
