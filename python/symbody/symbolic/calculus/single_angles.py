@@ -7,6 +7,7 @@ from collections.abc import Collection, Sequence
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 from symbody.symbolic.expression.functions import cos, sin
+from symbody.symbolic.expression.traverse import post_order
 
 from .reading import nodes_of, parts_of, waves_in
 from .rewrite import textbook_form
@@ -26,12 +27,11 @@ def in_single_angles(forms: Sequence[Expr], given: Collection[Expr] = ()) -> tup
     >>> in_single_angles([a * cos(2 * x), b * sin(x)])
     (a*cos(2*x), b*sin(x))
     """
-    doubled = {
-        angle for form in forms for wave in waves_in(form) if (angle := wave.args[0]).kind == "product"
-    }
-    if not doubled:
+    nodes = post_order([*forms], lambda node: node.args, lambda node: node.id)
+    angles = {node.args[0] for node in nodes if _is_wave(node)}
+    halves = {angle: angle / 2 for angle in angles if angle.kind == "product" and angle not in given}
+    if not halves:
         return tuple(forms)
-    halves = {angle: angle / 2 for angle in doubled if angle not in given}
     known = {angle for form in forms for angle in _multiplied(form)}
     opened = {angle: half for angle, half in halves.items() if half in known}
     return tuple(_opened(form, opened) for form in forms) if opened else tuple(forms)

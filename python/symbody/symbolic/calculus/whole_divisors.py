@@ -18,8 +18,11 @@ def with_whole_divisors(form: Expr) -> Expr:
     >>> with_whole_divisors(a**2 / (4 * (b**2 + (c - a / 2) ** 2))), with_whole_divisors(a / (a / 2 + b))
     (a**2/(4*b**2 + (a - 2*c)**2), 2*a/(a + 2*b))
     """
+    nodes = nodes_of(form)
+    if not any(map(_is_divisor, nodes)):
+        return form
     made = dict[int, Expr]()
-    for node in nodes_of(form):
+    for node in nodes:
         args = [made[arg.id] for arg in node.args]
         is_changed = any(new.id != old.id for new, old in zip(args, node.args, strict=True))
         if _is_divisor(node):
@@ -27,8 +30,6 @@ def with_whole_divisors(form: Expr) -> Expr:
         else:
             made[node.id] = _MAKE[node.kind](args) if is_changed and node.kind in _MAKE else node
     found = made[form.id]
-    if found.id == form.id:
-        return form
     return found if found == form and len(str(found)) <= len(str(form)) + _LONGER else form
 
 
