@@ -93,12 +93,12 @@ def flat_inertia(expression: Expr, form: Expr) -> Expr:
 
     Args:
         expression: the entry.
-        form: its form, such as ``l*m*(l + a*cos(q))``.
+        form: its form, such as ``J + l*m*(l + a*cos(q))``.
 
     >>> from symbody import cos, functions_of_time, symbols
-    >>> q, (m, a, l) = functions_of_time("q"), symbols("m a l")
-    >>> flat_inertia(m * l**2 + m * a * l * cos(q), l * m * (l + a * cos(q)))
-    m*(l**2 + a*l*cos(q))
+    >>> q, (J, m, a, l) = functions_of_time("q"), symbols("J m a l")
+    >>> flat_inertia(J + m * l**2 + m * a * l * cos(q), J + l * m * (l + a * cos(q)))
+    J + m*(l**2 + a*l*cos(q))
     """
     leaves = [leaf for leaf in expression.free_symbols if leaf.kind == "time_function"]
     is_entry = leaves and not any(leaf.order for leaf in leaves) and cost(expression).total <= _MOST

@@ -28,7 +28,7 @@ def readable(expression: Any) -> Any:
     expression does not have count as longer. The text is never longer than that of the expression, unless that has
     a factor before brackets in which it occurs again, as ``c + x*(a + b*x)``. An energy whose brackets hold sums of
     speeds in brackets has a coefficient for each product of speeds, and entries of mass matrices have flat squares of
-    lengths, ``m*(l**2 + a*l*cos(q))``. Divisors have no fractions. Parts that are too large stay as they are. The
+    lengths, ``J + m*(l**2 + a*l*cos(q))``. Divisors have no fractions. Parts that are too large stay as they are. The
     value at the random point proves that the mathematics is unchanged.
 
     >>> from symbody import cos, readable, sin, symbols
