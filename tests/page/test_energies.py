@@ -66,7 +66,7 @@ def test_each_product_of_speeds_occurs_once(name: str) -> None:
 
 @pytest.mark.parametrize("name", MODELS)
 def test_an_entry_by_itself_has_flat_squares_of_lengths(name: str) -> None:
-    """``m2*(c2**2 + c2*l1*cos(q2))`` as in the matrix, which stood as ``c2*m2*(c2 + l1*cos(q2))`` by itself."""
+    """``J2 + m2*(c2**2 + c2*l1*cos(q2))``, which stood as ``J2 + c2*m2*(c2 + l1*cos(q2))``."""
     bodies, coordinates = MODELS[name]
     for entry in newton_euler(System(bodies, coordinates=coordinates)).mass_matrix.entries:
         found = readable(entry)

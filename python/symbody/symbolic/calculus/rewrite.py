@@ -152,8 +152,8 @@ def simplify(expression: Any) -> Any:
     search is bounded and deterministic, and the result never costs more than the expression. The value at the random
     point proves that the mathematics is unchanged.
 
-    The expressions of a container together never cost more than before either: one whose simplified form would cost
-    the others what they share with it keeps its form. Large containers are simplified in part, the cheapest
+    The total cost of a container never rises either: an expression keeps its form if its simplified form would raise
+    the total, because it shares less with the others. Large containers are simplified in part, the cheapest
     expressions first, up to some 1000 operations, which takes about a second; `M.map(simplify)` simplifies each
     entry by itself.
 

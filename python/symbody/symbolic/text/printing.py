@@ -47,7 +47,7 @@ def _repr_latex_(self: Expr | Matrix) -> str:
     return displayed(latex(self))
 
 
-Expr._repr_latex_ = _repr_latex_  # type: ignore[method-assign]  # their room finds no forms for the reader
+Expr._repr_latex_ = _repr_latex_  # type: ignore[method-assign]  # Expr can't import the forms for the reader
 Matrix._repr_latex_ = _repr_latex_  # type: ignore[attr-defined]
 
 
