@@ -100,7 +100,7 @@ def test_golden_files(name: str) -> None:
 def digest() -> str:
     """The digest of all files of some programs, in all targets."""
     sums = hashlib.sha256()
-    for program in ("everything", "double_pendulum", "panda_7dof"):
+    for program in ("everything", "double_pendulum", "trifilar", "panda_7dof"):
         for name in TARGETS:
             for file, text in texts(program, name).items():
                 sums.update(f"{file}\n{text}".encode())
