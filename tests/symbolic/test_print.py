@@ -9,10 +9,12 @@ from matplotlib.font_manager import FontProperties
 from matplotlib.mathtext import MathTextParser
 
 from symbody.symbolic import (
+    Expr,
     cos,
     functions_of_time,
     latex,
     listing,
+    listing_of_equations,
     maple,
     number,
     sqrt,
@@ -100,3 +102,33 @@ def test_a_listing_names_what_is_shared_once() -> None:
     last = definitions[-1][0]
     assert results == [f"m*{last}", f"m + {last}"]
     assert listing([m + k]) == ([], ["k + m"])
+
+
+@pytest.mark.parametrize(
+    ("term", "text", "typeset"),
+    [
+        (3 * m / 2, "3/2*m", r"\frac{3}{2} m"),
+        (-3 * cos(k) / 2, "-3/2*cos(k)", r"-\frac{3}{2} \cos(k)"),
+        (2 * w1**2 / 3, "2/3*theta1'**2", r"\frac{2}{3} \dot{\theta}_{1}^{2}"),
+        (2 * (m + k) / 3, "2/3*(k + m)", r"\frac{2}{3} \left(k + m\right)"),
+        (k * (3 * m / 2 + l1), "k*(l1 + 3/2*m)", r"k \left(l_{1} + \frac{3}{2} m\right)"),
+        (3 * number(2) ** k / 4, "3/4*2**k", r"\frac{3}{4} \cdot 2^{k}"),
+        (m / 2, "m/2", r"\frac{m}{2}"),
+        (3 * m / (2 * k), "3*m/(2*k)", r"\frac{3 m}{2 k}"),
+        (2 * sqrt(number(3)) / 3, "2*sqrt(3)/3", r"\frac{2 \sqrt{3}}{3}"),
+        (cos(3 * k / 2), "cos(3*k/2)", r"\cos\left(\frac{3 k}{2}\right)"),
+        (cos(k * m / 2), "cos(k*m/2)", r"\cos\left(\frac{k m}{2}\right)"),
+    ],
+)
+def test_fractions_lead_the_products_of_equations(term: Expr, text: str, typeset: str) -> None:
+    """They don't where a bar is as short, and neither in an argument of one term."""
+    assert listing_of_equations((term,), "text", (), ())[1] == [text]
+    assert listing_of_equations((term,), "latex", (), ())[1] == [typeset]
+
+
+@pytest.mark.parametrize("seed", [*range(40), *repeated(range(40, 100))])
+def test_terms_of_equations_read_back(seed: int) -> None:
+    e = expression(seed, 3)
+    definitions, (text,) = listing_of_equations((e,), "text", (), ())
+    assert not definitions
+    assert parse(text, NAMES) == e

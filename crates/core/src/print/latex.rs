@@ -21,6 +21,15 @@ struct Writer<'a> {
 
 impl Writer<'_> {
     fn sum(&self, sum: &Sum) -> String {
+        self.terms(sum, self.fractions)
+    }
+
+    /// An argument of a function.
+    fn argument(&self, argument: &Sum) -> String {
+        self.terms(argument, self.fractions.in_argument(argument))
+    }
+
+    fn terms(&self, sum: &Sum, fractions: Fractions) -> String {
         let mut out = String::new();
         for (position, written) in sum.terms.iter().enumerate() {
             out.push_str(match (position, written.coefficient.is_negative()) {
@@ -29,19 +38,19 @@ impl Writer<'_> {
                 (_, true) => " - ",
                 (_, false) => " + ",
             });
-            out.push_str(&self.term(written));
+            out.push_str(&self.term(written, fractions));
         }
         out
     }
 
     /// A term without its sign.
-    fn term(&self, term: &Term) -> String {
+    fn term(&self, term: &Term, fractions: Fractions) -> String {
         let (below, above): (Vec<&Factor>, Vec<&Factor>) =
             term.written_factors().into_iter().partition(|factor| factor.exponent.is_negative());
         let (numerator, denominator) = fraction(&term.coefficient);
-        if self.fractions.lead(&above, &below, denominator.as_ref()) {
+        if fractions.lead((&numerator, denominator.as_ref()), &above, &below) {
             let bar = self.product(&denominator.unwrap_or_default(), &[]);
-            return format!("\\frac{{{numerator}}}{{{bar}}} {}", self.product("1", &above));
+            return self.beside(format!("\\frac{{{numerator}}}{{{bar}}}"), &above);
         }
         let top = self.product(&numerator, &above);
         if below.is_empty() && denominator.is_none() {
@@ -52,14 +61,18 @@ impl Writer<'_> {
 
     /// A number and powers side by side; a sum alone needs no brackets over or under a bar.
     fn product(&self, number: &str, factors: &[&Factor]) -> String {
-        let mut out = if number == "1" && !factors.is_empty() { String::new() } else { decimal(number) };
+        match factors {
+            [only] if number == "1" && only.exponent.abs().is_one() => self.bare(&only.base),
+            [_, ..] if number == "1" => self.beside(String::new(), factors),
+            _ => self.beside(decimal(number), factors),
+        }
+    }
+
+    /// Powers behind what is written already.
+    fn beside(&self, mut out: String, factors: &[&Factor]) -> String {
         let mut after_word = false;
         for factor in factors {
-            let alone = out.is_empty() && factors.len() == 1 && factor.exponent.abs().is_one();
-            let next = match &factor.base {
-                base if alone => self.bare(base),
-                base => self.power(base, &factor.exponent.abs()),
-            };
+            let next = self.power(&factor.base, &factor.exponent.abs());
             let is_word = begins_with_word(&next);
             if !out.is_empty() {
                 out.push_str(match next.starts_with(|c: char| c.is_ascii_digit()) {
@@ -110,7 +123,7 @@ impl Writer<'_> {
     }
 
     fn arguments(&self, args: &[Sum]) -> String {
-        let args: Vec<String> = args.iter().map(|arg| self.sum(arg)).collect();
+        let args: Vec<String> = args.iter().map(|arg| self.argument(arg)).collect();
         let text = args.join(", ");
         // Brackets that grow have a space before them: `cos(q)` has none in print.
         if TALL.iter().any(|part| text.contains(part)) { brackets(&text) } else { format!("({text})") }
@@ -148,8 +161,8 @@ impl Writer<'_> {
 
     fn function(&self, function: Function, args: &[Sum]) -> String {
         match function {
-            Function::Abs => format!("\\left|{}\\right|", self.sum(&args[0])),
-            Function::Exp => format!("e^{{{}}}", self.sum(&args[0])),
+            Function::Abs => format!("\\left|{}\\right|", self.argument(&args[0])),
+            Function::Exp => format!("e^{{{}}}", self.argument(&args[0])),
             Function::Power => {
                 let plain = |number: &&Number| {
                     !number.is_negative() && !is_fraction(number) && !number.to_string().contains('e')
@@ -159,7 +172,7 @@ impl Writer<'_> {
                     (None, Some(number)) => number.to_string(),
                     (None, None) => brackets(&self.sum(&args[0])),
                 };
-                format!("{base}^{{{}}}", self.sum(&args[1]))
+                format!("{base}^{{{}}}", self.argument(&args[1]))
             }
             Function::Piecewise => self.piecewise(args),
             _ => {

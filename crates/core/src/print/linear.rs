@@ -41,6 +41,15 @@ struct Writer<'a, D> {
 
 impl<D: Dialect> Writer<'_, D> {
     fn sum(&mut self, sum: &Sum) {
+        self.terms(sum, self.dialect.fractions());
+    }
+
+    /// An argument of a function.
+    fn argument(&mut self, argument: &Sum) {
+        self.terms(argument, self.dialect.fractions().in_argument(argument));
+    }
+
+    fn terms(&mut self, sum: &Sum, fractions: Fractions) {
         for (position, term) in sum.terms.iter().enumerate() {
             tick();
             match (position, term.coefficient.is_negative()) {
@@ -49,16 +58,16 @@ impl<D: Dialect> Writer<'_, D> {
                 (_, true) => self.out.push_str(D::MINUS),
                 (_, false) => self.out.push_str(D::PLUS),
             }
-            self.term(term);
+            self.term(term, fractions);
         }
     }
 
     /// A term without its sign.
-    fn term(&mut self, term: &Term) {
+    fn term(&mut self, term: &Term, fractions: Fractions) {
         let (below, above): (Vec<&Factor>, Vec<&Factor>) =
             term.written_factors().into_iter().partition(|factor| factor.exponent.is_negative());
         let (mut numerator, mut denominator) = fraction(&term.coefficient);
-        if self.dialect.fractions().lead(&above, &below, denominator.as_ref()) {
+        if fractions.lead((&numerator, denominator.as_ref()), &above, &below) {
             numerator.extend(denominator.take().map(|denominator| format!("/{denominator}")));
         }
         let has_number = numerator != "1" || above.is_empty();
@@ -166,7 +175,7 @@ impl<D: Dialect> Writer<'_, D> {
                 if position > 0 {
                     writer.out.push_str(D::COMMA);
                 }
-                writer.sum(arg);
+                writer.argument(arg);
             }
         });
     }

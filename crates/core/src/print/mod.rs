@@ -69,9 +69,25 @@ enum Fractions {
 }
 
 impl Fractions {
-    /// Whether the number leads the product of such factors: neither `q/2` nor `a*b/(2*c)` reads better for it.
-    fn lead(self, above: &[&Factor], below: &[&Factor], denominator: Option<&String>) -> bool {
-        self == Self::InFront && denominator.is_some() && above.len() > 1 && below.is_empty()
+    /// Whether the number leads the product of such factors. Neither `q/2` nor `3*pi/2` nor `a*b/(2*c)` reads better
+    /// for it.
+    fn lead(
+        self,
+        (numerator, denominator): (&str, Option<&String>),
+        above: &[&Factor],
+        below: &[&Factor],
+    ) -> bool {
+        let is_product = match above {
+            [] => false,
+            [only] => numerator != "1" && !only.is_constant(),
+            _ => true,
+        };
+        self == Self::InFront && denominator.is_some() && below.is_empty() && is_product
+    }
+
+    /// The same in an argument of a function, which has one bar if it is one term: `cos(3*q/2)`.
+    fn in_argument(self, argument: &Sum) -> Self {
+        if argument.terms.len() == 1 { Self::OverAll } else { self }
     }
 }
 

@@ -82,6 +82,13 @@ pub(super) fn assumption_word(assumption: Assumption) -> &'static str {
     }
 }
 
+impl Factor {
+    /// Whether it is a number, such as a root or pi.
+    pub(super) fn is_constant(&self) -> bool {
+        matches!(self.base, Base::Number(_) | Base::Pi)
+    }
+}
+
 impl Sum {
     pub(super) fn number(number: Number) -> Self {
         Self { terms: vec![Term { coefficient: number, factors: Vec::new() }] }

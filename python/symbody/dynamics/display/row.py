@@ -13,7 +13,6 @@ from symbody.symbolic.calculus.whole_divisors import with_whole_divisors
 from .deflection import with_own_signs
 from .difference import are_lengths, signs
 from .inertia_sign import with_positive_inertia
-from .leading_fraction import with_leading_fractions
 from .one_direction import in_one_direction
 from .reader_of import angles_given
 
@@ -49,8 +48,7 @@ def printed(terms: Iterable[Expr], notation: str, system: Variables, further: Se
 
     definitions, texts = plain if notation == "text" else _listed(terms, notation, system, direction, further)
     moving = [str(each) if notation == "text" else latex(each) for each in (*in_order(system), *further)]
-    signed = in_one_direction(with_own_signs(terms, texts, system, texts_of), moving)
-    return definitions, [*map(with_leading_fractions, signed)]
+    return definitions, in_one_direction(with_own_signs(terms, texts, system, texts_of), moving)
 
 
 def _listed(
