@@ -1,14 +1,16 @@
 //! A point of the q-adic integers, and the roots that values have there.
 //!
-//! A square root squares to its argument, which half of all units allow. So further points are tried where some have
-//! no root. If there are many roots, those that are missing are drawn. Of two opposite roots one is drawn, but sqrt(4 u) is
-//! twice sqrt(u).
+//! A square root squares to its argument, which half of all units allow, and a cube root cubed is its argument, which a
+//! third of all units allow for some primes. So further points are tried where some have no root. If there are many roots,
+//! those that are missing are drawn. Of several roots one is drawn, but sqrt(4 u) is twice sqrt(u). Powers of one root
+//! agree: an exponent is split into parts whose denominators are powers of 2 and of 3 and a number without these.
 
 use num_bigint::BigInt;
+use num_integer::Integer;
 use num_traits::One;
 use std::cell::{Cell, RefCell};
 
-use crate::value::{Adic, Adics, Coefficient, Element, FieldId, Key, Number, Quadratic};
+use crate::value::{Adic, Adics, Coefficient, Element, FieldId, Key, Number, Quadratic, ROOT_DEGREES};
 
 use super::node::in_hash_lanes;
 
@@ -27,8 +29,8 @@ pub(super) struct AdicPoint<'a, C> {
     pub(super) adics: &'a Adics<C>,
     number: u16,
     trial: u16,
-    /// The roots that are known, with the fingerprints of their squares.
-    roots: RefCell<Vec<(Element, Adic<C>)>>,
+    /// The roots that are known, with their degrees and the fingerprints of their radicands.
+    roots: RefCell<Vec<(u64, Element, Adic<C>)>>,
     misses_roots: Cell<bool>,
     has_pole: Cell<bool>,
 }
@@ -93,9 +95,6 @@ impl<'a, C: Coefficient> AdicPoint<'a, C> {
     }
 
     /// A rational power of a value, which is that of something with these values in the hash lanes.
-    ///
-    /// The root of a unit that has none here is drawn for the values of what is left without whole powers of the prime, so
-    /// that q^2 u has the root that is q times that of u. So are roots of other degrees.
     pub(super) fn power(
         &self,
         value: &Adic<C>,
@@ -105,12 +104,48 @@ impl<'a, C: Coefficient> AdicPoint<'a, C> {
         if value.leading().is_none() && exponent.is_negative() {
             self.has_pole.set(true);
         }
-        if let Some((count, 2)) = exponent.to_small()
-            && let Some(root) = self.square_root(value, &in_field)
-        {
-            return self.adics.power(&root, count);
+        if let Some(count) = exponent.to_i64() {
+            return self.adics.power(value, count);
         }
-        self.adics.rational_power(value, exponent, |whole| {
+        let Some(parts) = partial_fractions(exponent) else {
+            return self.drawn_power(value, exponent, &in_field);
+        };
+        let powers = parts.iter().map(|part| {
+            let root = self.root_of_power(value, part, &in_field);
+            self.adics.power(&root, part.times)
+        });
+        powers.reduce(|product, power| self.adics.mul(&product, &power)).unwrap_or_else(|| self.one())
+    }
+
+    /// The root whose degree is a power: that of the root of the degree below.
+    fn root_of_power(
+        &self,
+        value: &Adic<C>,
+        degree: &Part,
+        in_field: &dyn Fn(FieldId) -> Quadratic,
+    ) -> Adic<C> {
+        let roots = (1..degree.count).map(|count| part_of_one(degree.base.pow(count)));
+        let first = self.root(value, degree.base, in_field);
+        roots.fold(first, |root, exponent| {
+            let in_field = |field: FieldId| field.field().rational_power(&in_field(field), &exponent);
+            self.root(&root, degree.base, &in_field)
+        })
+    }
+
+    fn root(&self, value: &Adic<C>, degree: i64, in_field: &dyn Fn(FieldId) -> Quadratic) -> Adic<C> {
+        let known = self.known_root(value, degree.unsigned_abs(), in_field);
+        known.unwrap_or_else(|| self.drawn_power(value, &part_of_one(degree), in_field))
+    }
+
+    /// What is drawn for the values of what is left without whole powers of the prime, so that q^2 u has the root that is q
+    /// times that of u.
+    fn drawn_power(
+        &self,
+        value: &Adic<C>,
+        exponent: &Number,
+        in_field: &dyn Fn(FieldId) -> Quadratic,
+    ) -> Adic<C> {
+        self.adics.drawn_power(value, exponent, |whole| {
             let key = self.key_of(|field| {
                 let f = field.field();
                 f.mul(&f.power(&f.number(&self.adics.prime()), &whole.neg()), &in_field(field))
@@ -119,31 +154,105 @@ impl<'a, C: Coefficient> AdicPoint<'a, C> {
         })
     }
 
-    fn square_root(&self, square: &Adic<C>, in_field: impl Fn(FieldId) -> Quadratic) -> Option<Adic<C>> {
+    fn known_root(
+        &self,
+        radicand: &Adic<C>,
+        degree: u64,
+        in_field: &dyn Fn(FieldId) -> Quadratic,
+    ) -> Option<Adic<C>> {
+        if !ROOT_DEGREES.contains(&degree) {
+            return self.adics.root(radicand, degree, 0);
+        }
         let value = in_hash_lanes(in_field);
-        let known = self.roots.borrow().iter().find_map(|(known, root)| {
-            let factor = rational_root(&(value * known.inverse()).to_simple_rational()?)?;
-            Some(self.adics.mul(&self.adics.rational(&factor), root))
+        let known = self.roots.borrow().iter().find_map(|(known_degree, known, root)| {
+            let ratio = (degree == *known_degree).then(|| value * known.inverse())?.to_simple_rational()?;
+            Some(self.adics.mul(&self.adics.rational(&rational_root(&ratio, degree)?), root))
         });
         if known.is_some() {
             return known;
         }
-        let bit = self.key_of_fingerprint(value).text("root").draw_word(0) & 1 == 1;
-        let root = self.adics.square_root(square, bit);
+        let choice = self.key_of_fingerprint(value).text("root").draw_word(0);
+        let root = self.adics.root(radicand, degree, choice);
         match &root {
-            Some(root) => self.roots.borrow_mut().push((value, root.clone())),
+            Some(root) => self.roots.borrow_mut().push((degree, value, root.clone())),
             None => self.misses_roots.set(true),
         }
         root
     }
 }
 
-/// The root of a number that is a square.
-fn rational_root(square: &Number) -> Option<Number> {
-    if square.is_negative() {
+/// The fraction times/base^count.
+struct Part {
+    base: i64,
+    count: u32,
+    times: i64,
+}
+
+/// Fractions whose sum a fraction is: the denominators are powers of the degrees of [`ROOT_DEGREES`], and what has no
+/// factors in common with these. `None` if a number is too large.
+fn partial_fractions(exponent: &Number) -> Option<Vec<Part>> {
+    let (over, under) = exponent.to_small()?;
+    let powers = powers_in(under);
+    let mut rest = i128::from(over);
+    let times_of = |(k, (base, count)): (usize, &(i64, u32))| {
+        let denominator = i128::from(base.pow(*count));
+        let others = i128::from(under) / denominator;
+        let times = if k + 1 == powers.len() {
+            rest / others
+        } else {
+            let inverse = others.extended_gcd(&denominator).x.rem_euclid(denominator);
+            inverse * rest.rem_euclid(denominator) % denominator
+        };
+        rest -= times * others;
+        Some(Part { base: *base, count: *count, times: i64::try_from(times).ok()? })
+    };
+    powers.iter().enumerate().map(times_of).collect()
+}
+
+/// The powers of the degrees of [`ROOT_DEGREES`] that a number holds, and what is left of it.
+fn powers_in(number: i64) -> Vec<(i64, u32)> {
+    let mut rest = number;
+    let mut power = |base: u64| {
+        let base = base.cast_signed();
+        let mut count = 0;
+        while rest % base == 0 {
+            rest /= base;
+            count += 1;
+        }
+        (base, count)
+    };
+    let mut powers: Vec<_> = ROOT_DEGREES.map(&mut power).into();
+    powers.push((rest, 1));
+    powers.retain(|(base, count)| *base > 1 && *count > 0);
+    powers
+}
+
+fn part_of_one(denominator: i64) -> Number {
+    Number::rational(1, denominator)
+}
+
+/// The root of a positive number, if that is rational.
+fn rational_root(radicand: &Number, degree: u64) -> Option<Number> {
+    if radicand.is_negative() {
         return None;
     }
-    let (num, den) = (square.numerator().sqrt(), square.denominator().sqrt());
-    let root = Number::from_big(num, den).ok()?;
-    root.mul(&root).same_value(square).then_some(root)
+    let root = |number: BigInt| number.nth_root(u32::try_from(degree).unwrap_or(u32::MAX));
+    let root = Number::from_big(root(radicand.numerator()), root(radicand.denominator())).ok()?;
+    root.powi(i64::try_from(degree).ok()?).ok()?.same_value(radicand).then_some(root)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn partial_fractions_add_up() {
+        let fractions = [(1, 2), (-3, 2), (5, 6), (-1, 6), (7, 12), (67, 109), (-299, 360), (1, 13 * 98)];
+        for fraction in fractions.map(|(over, under)| Number::rational(over, under)) {
+            let parts = partial_fractions(&fraction).expect("these are small");
+            let value = |part: &Part| Number::rational(part.times, part.base.pow(part.count));
+            let sum = parts.iter().map(value).fold(Number::integer(0), |sum, part| sum.add(&part));
+            assert!(sum.same_value(&fraction), "{sum} of {} parts for {fraction}", parts.len());
+        }
+    }
 }

@@ -71,7 +71,8 @@ impl Graph {
     /// The roots among nodes whose values are known where they are rational, if all are those of rational numbers and have few conjugates.
     pub(super) fn radicals(&self, order: &[Id], value: impl Fn(Id) -> Option<Number>) -> Option<Radicals> {
         let (mut radicands, mut degrees) = (FxHashMap::default(), BTreeMap::new());
-        for &id in order.iter().filter(|&&id| self.flags(id).has(Flags::BRANCH) || self.holds_number_root(id))
+        for &id in
+            order.iter().filter(|&&id| self.flags(id).has(Flags::BRANCH) || self.holds_root_of_number(id))
         {
             let View::Product(factors) = self.view(id) else { continue };
             for (base, exponent) in factors.iter() {
@@ -98,7 +99,7 @@ impl Graph {
         (count > 1 && count <= MOST_CONJUGATES).then_some(Radicals { radicands, degrees })
     }
 
-    fn holds_number_root(&self, id: Id) -> bool {
+    pub(super) fn holds_root_of_number(&self, id: Id) -> bool {
         matches!(self.view(id), View::Product(factors) if factors.iter().any(|(base, _)| self.as_number(base).is_some()))
     }
 }

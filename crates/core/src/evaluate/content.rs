@@ -142,16 +142,17 @@ impl Graph {
     }
 
     /// The power of a prime in the content of a combination. Where digits cancel, as in (1/q**9 + x)**2 - (1/q**9 - x)**2, it
-    /// takes more of them.
+    /// takes more of them, and where there are roots of numbers, it takes an extension that has these.
     fn valuation(&self, of: Combination, order: &[Id], prime: &BigInt) -> Number {
-        let (found, is_lost) = match Extension::of_prime(prime) {
+        let with_roots = order.iter().any(|&id| self.holds_root_of_number(id));
+        let (found, is_lost) = match Extension::of_prime(prime, with_roots) {
             Extension::Words(ring) => self.valuation_in(of, order, &Adics::new(ring)),
             Extension::Long(ring) => self.valuation_in(of, order, &Adics::new(ring)),
         };
         if !is_lost {
             return found;
         }
-        self.valuation_in(of, order, &Adics::new(Unramified::with_many_digits(prime))).0
+        self.valuation_in(of, order, &Adics::new(Unramified::with_many_digits(prime, with_roots))).0
     }
 
     /// The power, and whether digits were lost.
@@ -316,6 +317,33 @@ mod tests {
         let [plus, minus] = [plus, minus].map(|base| g.pow_number(base, &Number::integer(2)));
         let difference = g.sub(plus?, minus?);
         assert_eq!(content(g, difference), [(67.into(), Number::integer(1))]);
+        Ok(())
+    }
+
+    #[test]
+    fn powers_of_a_root_of_odd_degree_cancel() -> Result<(), Error> {
+        let g = &mut Graph::new();
+        let x = g.symbol("x", Assumption::Positive);
+        let two = g.integer(2);
+        for (radicand, (over, under), power) in [
+            (two, (1, 3), 3),
+            (two, (5, 3), 3),
+            (x, (1, 3), 3),
+            (x, (1, 6), 6),
+            (x, (1, 7), 2),
+            (x, (3, 7), 7),
+        ] {
+            // (root + 67 y)^n - root^n is a multiple of 67
+            let root = g.pow_number(radicand, &Number::rational(over, under))?;
+            let (y, number) = (g.symbol("y", Assumption::Real), g.number_id(&Number::integer(67)));
+            let multiple = g.scale(number, y);
+            let base = g.add(root, multiple);
+            let power = Number::integer(power);
+            let (whole, cancelled) = (g.pow_number(base, &power)?, g.pow_number(root, &power)?);
+            let difference = g.sub(whole, cancelled);
+            let found = content(g, difference);
+            assert_eq!(found, [(67.into(), Number::integer(1))], "{over}/{under} to the power {power}");
+        }
         Ok(())
     }
 

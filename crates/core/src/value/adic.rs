@@ -177,34 +177,28 @@ impl<C: Coefficient> Adics<C> {
         power
     }
 
-    /// A rational power. The root of a unit is drawn, but for that of 1, for the key of the value without the power of
-    /// the prime that the argument of `key` is.
-    pub(crate) fn rational_power(
+    /// A root, if there is one: 1 of 1, and otherwise the one that a number chooses.
+    pub(crate) fn root(&self, radicand: &Adic<C>, degree: u64, choice: u32) -> Option<Adic<C>> {
+        let [Term { valuation, unit }] = &radicand.0[..] else { return None };
+        let valuation = valuation.mul(&Number::from_big(BigInt::one(), degree.into()).ok()?);
+        let is_one = Unramified::is_one(unit);
+        let unit = if is_one { unit.clone() } else { self.ring.root(unit, degree, choice)? };
+        Some(Adic(vec![Term { valuation, unit }]))
+    }
+
+    /// A rational power that is drawn, but for that of 1, for the key of the base without the power of the prime that the argument of `key` is.
+    pub(crate) fn drawn_power(
         &self,
         base: &Adic<C>,
         exponent: &Number,
         key: impl Fn(&Number) -> Key,
     ) -> Adic<C> {
-        if let Some(n) = exponent.to_i64() {
-            return self.power(base, n);
-        }
         let Some(leading) = base.leading() else { return Self::zero() };
         let power = self.multiple(&BigInt::one(), leading.valuation.mul(exponent));
         if base.0.len() == 1 && Unramified::is_one(&leading.unit) {
             return power;
         }
         self.mul(&power, &self.draw(&key(&leading.valuation.floor())))
-    }
-
-    /// A square root, if there is one: 1 of 1, and otherwise the one that a bit chooses.
-    pub(crate) fn square_root(&self, square: &Adic<C>, bit: bool) -> Option<Adic<C>> {
-        let [Term { valuation, unit }] = &square.0[..] else { return None };
-        let valuation = valuation.mul(&Number::rational(1, 2));
-        if Unramified::is_one(unit) {
-            return Some(self.multiple(&BigInt::one(), valuation));
-        }
-        let root = Adic(vec![Term { valuation, unit: self.ring.square_root(unit)? }]);
-        Some(if bit { self.mul(&root, &self.integer(&(-1).into())) } else { root })
     }
 
     /// A unit drawn for a key.

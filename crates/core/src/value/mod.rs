@@ -28,6 +28,7 @@ mod quadratic;
 mod radical;
 mod rational_power;
 mod unramified;
+mod unramified_root;
 
 pub(crate) use adic::{Adic, Adics};
 pub(crate) use coefficient::Coefficient;
@@ -42,3 +43,4 @@ pub use number::Number;
 pub(crate) use quadratic::Quadratic;
 pub(crate) use radical::{coprime_factors, prime_factors};
 pub(crate) use unramified::{Extension, Unramified};
+pub(crate) use unramified_root::DEGREES as ROOT_DEGREES;

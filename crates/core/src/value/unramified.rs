@@ -8,7 +8,7 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::Pow;
 use std::collections::BTreeMap;
-use std::sync::{Arc, LazyLock, Mutex, OnceLock};
+use std::sync::{Arc, LazyLock, Mutex};
 
 use super::coefficient::{Coefficient, WORD};
 use super::key::Key;
@@ -22,8 +22,14 @@ const MANY_DIGITS: u32 = 60;
 /// The elements of the residue field are more than two to this power.
 const BITS: u32 = 18;
 
-/// Degrees, which are primes, so that it is easy to see whether a polynomial has factors.
+/// The degrees, but for that of [`WITH_ROOTS`].
 const DEGREES: [usize; 9] = [1, 2, 3, 5, 7, 11, 13, 17, 19];
+
+/// The degree in which all units among the q-adic integers have square roots and cube roots.
+const WITH_ROOTS: usize = 6;
+
+/// The polynomial is looked for among those with so many different coefficients: x^6 + c has factors for many primes.
+const COEFFICIENTS: u32 = 5;
 
 /// The coefficients of a polynomial, as many as the degree of the extension.
 pub(super) type Integral<C> = Vec<C>;
@@ -31,12 +37,12 @@ pub(super) type Integral<C> = Vec<C>;
 pub(crate) struct Unramified<C> {
     pub(super) prime: C,
     pub(super) digits: u32,
-    modulus: C,
-    degree: usize,
+    pub(super) modulus: C,
+    pub(super) degree: usize,
     /// The coefficients of the polynomial from the constant up, but for x^d and zeros below it.
     low: Vec<C>,
-    /// What has the largest power of two as its order in the residue field; it is found once.
-    generator: OnceLock<Integral<C>>,
+    /// For some primes p what has the largest power of p as its order among the residues; each is found once.
+    pub(super) generators: Mutex<BTreeMap<u64, Integral<C>>>,
 }
 
 /// The extension for a prime, with coefficients in words if they fit.
@@ -46,40 +52,46 @@ pub(crate) enum Extension {
     Long(Arc<Unramified<BigInt>>),
 }
 
-static KNOWN: LazyLock<Mutex<BTreeMap<BigInt, Extension>>> = LazyLock::new(Mutex::default);
+/// What was found for a prime, in the least degree or with roots.
+type Known<E> = LazyLock<Mutex<BTreeMap<(BigInt, bool), E>>>;
 
-static KNOWN_WITH_MANY_DIGITS: LazyLock<Mutex<BTreeMap<BigInt, Arc<Unramified<BigInt>>>>> =
-    LazyLock::new(Mutex::default);
+static KNOWN: Known<Extension> = LazyLock::new(Mutex::default);
+
+static KNOWN_WITH_MANY_DIGITS: Known<Arc<Unramified<BigInt>>> = LazyLock::new(Mutex::default);
 
 impl Extension {
-    /// The extension for a prime; it is found once.
-    pub(crate) fn of_prime(prime: &BigInt) -> Self {
+    /// The extension for a prime, and whether all units among the q-adic integers are to have square roots and cube roots;
+    /// it is found once. A number above a word may be a product of primes, for which there is no such extension.
+    pub(crate) fn of_prime(prime: &BigInt, with_roots: bool) -> Self {
+        let with_roots = with_roots && is_certain(prime);
         let mut known = KNOWN.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-        known.entry(prime.clone()).or_insert_with(|| Self::find(prime)).clone()
+        known.entry((prime.clone(), with_roots)).or_insert_with(|| Self::find(prime, with_roots)).clone()
     }
 
-    fn find(prime: &BigInt) -> Self {
+    fn find(prime: &BigInt, with_roots: bool) -> Self {
         let is_word = |digits: &u32| Pow::pow(prime, *digits).bits() <= WORD;
         match DIGITS.rev().find(is_word) {
-            Some(digits) => Self::Words(Unramified::find(prime, digits).into()),
-            None => Self::Long(Unramified::find(prime, *DIGITS.start()).into()),
+            Some(digits) => Self::Words(Unramified::find(prime, digits, with_roots).into()),
+            None => Self::Long(Unramified::find(prime, *DIGITS.start(), with_roots).into()),
         }
     }
 }
 
 impl Unramified<BigInt> {
     /// The extension for a prime, to many digits; it is found once.
-    pub(crate) fn with_many_digits(prime: &BigInt) -> Arc<Self> {
+    pub(crate) fn with_many_digits(prime: &BigInt, with_roots: bool) -> Arc<Self> {
+        let with_roots = with_roots && is_certain(prime);
         let mut known = KNOWN_WITH_MANY_DIGITS.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-        let find = || Self::find(prime, MANY_DIGITS).into();
-        known.entry(prime.clone()).or_insert_with(find).clone()
+        let find = || Self::find(prime, MANY_DIGITS, with_roots).into();
+        known.entry((prime.clone(), with_roots)).or_insert_with(find).clone()
     }
 }
 
 impl<C: Coefficient> Unramified<C> {
-    fn find(prime: &BigInt, digits: u32) -> Self {
+    fn find(prime: &BigInt, digits: u32, with_roots: bool) -> Self {
         let is_enough = |degree: &usize| Pow::pow(prime, *degree).bits() > BITS.into();
-        let degree = DEGREES.into_iter().find(is_enough).expect("2^19 is enough");
+        let least = || DEGREES.into_iter().find(is_enough).expect("2^19 is enough");
+        let degree = if with_roots { WITH_ROOTS } else { least() };
         let q = C::below_modulus(prime);
         let with = |modulus: &C, low| Self {
             prime: q.clone(),
@@ -87,31 +99,36 @@ impl<C: Coefficient> Unramified<C> {
             modulus: modulus.clone(),
             degree,
             low,
-            generator: OnceLock::new(),
+            generators: Mutex::default(),
         };
         let modulus = num_traits::pow(q.clone(), digits as usize);
         if degree == 1 {
             return with(&modulus, Vec::new());
         }
-        let polynomials = (1u32..).map(|number| digits_of(&number.into(), prime));
+        let few = prime.min(&COEFFICIENTS.into()).clone();
+        let polynomials = (1u32..).map(|number| digits_of(&number.into(), &few));
         let low = |digits: Vec<BigInt>| digits.iter().map(C::below_modulus).collect();
         let mut fields = polynomials.map(|digits| with(&q, low(digits))).filter(Self::is_field);
         Self { modulus, ..fields.next().expect("some polynomial of each degree has no factors") }
     }
 
-    /// Whether the polynomial has no factors modulo the prime: those of a prime degree are linear if x^(q^d) = x.
+    /// Whether the polynomial has no factors modulo the prime: x^(q^d) = x, and x^(q^k) - x is a unit for each d/k that is
+    /// a prime [Rabin 1980].
     fn is_field(&self) -> bool {
         let mut x = vec![C::zero(); self.degree];
         x[1] = C::one();
         let prime = self.whole_prime();
-        let mut image = self.power(&x, &prime);
-        if image == x {
-            return false;
+        let mut images = vec![x.clone()];
+        for k in 0..self.degree {
+            images.push(self.power(&images[k], &prime));
         }
-        for _ in 1..self.degree {
-            image = self.power(&image, &prime);
-        }
-        image == x
+        let order = Pow::pow(prime, self.degree) - 1;
+        let is_unit = |k: usize| {
+            let difference = self.sum(&images[k], &x, &self.minus_one());
+            Self::is_one(&self.power(&difference, &order))
+        };
+        let mut parts = DEGREES[1..].iter().filter(|part| self.degree.is_multiple_of(**part));
+        images[self.degree] == x && parts.all(|part| is_unit(self.degree / part))
     }
 
     pub(super) fn whole_prime(&self) -> BigInt {
@@ -122,7 +139,7 @@ impl<C: Coefficient> Unramified<C> {
         self.constant(C::below_modulus(&integer.mod_floor(&self.modulus.to_big())))
     }
 
-    fn constant(&self, number: C) -> Integral<C> {
+    pub(super) fn constant(&self, number: C) -> Integral<C> {
         let mut coefficients = vec![C::zero(); self.degree];
         coefficients[0] = number;
         coefficients
@@ -153,7 +170,7 @@ impl<C: Coefficient> Unramified<C> {
     }
 
     /// a + factor b
-    fn sum(&self, a: &Integral<C>, b: &Integral<C>, factor: &C) -> Integral<C> {
+    pub(super) fn sum(&self, a: &Integral<C>, b: &Integral<C>, factor: &C) -> Integral<C> {
         a.iter().zip(b).map(|(a, b)| C::sum(a, b, factor, &self.modulus)).collect()
     }
 
@@ -161,7 +178,7 @@ impl<C: Coefficient> Unramified<C> {
         C::product(a, b, &self.low, &self.modulus)
     }
 
-    fn power(&self, base: &Integral<C>, exponent: &BigInt) -> Integral<C> {
+    pub(super) fn power(&self, base: &Integral<C>, exponent: &BigInt) -> Integral<C> {
         if self.degree == 1 {
             return self.constant(base[0].power(exponent, &self.modulus));
         }
@@ -185,85 +202,34 @@ impl<C: Coefficient> Unramified<C> {
         self.digits.next_power_of_two().trailing_zeros()
     }
 
-    fn inverse_of_residue(&self, unit: &Integral<C>) -> Integral<C> {
+    pub(super) fn inverse_of_residue(&self, unit: &Integral<C>) -> Integral<C> {
         let order = Pow::pow(self.whole_prime(), self.degree) - 2;
         self.residues().power(unit, &order)
     }
 
     /// A reciprocal to twice as many digits: x (2 - u x).
-    fn improved_inverse(&self, unit: &Integral<C>, inverse: &Integral<C>) -> Integral<C> {
+    pub(super) fn improved_inverse(&self, unit: &Integral<C>, inverse: &Integral<C>) -> Integral<C> {
         let two = self.constant(C::two() % self.modulus.clone());
         self.mul(inverse, &self.sum(&two, &self.mul(unit, inverse), &self.minus_one()))
     }
 
-    fn minus_one(&self) -> C {
+    pub(super) fn minus_one(&self) -> C {
         self.modulus.clone() - C::one()
     }
 
-    /// One of the two square roots of a unit, if it has any: modulo the prime [Tonelli & Shanks; Cohen 1993, sec. 1.5.1],
-    /// then by Newton's iteration, r - (r^2 - u)/(2 r), together with that for the reciprocal of r.
-    pub(super) fn square_root(&self, unit: &Integral<C>) -> Option<Integral<C>> {
-        if self.prime.is_even() {
-            return None;
-        }
-        let start = self.root_of_residue(&self.residue(unit))?;
-        let inverse = self.inverse_of_residue(&start);
-        let minus_half = self.minus_one() / C::two();
-        let (root, _) = (0..self.newton_steps()).fold((start, inverse), |(root, inverse), _| {
-            let error = self.sum(&self.mul(&root, &root), unit, &self.minus_one());
-            let root = self.sum(&root, &self.mul(&error, &inverse), &minus_half);
-            let inverse = self.improved_inverse(&root, &inverse);
-            (root, inverse)
-        });
-        Some(root)
-    }
-
-    fn residue(&self, integral: &Integral<C>) -> Integral<C> {
+    pub(super) fn residue(&self, integral: &Integral<C>) -> Integral<C> {
         integral.iter().map(|coefficient| coefficient.mod_floor(&self.prime)).collect()
     }
 
     /// The field of the residues modulo the prime.
-    fn residues(&self) -> Self {
+    pub(super) fn residues(&self) -> Self {
         Self {
             prime: self.prime.clone(),
             modulus: self.prime.clone(),
             low: self.low.clone(),
-            generator: OnceLock::new(),
+            generators: Mutex::default(),
             ..*self
         }
-    }
-
-    fn root_of_residue(&self, square: &Integral<C>) -> Option<Integral<C>> {
-        let field = self.residues();
-        let one = field.constant(C::one());
-        let order: BigInt = Pow::pow(self.whole_prime(), self.degree) - 1;
-        let twos = order.trailing_zeros().unwrap_or(0);
-        let odd: BigInt = &order >> twos;
-        // root^2 = square * rest, where the order of rest is a power of two that becomes smaller.
-        let half_power = field.power(square, &(&odd >> 1));
-        let mut root = field.mul(square, &half_power);
-        let mut rest = field.mul(&root, &half_power);
-        if field.power(&rest, &(BigInt::from(1) << (twos - 1))) != one {
-            return None;
-        }
-        let generator = self.generator.get_or_init(|| field.find_generator(&odd, twos));
-        for level in (0..twos - 1).rev() {
-            if field.power(&rest, &(BigInt::from(1) << level)) != one {
-                let factor = field.power(generator, &(BigInt::from(1) << (twos - 2 - level)));
-                root = field.mul(&root, &factor);
-                rest = field.mul(&rest, &field.mul(&factor, &factor));
-            }
-        }
-        Some(root)
-    }
-
-    /// What is no square, to the power of the odd part of the order.
-    fn find_generator(&self, odd: &BigInt, twos: u64) -> Integral<C> {
-        let one = self.constant(C::one());
-        let candidates = (0u64..).map(|salt| self.draw(&Key::new("no square").word(salt)));
-        let mut powers = candidates.map(|candidate| self.power(&candidate, odd));
-        let half_order = BigInt::from(1) << (twos - 1);
-        powers.find(|power| self.power(power, &half_order) != one).expect("half of all units are no squares")
     }
 
     /// A unit drawn for a key.
@@ -278,6 +244,11 @@ impl<C: Coefficient> Unramified<C> {
         }
         drawn
     }
+}
+
+/// Whether a number is one that is factored into primes if it isn't one.
+fn is_certain(prime: &BigInt) -> bool {
+    prime.bits() <= 64
 }
 
 /// The digits of a number, the lowest first.
@@ -301,7 +272,7 @@ mod tests {
 
     fn for_each_prime(word: impl Fn(&Unramified<u64>), long: impl Fn(&Unramified<BigInt>)) {
         for prime in PRIMES {
-            match Extension::of_prime(&prime.into()) {
+            match Extension::of_prime(&prime.into(), false) {
                 Extension::Words(field) => word(&field),
                 Extension::Long(field) => long(&field),
             }
@@ -320,37 +291,13 @@ mod tests {
         for_each_prime(units_have_reciprocals, units_have_reciprocals);
     }
 
-    fn squares_have_roots<C: Coefficient>(field: &Unramified<C>) {
-        if field.prime.is_even() {
-            return;
-        }
-        let mut squares = 0;
-        for seed in 0..20 {
-            let unit = field.draw(&Key::new("unit").word(seed));
-            let square = field.mul(&unit, &unit);
-            let root = field.square_root(&square).expect("a square has a root");
-            assert!(field.mul(&root, &root) == square, "{}", field.whole_prime());
-            squares += usize::from(field.square_root(&unit).is_some());
-        }
-        assert!(
-            (1..20).contains(&squares),
-            "{squares} of 20 drawn units are squares for {}",
-            field.whole_prime()
-        );
-    }
-
-    #[test]
-    fn squares_have_roots_for_all_sizes_of_primes() {
-        for_each_prime(squares_have_roots, squares_have_roots);
-    }
-
     #[test]
     fn products_of_words_are_products() {
         for prime in [2, 7, 37, 109] {
-            let Extension::Words(field) = Extension::of_prime(&prime.into()) else {
+            let Extension::Words(field) = Extension::of_prime(&prime.into(), false) else {
                 panic!("{prime} needs more than words");
             };
-            let long = Unramified::<BigInt>::find(&prime.into(), field.digits);
+            let long = Unramified::<BigInt>::find(&prime.into(), field.digits, false);
             let [a, b] = ["a", "b"].map(|name| field.draw(&Key::new(name)));
             let to_long =
                 |integral: &Integral<u64>| integral.iter().map(Coefficient::to_big).collect::<Vec<_>>();
@@ -362,7 +309,7 @@ mod tests {
     #[test]
     fn the_residues_of_units_have_reciprocals_that_are_no_powers_of_others() {
         // A product of two factors would have zero divisors: every residue but zero is a unit here.
-        let Extension::Words(field) = Extension::of_prime(&7.into()) else {
+        let Extension::Words(field) = Extension::of_prime(&7.into(), false) else {
             panic!("7 needs more than words")
         };
         for low in 0..7 {
