@@ -152,6 +152,11 @@ class System(Variables):
         members = {*self.bodies}
         return tuple(action for load in self.loads for action in load.actions if action.body in members)
 
+    def with_loads(self, loads: Loads) -> System:
+        """Return the system with other loads; the states of those that it had stay."""
+        bodies, _, *others = _parts(self)
+        return _rebuilt(self, [bodies, loads, *others])
+
     def mobility(
         self,
         parameters: Mapping[Expr, Any] | None = None,

@@ -19,6 +19,7 @@ from symbody.symbolic.given.arguments import brief, counted
 
 from .abridged import PAGES, abridged, pages_of
 from .balance import Balance, balances
+from .element_force import named_forces, with_forces, without_elements
 from .equation_page import EquationPage
 from .given_motion import given_motions, with_given_motions
 from .line_page import row_with_lines_if_shorter, with_lines_if_shorter
@@ -131,7 +132,7 @@ class Display:
         return page_of_ratios(shown.system, shown.derived_residuals, shown.state_rates, page)
 
     @cached_property
-    def _page_with_motions(self) -> Page:
+    def page_with_motions(self) -> Page:
         """The page, with names for motions that are functions of time if the equations are long."""
         shown, system = self.shown, self.system
         if (
@@ -148,10 +149,25 @@ class Display:
         return replace(page, named=(*motions.items(), *page.named)) if is_same else self.page_with_lines
 
     @cached_property
+    def _page_with_forces(self) -> Page:
+        """The page with motions, and with names for forces of contacts, tyres and friction if that is shorter."""
+        page, shown, system = self.page_with_motions, self.shown, self.system
+        if not isinstance(system, System) or shown.whole or (forces := named_forces(system)) is None:
+            return page
+        free = shown.of(without_elements(system, forces.elements))
+        slopes, residuals = forces.slopes(system), (free.derived_residuals, shown.derived_residuals)
+        if slopes is None or forces.totals(slopes) != [
+            one - other for one, other in zip(*residuals, strict=True)
+        ]:
+            return page
+        named = with_forces(free.display.page_with_motions, forces, slopes)
+        return min(page, replace(named, system=system), key=lambda each: len(each.description()))
+
+    @cached_property
     def _printed_page(self) -> Page:
         """The one that reads better."""
         if self._page_of_ratios is None:
-            return self._page_with_motions
+            return self._page_with_forces
         if not is_readable(self.shown.derived_residuals):
             return self._page_of_ratios
         return better_page(self.page_with_lines, self._page_of_ratios)
