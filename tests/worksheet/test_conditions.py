@@ -8,6 +8,10 @@ from symbody.worksheet.run import outcomes
 from tests.worksheet.printed_by import printed
 
 CASES = {
+    "what can't be decided": (
+        "evalb(a<b), is(a<b), is(3,integer); is(x>0) assuming x>0;",
+        ["a < b, FAIL, true", "true"],
+    ),
     "by value": (
         "if sin(x)^2+cos(x)^2=1 then yes else no end if;",
         ["yes"],

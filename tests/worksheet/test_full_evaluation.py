@@ -5,6 +5,10 @@ import pytest
 from tests.worksheet.printed_by import failures, printed
 
 CASES = {
+    "a name that was local elsewhere": (
+        "p := proc() local x; x := y; y := 3; x end: p(); y := 'y': s := {x=1,y=2}: assign(s): s;",
+        ["y", "{1 = 1, 2 = 2}"],
+    ),
     "an expression": ("a := w-b: b := 2: a;", ["w-2"]),
     "through a chain of names": ("a := b: b := c: c := 7: a; c := 8: a;", ["7", "8"]),
     "a name that loses its value": ("a := b+1: b := 2: a; b := 'b': a;", ["3", "b+1"]),

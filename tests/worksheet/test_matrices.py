@@ -5,6 +5,42 @@ import pytest
 from tests.worksheet.printed_by import failures, printed
 
 CASES = {
+    "of blocks on the diagonal": (
+        (
+            "with(LinearAlgebra): DiagonalMatrix([1,2],3,3); DiagonalMatrix([Matrix([[a,b],[c,d]]),5]);"
+            "linalg[diag](matrix([[a,b],[c,d]]),e);"
+        ),
+        [
+            "Matrix([[1, 0, 0], [0, 2, 0], [0, 0, 0]])",
+            "Matrix([[a, b, 0], [c, d, 0], [0, 0, 5]])",
+            "matrix([[a, b, 0], [c, d, 0], [0, 0, e]])",
+        ],
+    ),
+    "of sizes that are ranges": (
+        "Matrix(1..2,1..2,1); Vector(1..2,i->i^2); Vector(1..2);",
+        ["Matrix([[1, 1], [1, 1]])", "Vector[column]([[1], [4]])", "Vector[column]([[0], [0]])"],
+    ),
+    "transposed by a sign, and with conjugates": (
+        "M := Matrix([[1,I],[2,3]]): M^+; M^%H; x^+2;",
+        ["Matrix([[1, 2], [I, 3]])", "Matrix([[1, 2], [-I, 3]])", "x^2"],
+    ),
+    "cross products as an operator": (
+        "with(LinearAlgebra): <1,0,0> &x <0,1,0>; `&o` := (a,b) -> a+b: 1 &o 2; a &p b;",
+        ["Vector[column]([[0], [0], [1]])", "3", "`&p`(a,b)"],
+    ),
+    "rows and columns as a whole": (
+        "M := Matrix(2,2): M[2,..] := <5|6>; M[..,1] := <1,2>: M;",
+        ["M[2, ..] := Vector[row]([5, 6])", "Matrix([[1, 0], [2, 6]])"],
+    ),
+    "of equations": (
+        "<x=1,y=2>; lhs~(<x=1,y=2>);",
+        ["Vector[column]([[x = 1], [y = 2]])", "Vector[column]([[x], [y]])"],
+    ),
+    "converted to arrays": (
+        "convert([1,2],array), convert([[1,2],[3,4]],array), convert(<1,2>,array);",
+        ["vector([1, 2]), matrix([[1, 2], [3, 4]]), vector([1, 2])"],
+    ),
+    "extrema of entries": ("max(Matrix([[1,5],[2,a]])), min(<3,1>), max([2,3],1);", ["max(a,5), 1, 3"]),
     "of both kinds": (  # a name of a matrix of the old kind is no scalar beside a Matrix
         "A := Matrix([[1,2],[3,4]]): B := matrix([[a,b],[c,d]]): v := <x,y>: A.B; B.A; A+B; B.v; A*vector([p,q]);",
         [

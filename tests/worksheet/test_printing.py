@@ -90,9 +90,9 @@ CASES = {
     "printf": (
         (
             'printf("%+06.3f|%d|%s|%a\\n",1.5,3,"x",a+b): printf("a"): printf("%5.2f%%\\n",2.5); '
-            'printf("%*.*f\\n", 6, 1, 2.5);'
+            'printf("%*.*f\\n", 6, 1, 2.5); printf("%a %a %A %s", "u", `a b`, "v", "w");'
         ),
-        ["+1.500|3|x|a+b", "a", " 2.50%", "   2.5"],
+        ["+1.500|3|x|a+b", "a", " 2.50%", "   2.5", '"u" `a b` v w'],
     ),
     "texts": (
         'with(StringTools): Reverse("abc"), Explode("ab"), IsDigit("12"), IsDigit("1a");',

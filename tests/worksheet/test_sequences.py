@@ -2,9 +2,13 @@
 
 import pytest
 
-from tests.worksheet.printed_by import printed
+from tests.worksheet.printed_by import failures, printed
 
 CASES = {
+    "an index that has a value is quoted": (
+        "i := 3: sum('i^2','i'=1..2); product('i','i'=1..3); f := proc(n) local i; sum(i^2,i=1..n) end: f(3);",
+        ["5", "6", "14"],
+    ),
     "of letters and names": (
         'seq("a".."c"); seq(p..r); [seq(k^2, k=u..w)];',
         ['"a", "b", "c"', "p, q, r", "[u^2, v^2, w^2]"],
@@ -15,7 +19,7 @@ CASES = {
     ),
     "read from a text, and printed as one": (
         'sscanf("3 4.5, ab", "%d %f, %s"); sscanf("12x", "%1d%dx%d"); sscanf("a", "%d"); sprintf("%q|", 1, a, "b");',
-        ['[3, 4.5, "ab"]', "[1, 2]", "[]", '"1, a, b|"'],
+        ['[3, 4.5, "ab"]', "[1, 2]", "[]", '"1, a, \\"b\\"|"'],
     ),
     "the names that have values": (
         "a := 1: b := [2]: f(t) := 3: anames();",
@@ -96,3 +100,8 @@ def test_several_functions_at_one_argument() -> None:
         "0, 1",
         "[q1, q2]",
     ]
+
+
+@pytest.mark.parametrize("sheet", ["i := 3: sum(i^2,i=1..n);", "i := 3: product(i,i=1..2);"])
+def test_an_index_that_has_a_value_is_an_error(sheet: str) -> None:
+    assert "the index i has the value 3 already" in failures(sheet)[0]

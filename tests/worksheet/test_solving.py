@@ -6,6 +6,11 @@ from symbody.worksheet.interpreter.interpret import Interpreter
 from tests.worksheet.printed_by import failures, printed
 
 CASES = {
+    "zeros of functions": (
+        "fsolve(f->f^2-2,1..2); g := x -> cos(x)-x: fsolve(g,0..1); fsolve(sin,3..4);",
+        ["1.414213562", ".7390851332", "3.141592654"],
+    ),
+    "as many as are wanted": ("fsolve(x^3-6*x^2+11*x-6,x,maxsols=2);", ["1., 2."]),
     "assign gives entries of tables and matrices values": (
         (
             "assign({c[1]=2, d=3}): c[1], d; assign('g[2]',7): g[2]; M := Matrix(1,2): assign('M[1,2]'=5): M; "

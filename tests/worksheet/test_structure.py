@@ -105,9 +105,49 @@ CASES = {
         "select(has,[a*x,b],x); remove(has,a*x+b,x); select(x->x>1,[1,2,3]);",
         ["[a*x]", "b", "[2, 3]"],
     ),
+    "select of a call": (
+        "select(has,f(a,x),x), remove(has,f(a,x),x), select(has,sin(x),x);",
+        ["f(x), f(a), sin(x)"],
+    ),
     "subsop": (
         "subsop(2=z,[a,b,c]);",
         ["[a, z, c]"],
+    ),
+    "subsop by place, not by value": (
+        "subsop(1=z,f(a,a)); subsop(2=3,x^x); subsop(1=NULL,f(a,b)); subsop(1=5,a[1,2]);",
+        ["f(z,a)", "x^3", "f(b)", "a[5,2]"],
+    ),
+    "subsop of a function, and within": (
+        "subsop(0=g,f(x)); subsop(0=cos,sin(x)); subsop([1,1]=z,[[a,b]]); subsop([2,1]=z,[c,sin(b)]);",
+        ["g(x)", "cos(x)", "[[z, b]]", "[c, sin(z)]"],
+    ),
+    "applyop at several places": (
+        "applyop(f,{1,2},a+b); applyop(f,[1,1],[[a]]);",
+        ["f(a)+f(b)", "[[f(a)]]"],
+    ),
+    "kinds of what op(0, ..) tells": (
+        "op(0,1.5), op(0,<1,2>), op(0,Matrix(2)), op(0,matrix(2,2));",
+        ["Float, Vector[column], Matrix, array"],
+    ),
+    "what a rational expression is made of": (
+        "indets(a+I); indets(sqrt(x)+x^y+sqrt(2)+sin(1)); indets(Pi*x), indets(Pi*x,name);",
+        ["{a}", "{x, y, x^(1/2), x^y}", "{x}, {Pi, x}"],
+    ),
+    "parts of a type in containers and calls": (
+        "indets([a=b,c],`=`); indets([[a],{c}],list); indets(Int(f(x),x)+y,name);",
+        ["{a = b}", "{[[a], {c}], [a]}", "{x, y}"],
+    ),
+    "types of numbers and names": (
+        "type(3.,posint), type(4.,even), type(Pi,name), type(I,name), type(x::y,`::`);",
+        ["false, false, true, false, true"],
+    ),
+    "operators as functions that make containers": (
+        "zip(`[]`,[1,2],[a,b]); `{}`(1,1), `..`(1,2);",
+        ["[[1, a], [2, b]]", "{1}, 1 .. 2"],
+    ),
+    "the powers of coefficients": (
+        "coeffs(a*x*y+b*y+c,[x,y],'p'); [p]; degree(x*y^2+x,{x,y}); coeff(taylor(exp(x),x),x,3);",
+        ["c, b, a", "[1, y, x*y]", "3", "1/6"],
     ),
     "convert": (
         "convert([1,2,1],set); convert({b,a},list); convert(a+b,string); T[2]:=b: T[1]:=a: convert(T,list);",

@@ -37,7 +37,7 @@ def test_sheets_run_and_print_what_they_say(
 
 def test_every_command_is_in_a_sheet() -> None:
     text = "\n".join(path.read_text(encoding="utf-8") for path in SHEETS)
-    used = {*re.findall(r"\w+", text), *re.findall(r" (\$) ", text), *re.findall(r"`(\W+)`\(", text)}
+    used = {*re.findall(r"\w+|&\w+", text), *re.findall(r" (\$) ", text), *re.findall(r"`(\W+)`\(", text)}
     families = [*builtins.PACKAGES.values(), builtins.KERNEL, builtins.FORMS, COMMANDS]
     assert sorted({name for family in families for name in family} - used - FORBIDDEN) == []
 

@@ -14,9 +14,10 @@ from symbody.symbolic.linear.elimination import eliminated, is_linear
 from symbody.worksheet.builtins.substitution import substituted
 from symbody.worksheet.evaluation.arithmetic import scalar
 from symbody.worksheet.evaluation.entrywise import entrywise
-from symbody.worksheet.evaluation.session import Command, Session
+from symbody.worksheet.evaluation.session import Command, Session, sequence
 from symbody.worksheet.mathematics.elimination import eliminated_in_turn
 from symbody.worksheet.mathematics.inverse_functions import has_inverse, without_inverses
+from symbody.worksheet.mathematics.order_term import without_order
 from symbody.worksheet.mathematics.polynomial import coefficients, reduced
 from symbody.worksheet.mathematics.positive_roots import with_positive_roots
 from symbody.worksheet.mechanics.objects import refuse_object
@@ -252,7 +253,7 @@ def coeff(session: Session, value: Value, variable: Value, power: Value | None =
         by, exponent = tree_of(by).parts[0].value, found
 
     def rewrite(each: Expr) -> Expr:
-        found = coefficients(each, by)
+        found = coefficients(without_order(each), by)
         if any(part.has(by) for part in found.values()):
             session.notice(
                 f"coeff: {session.text(each)[:60]} is no polynomial in {session.text(by)}; what else depends on it "
@@ -264,32 +265,53 @@ def coeff(session: Session, value: Value, variable: Value, power: Value | None =
     return entrywise(session, value, rewrite)
 
 
-def coeffs(session: Session, value: Value, variables: Value | None = None) -> Value:
-    """coeffs(p, x): the coefficients that aren't zero."""
+def coeffs(
+    session: Session, value: Value, variables: Value | None = None, powers: Value | None = None
+) -> Value:
+    """coeffs(p, x), coeffs(p, [x, y], 't'): the coefficients that aren't zero; t becomes the products of powers."""
     expression = scalar(session, value)
-    items = (
-        variables.items
-        if isinstance(variables, Listed | MapleSet)
-        else ()
-        if variables is None
-        else (variables,)
-    )
-    found = [expression]
-    for each in [scalar(session, item) for item in items] or sorted(expression.free_symbols, key=str):
-        found = [part for whole in found for _, part in sorted(coefficients(whole, each).items())]
-    return Sequence(tuple(found)) if len(found) != 1 else found[0]
+    names = _variables(session, variables) or sorted(expression.free_symbols, key=str)
+    found = [(expression, number(1))]
+    for each in names:
+        found = [
+            (part, before * each**power)
+            for whole, before in found
+            for power, part in sorted(coefficients(whole, each).items())
+        ]
+    if powers is not None:
+        name = powers.name if isinstance(powers, Expr) and powers.kind == "symbol" else None
+        if name is None:
+            raise WorksheetError(
+                f"coeffs: {session.text(powers)[:60]} can't take the powers; expected a name"
+            )
+        session.assign(name, sequence([power for _, power in found]))
+    return sequence([part for part, _ in found])
+
+
+def _variables(session: Session, given: Value | None) -> list[Expr]:
+    """Return one variable, or those of a list or a set."""
+    if given is None:
+        return []
+    items = given.items if isinstance(given, Listed | MapleSet) else (given,)
+    return [scalar(session, each) for each in items]
 
 
 def degree_of(session: Session, value: Value, variable: Value | None = None) -> Value:
-    """degree(p, x): FAIL for what is no polynomial in x; that of 0 is -infinity."""
-    expression = scalar(session, value)
-    if variable is None and not expression.free_symbols:
-        return number(0)
-    if expanded(expression).is_zero:
+    """degree(p, x), degree(p, {x, y}): FAIL for what is no polynomial in them; that of 0 is -infinity."""
+    expression = expanded(scalar(session, value))
+    names = _variables(session, variable) or sorted(expression.free_symbols, key=str)[:1]
+    if expression.is_zero:
         return -symbol("infinity")
-    by = min(expression.free_symbols, key=str) if variable is None else scalar(session, variable)
-    found = coefficients(expanded(expression), by)
-    return symbol("FAIL") if any(each.has(by) for each in found.values()) else number(max(found, default=0))
+    parts = [(0, expression)]
+    for each in names:
+        parts = [
+            (total + power, part)
+            for total, whole in parts
+            for power, part in coefficients(expanded(whole), each).items()
+        ]
+    if any(part.has(each) for _, part in parts for each in names):
+        return symbol("FAIL")
+    return number(max((total for total, _ in parts), default=0))
 
 
 def _extreme(choose: Callable[[Iterable[int]], int], *, exponent: bool) -> Command:

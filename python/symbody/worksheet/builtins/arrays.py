@@ -15,6 +15,7 @@ from symbody.worksheet.values.value import (
     Builtin,
     Listed,
     MapleSet,
+    Range,
     Reference,
     Relation,
     Sequence,
@@ -59,7 +60,7 @@ def _matrix_command(kind: str) -> Command:
                 f"{kind}: the shape {shape} is not kept; each entry holds what is assigned to it"
             )
         fill = next((each.right for each in settings if _option(each) == "fill"), None)
-        arguments = tuple(each for each in arguments if not isinstance(each, Relation))
+        arguments = tuple(_size(kind, each) for each in arguments if not isinstance(each, Relation))
         arguments += tuple(_entries_of(session, each.right) for each in settings if _option(each) == "symbol")
         found = [session.resolve(each) for each in arguments]
         sizes = [size for each in found if (size := as_integer(each)) is not None]
@@ -79,6 +80,15 @@ def _matrix_command(kind: str) -> Command:
         return replace(made, attributes=attributes) if attributes else made
 
     return command
+
+
+def _size(kind: str, value: Value) -> Value:
+    """Return n of the size ``1..n``, and other arguments as they are."""
+    if not isinstance(value, Range):
+        return value
+    if as_integer(value.start) != 1 or as_integer(value.stop) is None:
+        raise WorksheetError(f"{kind}: a size that does not start at 1; expected n or 1..n, or use Array")
+    return value.stop
 
 
 def _word(value: Value) -> str:
@@ -208,7 +218,7 @@ def _vector_command(kind: str) -> Command:
         placed: Value | None = None
         size, content, shape = None, None, kind
         for argument in arguments:
-            found = session.resolve(argument)
+            found = _size(kind, session.resolve(argument))
             if isinstance(found, MapleSet) or _are_placed(found):
                 placed = found
             elif isinstance(found, Listed | Sequence):

@@ -143,9 +143,9 @@ def _to_matrix(kind: str) -> Command:
         array = array_of(session, value, "convert")
         if kind == "RowVector":
             return Array(1, len(array.entries), array.entries, kind)
-        if "ector" in kind:
-            return Array(len(array.entries), 1, array.entries, kind)
-        return replace(array, kind=kind)
+        if "ector" in kind or (kind == "array" and array.columns == 1):
+            return Array(len(array.entries), 1, array.entries, "vector" if kind == "array" else kind)
+        return replace(array, kind="matrix" if kind == "array" else kind)
 
     return conversion
 
@@ -252,7 +252,7 @@ _CONVERSIONS: dict[str, Command] = {
     "Vector[column]": _to_matrix("Vector"),
     "Vector[row]": _to_matrix("RowVector"),
     "vector": _to_matrix("vector"),
-    "array": _to_matrix("matrix"),
+    "array": _to_matrix("array"),
     "table": _to_table,
     "+": _to_sum,
     "*": _to_product,

@@ -118,8 +118,11 @@ def root_of_symbol(session: Session, x: Value) -> Value:
 def _extremum(function: Callable[..., Expr], choose: Callable[..., float]) -> Command:
     def command(session: Session, *values: Value) -> Value:
         items: list[Value] = []
-        for value in values:
-            items.extend(value.items if isinstance(value, Listed | MapleSet | Sequence) else (value,))
+        for value in map(session.resolve, values):
+            if isinstance(value, Array):
+                items.extend(map(session.current, value.entries))
+            else:
+                items.extend(value.items if isinstance(value, Listed | MapleSet | Sequence) else (value,))
         arguments = [scalar(session, each) for each in items]
         known = {each: found for each in arguments if (found := as_float(each)) is not None}
         if len(known) == len(arguments) and arguments:

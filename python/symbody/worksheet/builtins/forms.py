@@ -155,9 +155,23 @@ def mul(session: Session, body: syntax.Expression, *rest: syntax.Expression) -> 
     return total
 
 
+def _index(session: Session, where: str, node: syntax.Expression) -> tuple[str, Value] | None:
+    """Return the index of a sum and its values; an index that is not quoted may have no value of its own."""
+    found = _binding(session, node)
+    if found is not None and isinstance(node, syntax.Infix) and isinstance(node.left, syntax.Name):
+        own = session.evaluate(node.left)
+        if not isinstance(own, Expr) or own.is_number:
+            raise WorksheetError(
+                f"{where}: the index {found[0]} has the value {session.text(own)[:40]} already; quote it, "
+                f"here and in what is summed, or give it back its name, {found[0]} := '{found[0]}'",
+                node.place,
+            )
+    return found
+
+
 def summed(session: Session, body: syntax.Expression, *rest: syntax.Expression) -> Value:
     """sum('f(k)', 'k' = a..b): the index may be quoted, in the body too; only bounds that are numbers are summed."""
-    found = _binding(session, rest[0]) if rest else None
+    found = _index(session, "sum", rest[0]) if rest else None
     if found is None or not isinstance(found[1], Range):
         return Unevaluated(symbol("sum"), tuple(session.evaluate(each) for each in (body, *rest)))
     name, bounds = found
@@ -175,7 +189,7 @@ def summed(session: Session, body: syntax.Expression, *rest: syntax.Expression) 
 
 def product(session: Session, body: syntax.Expression, *rest: syntax.Expression) -> Value:
     """product('f(k)', 'k' = a..b)."""
-    found = _binding(session, rest[0]) if rest else None
+    found = _index(session, "product", rest[0]) if rest else None
     bounds = found[1] if found is not None else None
     if found is None or not isinstance(bounds, Range):
         raise WorksheetError("product: expected an index and its range, such as k = 1..3")

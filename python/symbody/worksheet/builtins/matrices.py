@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from symbody.errors import WorksheetError
@@ -14,7 +14,6 @@ from symbody.worksheet.builtins.row_echelon import solved
 from symbody.worksheet.evaluation.arithmetic import (
     binary,
     conjugate,
-    identity,
     inverted,
     matrix_product,
     scalar,
@@ -203,19 +202,6 @@ def dimensions(which: int | None) -> Command:
     return command
 
 
-def diagonal(session: Session, *values: Value) -> Value:
-    """DiagonalMatrix([..]), diag(..)."""
-    items = [each for value in values for each in _diagonal_items(session.resolve(value))]
-    made = identity(len(items))
-    for i, item in enumerate(items):
-        made.entries[i * made.columns + i] = item
-    return made
-
-
-def _diagonal_items(value: Value) -> Iterable[Value]:
-    return value.entries if isinstance(value, Array) else parts_of(value) or (value,)
-
-
 def identity_matrix(session: Session, size: Value, columns: Value | None = None) -> Value:
     """IdentityMatrix(n [, m]): ones on the diagonal of n rows and m columns."""
     rows = as_integer(size) or 0
@@ -386,6 +372,7 @@ _NEW: dict[str, Command] = {
     "MatrixAdd": matrix_sum,
     "ScalarMultiply": scaled,
     "CrossProduct": cross,
+    "&x": cross,
     "DotProduct": dot,
     "Norm": norm,
     "VectorNorm": norm,
@@ -399,7 +386,6 @@ _NEW: dict[str, Command] = {
     "ColumnDimension": dimensions(1),
     "Dimension": dimensions(None),
     "Dimensions": dimensions(None),
-    "DiagonalMatrix": diagonal,
     "IdentityMatrix": identity_matrix,
     "ZeroMatrix": zero_matrix,
     "GenerateMatrix": generate_matrix("Matrix"),
@@ -434,7 +420,6 @@ _OLD: dict[str, Command] = {
     "rowdim": dimensions(0),
     "coldim": dimensions(1),
     "vectdim": dimensions(None),
-    "diag": old_kind(diagonal),
     "genmatrix": generate_matrix("matrix"),
     "linsolve": linear_solve,
     "augment": beside,

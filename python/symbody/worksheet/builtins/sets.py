@@ -8,7 +8,7 @@ from symbody.worksheet.evaluation.arithmetic import binary
 from symbody.worksheet.evaluation.condition import equal
 from symbody.worksheet.evaluation.current import set_of
 from symbody.worksheet.evaluation.session import Command, Session
-from symbody.worksheet.values.value import Array, Boolean, Listed, MapleSet, Relation, Sequence, Value
+from symbody.worksheet.values.value import Array, Boolean, Listed, MapleSet, Range, Relation, Sequence, Value
 
 __all__ = ["COMMANDS", "joined_by"]
 
@@ -79,5 +79,8 @@ COMMANDS: dict[str, Command] = {
     **{name: _relation(name) for name in ("=", "<>", "<", "<=")},
     ">": lambda session, left, right: Relation("<", right, left),
     ">=": lambda session, left, right: Relation("<=", right, left),
+    "..": lambda session, start, stop: Range(start, stop),
+    "[]": lambda session, *items: Listed(items),
+    "{}": lambda session, *items: set_of(items),
 }
 """Operators as functions: `+`(a, b)."""

@@ -1,50 +1,37 @@
-"""Solving equations, in symbols and in numbers."""
+"""Solving equations in symbols."""
 
 from __future__ import annotations
 
-import functools
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 
 from symbody.errors import SymbodyError, WorksheetError
-from symbody.symbolic import Expr, expand, factor_terms, t
+from symbody.symbolic import Expr, expand, factor_terms
 from symbody.symbolic.roots.solutions import solutions as all_solutions
 from symbody.worksheet.builtins.inequalities import inequalities_of, solved_inequalities
 from symbody.worksheet.builtins.unknowns import names_of_unknowns, with_names
 from symbody.worksheet.evaluation.arithmetic import scalar
-from symbody.worksheet.evaluation.at_numbers import calls_functions, value_at
 from symbody.worksheet.evaluation.current import set_of
-from symbody.worksheet.evaluation.select import assigned_entry
 from symbody.worksheet.evaluation.session import Command, Session, sequence
 from symbody.worksheet.mathematics.cases import cases_of, function_by_cases
 from symbody.worksheet.mathematics.closed_roots import (
     is_complex,
-    numeric_roots,
-    polynomial_in,
-    roots_of,
 )
 from symbody.worksheet.mathematics.elimination import eliminated_roots
 from symbody.worksheet.mathematics.exact_angle import with_exact_angles
 from symbody.worksheet.mathematics.factors_of_equation import is_pole, simpler_equations
 from symbody.worksheet.mathematics.multiplicity import repeated
-from symbody.worksheet.mathematics.root_finding import newton
-from symbody.worksheet.values.complex_number import I, has_i, of_number
-from symbody.worksheet.values.naming import symbol
-from symbody.worksheet.values.numeric import as_float, decimal
-from symbody.worksheet.values.structure import tree_of, walk
+from symbody.worksheet.values.complex_number import I, has_i
 from symbody.worksheet.values.value import (
     NULL,
     Array,
     Listed,
     MapleSet,
-    Range,
     Relation,
     Sequence,
-    Table,
-    Unevaluated,
     Value,
 )
 
-__all__ = ["COMMANDS", "residuals_of", "solutions"]
+__all__ = ["COMMANDS", "equations_of", "residuals_of", "solutions", "unknowns_of"]
 
 
 def residuals_of(session: Session, equations: Value) -> list[Expr]:
@@ -180,13 +167,13 @@ def solve(session: Session, equations: Value, unknowns: Value | None = None, *op
     given = session.resolve(unknowns) if unknowns is not None else None
     several = isinstance(session.resolve(equations), MapleSet | Listed)
     if isinstance(given, Listed):
-        return Listed(tuple(Listed(_equations(each, wanted)) for each in found))
+        return Listed(tuple(Listed(equations_of(each, wanted)) for each in found))
     if isinstance(given, MapleSet | Sequence) or (
         several and not (given is None and len(wanted) == 1 and not several)
     ):
-        return sequence([set_of(_equations(each, wanted)) for each in found])
+        return sequence([set_of(equations_of(each, wanted)) for each in found])
     if given is None and len(wanted) > 1:
-        return sequence([set_of(_equations(each, wanted)) for each in found])
+        return sequence([set_of(equations_of(each, wanted)) for each in found])
     return sequence([each[wanted[0]] for each in found]) if wanted else NULL
 
 
@@ -199,251 +186,9 @@ def _for_any(session: Session, residuals: list[Expr], names: list[Expr]) -> list
     return [{x: one.get(x, x) for x in names} for one in solutions(session, residuals, [first])]
 
 
-def _equations(solution: Mapping[Expr, Value], unknowns: list[Expr]) -> tuple[Value, ...]:
+def equations_of(solution: Mapping[Expr, Value], unknowns: list[Expr]) -> tuple[Value, ...]:
+    """Return the equations x = .. of a solution."""
     return tuple(Relation("=", each, solution[each]) for each in unknowns)
 
 
-def allvalues(session: Session, *values: Value) -> Value:
-    """allvalues(e): all branches; solve has returned them already, but for those of RootOf.
-
-    Of a list or an expression that contains roots, there is one for each branch, with this branch in all places of the
-    same root.
-    """
-    pending, made = list(values), list[Value]()
-    while pending:
-        value = pending.pop(0)
-        root = next(_roots_in(session, value), None)
-        branches = _branches(session, root) if root is not None else None
-        if root is None or branches is None:
-            made.append(value)
-            continue
-        pending[:0] = [_with_root(session, value, root, each) for each in branches]
-    return sequence(made)
-
-
-def _branches(session: Session, root: Unevaluated) -> list[Value] | None:
-    """Return the values of ``RootOf(p(_Z))``; None if they have no closed form, and are not numbers."""
-    polynomial = _polynomial_of_root(root)
-    if polynomial is None:
-        return None
-    roots = roots_of(polynomial)
-    if any(isinstance(each, Unevaluated) for each in roots):
-        if not all(each.is_number for each in polynomial):
-            return None
-        roots = [of_number(each) for each in numeric_roots(polynomial)]
-    session.options.imaginary |= is_complex(roots)
-    return roots
-
-
-def _roots_in(session: Session, value: Value) -> Iterator[Unevaluated]:
-    """Return the roots of polynomials in a value that have several branches."""
-    if _polynomial_of_root(value) is not None and isinstance(value, Unevaluated):
-        yield value
-    elif isinstance(value, Listed | MapleSet | Sequence):
-        for each in value.items:
-            yield from _roots_in(session, each)
-    elif isinstance(value, Relation):
-        yield from _roots_in(session, value.left)
-        yield from _roots_in(session, value.right)
-    elif isinstance(value, Expr):
-        for name in sorted(x.name for x in value.free_symbols if x.name in session.opaque):
-            yield from _roots_in(session, session.opaque[name])
-
-
-def _with_root(session: Session, value: Value, root: Unevaluated, branch: Value) -> Value:
-    """Return a value with a branch in place of a root."""
-    if isinstance(value, Unevaluated):
-        return branch if value == root else value
-    if isinstance(value, Listed | MapleSet | Sequence):
-        return type(value)(tuple(_with_root(session, each, root, branch) for each in value.items))
-    if isinstance(value, Relation):
-        sides = (_with_root(session, side, root, branch) for side in (value.left, value.right))
-        return Relation(value.operator, *sides)
-    if isinstance(value, Expr):
-        names = [x for x in value.free_symbols if session.opaque.get(x.name) == root]
-        return session.rebuild(value, dict.fromkeys(names, branch)) if names else value
-    return value
-
-
-def _polynomial_of_root(value: Value) -> list[Expr] | None:
-    """Return the coefficients of the polynomial in ``RootOf(p(_Z))``; None for another value."""
-    if not isinstance(value, Unevaluated) or getattr(value.function, "name", "") != "RootOf":
-        return None
-    first = value.arguments[0] if len(value.arguments) == 1 else None
-    return polynomial_in(first, symbol("_Z")) if isinstance(first, Expr) else None
-
-
-def root_of(session: Session, equation: Value, *options: Value) -> Value:
-    """RootOf(p(x) [, x] [, index = k]): a root of a polynomial, as such; x may be left out if it is the only name."""
-    (residual,) = residuals_of(session, equation)
-    names = [each for each in options if isinstance(each, Expr) and each.kind == "symbol"]
-    if not names and symbol("_Z") not in residual.free_symbols:
-        names = list(residual.free_symbols)
-    if len(names) != 1 and symbol("_Z") not in residual.free_symbols:
-        raise WorksheetError(
-            f"RootOf: {session.text(residual)[:60]}; expected its unknown, as in RootOf(x^2 - a, x)"
-        )
-    rest = tuple(each for each in options if isinstance(each, Relation))
-    return Unevaluated(symbol("RootOf"), (residual.subs({each: symbol("_Z") for each in names}), *rest))
-
-
-def fsolve(session: Session, equations: Value, unknowns: Value | None = None, *options: Value) -> Value:
-    """fsolve(equations, unknowns [, ranges]): a solution in numbers, inside ranges if these are given."""
-    residuals = residuals_of(session, equations)
-    ranges = _ranges(session, unknowns, options)
-    starts = _starts(session, unknowns, options)
-    wanted = list(dict.fromkeys((*starts, *ranges)))
-    if wanted:
-        wanted = list(dict.fromkeys((*wanted, *_bare_names(session, unknowns))))
-    else:
-        wanted = (
-            unknowns_of(session, unknowns, residuals)
-            if unknowns is not None and not starts
-            else unknowns_of(session, None, residuals)
-        )
-    several = isinstance(session.resolve(equations), MapleSet | Listed)
-    polynomial = None if several or starts else _polynomial(residuals, wanted)
-    if polynomial is not None:
-        return _real_roots(session, polynomial, ranges.get(wanted[0]), options)
-    called = any(calls_functions(session, each) for each in residuals)
-    others = {each for residual in residuals for each in _names_in(session, residual)} - set(wanted)
-    if others:
-        names = ", ".join(sorted(session.text(each) for each in others))
-        raise WorksheetError(
-            f"fsolve: {names} {'is' if len(others) == 1 else 'are'} in the equations, and not solved for; give numbers "
-            "by subs, or solve for it too"
-        )
-    values = newton(
-        residuals,
-        wanted,
-        [starts.get(each) for each in wanted],
-        [ranges.get(each) for each in wanted],
-        functools.partial(value_at, session) if called else None,
-    )
-    if values is None:
-        session.notice("fsolve: no solution was found")
-        return NULL
-    found = {each: decimal(value) for each, value in zip(wanted, values, strict=True)}
-    given = session.resolve(unknowns) if unknowns is not None else None
-    if several or isinstance(given, MapleSet | Listed):
-        made = _equations(found, wanted)
-        return Listed(made) if isinstance(given, Listed) else set_of(made)
-    return found[wanted[0]]
-
-
-def _bare_names(session: Session, unknowns: Value | None) -> list[Expr]:
-    """Return the unknowns without a range or a start, such as y of ``{x = 0..1, y}``."""
-    given = session.resolve(unknowns) if unknowns is not None else None
-    items = given.items if isinstance(given, MapleSet | Listed) else (given,)
-    return [each for each in items if isinstance(each, Expr)]
-
-
-def _names_in(session: Session, residual: Expr) -> set[Expr]:
-    """Return what needs a number: symbols, functions of time, and functions that nobody has defined, ``phi(0)``."""
-    applied = {node.value for node in walk(tree_of(residual)) if node.value.kind == "application"}
-    functions = {each for each in residual.free_symbols if each.kind == "time_function"}
-    defined = {each for each in applied | functions if each.name in session.names}
-    return (applied | {*residual.free_symbols} | ({t} if defined & functions else set())) - defined
-
-
-def _polynomial(residuals: list[Expr], wanted: list[Expr]) -> list[Expr] | None:
-    """Return the coefficients of a polynomial with numbers, if this is what is to be solved."""
-    if len(residuals) != 1 or len(wanted) != 1:
-        return None
-    known = polynomial_in(residuals[0], wanted[0])
-    return known if known and len(known) > 1 and all(each.is_constant for each in known) else None
-
-
-def _real_roots(
-    session: Session, known: list[Expr], bounds: tuple[float, float] | None, options: tuple[Value, ...]
-) -> Value:
-    """Return the roots of a polynomial: the real ones, in ascending order; with the option complex, all."""
-    roots = numeric_roots(known)
-    if any(isinstance(each, Expr) and each == symbol("complex") for each in options):
-        session.options.imaginary = True
-        return sequence([of_number(each) for each in sorted(roots, key=lambda each: (each.real, each.imag))])
-    real = sorted(each.real for each in roots if not each.imag)
-    if bounds is not None:
-        real = [each for each in real if bounds[0] <= each <= bounds[1]]
-    return sequence([decimal(each) for each in real])
-
-
-def _ranges(
-    session: Session, unknowns: Value | None, options: tuple[Value, ...]
-) -> dict[Expr, tuple[float, float]]:
-    found: dict[Expr, tuple[float, float]] = {}
-    for value in ([unknowns] if unknowns is not None else []) + list(options):
-        items = value.items if isinstance(value, Listed | MapleSet) else (value,)
-        for item in items:
-            if isinstance(item, Relation) and isinstance(item.right, Range):
-                found[scalar(session, item.left)] = _bounds(session, item.right)
-            elif isinstance(item, Range) and unknowns is not None:
-                for each in unknowns_of(session, unknowns, []):
-                    found[each] = _bounds(session, item)
-    return found
-
-
-def _bounds(session: Session, given: Range) -> tuple[float, float]:
-    low, high = (as_float(scalar(session, each)) for each in (given.start, given.stop))
-    return (-1e3 if low is None else low, 1e3 if high is None else high)
-
-
-def _starts(session: Session, unknowns: Value | None, options: tuple[Value, ...]) -> dict[Expr, float]:
-    found: dict[Expr, float] = {}
-    items = (
-        unknowns.items if isinstance(unknowns, Listed | MapleSet) else () if unknowns is None else (unknowns,)
-    )
-    for item in items:
-        if isinstance(item, Relation) and not isinstance(item.right, Range):
-            value = as_float(scalar(session, item.right))
-            if value is not None:
-                found[scalar(session, item.left)] = value
-    return found
-
-
-def assign(session: Session, *solutions: Value) -> Value:
-    """assign(solution): each name on the left gets the value on the right."""
-    if len(solutions) == 2 and isinstance(solutions[0], Expr):
-        solutions = (Relation("=", solutions[0], solutions[1]),)
-    for solution in solutions:
-        found = session.resolve(solution)
-        items = found.items if isinstance(found, Listed | MapleSet | Sequence) else (found,)
-        for item in items:
-            if isinstance(item, Listed | MapleSet):
-                assign(session, item)
-            elif isinstance(item, Relation):
-                _assign_one(session, scalar(session, item.left), item.right)
-    return NULL
-
-
-def _assign_entry(session: Session, base: str, indices: tuple[Value, ...], right: Value) -> None:
-    """Give an entry of a table or a matrix a value; a name without value becomes a table."""
-    holder = session.holder(base)
-    if not isinstance(holder, Table | Array):
-        _assign_one(session, symbol(base), Table({indices: right}))
-        return
-    assigned_entry(session, holder, indices, right)
-    session.touch_entry(base)
-
-
-def _assign_one(session: Session, left: Expr, right: Value) -> None:
-    if left.kind == "symbol" and left.name in session.indexed:
-        _assign_entry(session, *session.indexed[left.name], right)
-    elif left.kind == "symbol":
-        session.assign(left.name, right)
-    elif left.kind in ("time_function", "application") and not (left.kind == "time_function" and left.order):
-        arguments = left.args or (symbol("t"),)
-        session.remember(left.name, tuple(arguments), right)
-    else:
-        raise WorksheetError(
-            f"assign: {session.text(left)[:60]} can't be assigned; expected a name or a function"
-        )
-
-
-COMMANDS: dict[str, Command] = {
-    "solve": solve,
-    "allvalues": allvalues,
-    "RootOf": root_of,
-    "fsolve": fsolve,
-    "assign": assign,
-}
+COMMANDS: dict[str, Command] = {"solve": solve}

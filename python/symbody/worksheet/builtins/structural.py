@@ -9,9 +9,8 @@ from functools import cmp_to_key
 
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, number
-from symbody.worksheet.evaluation.arithmetic import scalar
+from symbody.worksheet.evaluation.arithmetic import composed, scalar
 from symbody.worksheet.evaluation.condition import compared, is_type, truth
-from symbody.worksheet.evaluation.current import flattened
 from symbody.worksheet.evaluation.entrywise import parts_of, with_parts
 from symbody.worksheet.evaluation.logic import decided
 from symbody.worksheet.evaluation.session import Command, Session, sequence
@@ -100,6 +99,8 @@ def _head(session: Session, value: Value) -> Value:
             return symbol(session.indexed[value.name][0])
         tree = tree_of(value)
         names = {"sum": "+", "product": "*", "power": "^", "derivative": "diff", "name": "symbol"}
+        if value.is_number and value.is_decimal:
+            return symbol("Float")
         if tree.kind == "number":
             return symbol("Integer" if value.ratio[1] == 1 else "Fraction")
         return symbol(tree.name if tree.kind == "function" else names[tree.kind])
@@ -107,14 +108,9 @@ def _head(session: Session, value: Value) -> Value:
         return value.function
     if isinstance(value, Relation):
         return symbol(value.operator)
-    names_of = {
-        Listed: "list",
-        MapleSet: "set",
-        String: "string",
-        Range: "..",
-        Table: "table",
-        Array: "Array",
-    }
+    if isinstance(value, Array):
+        return symbol(_ARRAY_TYPES.get(value.kind, value.kind))
+    names_of = {Listed: "list", MapleSet: "set", String: "string", Range: "..", Table: "table"}
     return symbol(names_of.get(type(value), "symbol"))
 
 
@@ -327,36 +323,15 @@ def _selected(
     found = session.resolve(value)
     if isinstance(found, Expr):
         tree = tree_of(found)
-        neutral = number(1 if tree.kind == "product" else 0)
         chosen = [part.value for part in tree.parts if keeps(part.value)]
+        if tree.kind == "function":
+            return composed(session, tree, list(chosen))
+        neutral = number(1 if tree.kind == "product" else 0)
         total = neutral
         for each in chosen:
             total = total * each if tree.kind == "product" else total + each
         return total
     return with_parts(found, [part for part in operands(session, found) if keeps(part)])
-
-
-def applied_to_operand(session: Session, function: Value, place: Value, value: Value, *rest: Value) -> Value:
-    """applyop(f, i, e): e with f of its operand i in the place of the operand."""
-    operand = session.call(symbol("op"), (place, value))
-    return session.call(
-        symbol("subsop"), (Relation("=", place, session.call(function, (operand, *rest))), value)
-    )
-
-
-def subsop(session: Session, *arguments: Value) -> Value:
-    """subsop(i = a, .., e): the i-th operand replaced."""
-    *rules, value = arguments
-    parts = list(operands(session, value))
-    for rule in rules:
-        place = as_integer(rule.left) if isinstance(rule, Relation) else None
-        if place is None or not 0 < abs(place) <= len(parts) or not isinstance(rule, Relation):
-            raise WorksheetError("subsop: expected equations of a place and a new operand, such as 2 = x")
-        parts[place - 1 if place > 0 else place] = rule.right
-    if isinstance(value, Expr):
-        old = tree_of(value).parts
-        return session.rebuild(value, {each.value: new for each, new in zip(old, parts, strict=True)})
-    return with_parts(value, flattened(parts))
 
 
 def sort(session: Session, value: Value, by: Value | None = None) -> Value:
@@ -416,10 +391,18 @@ def _basic_type(value: Value) -> str | None:
     return {Unevaluated: "function", ProcedureValue: "procedure"}.get(type(value))
 
 
-def holds(session: Session, relation: Value) -> Value:
-    """evalb(c), is(c): whether a condition holds; names without a value, and what is made of them, come back."""
-    found = relation if isinstance(relation, Relation) else decided(session, relation)
-    return found if isinstance(found, Expr | Unevaluated) else Boolean(truth(session, relation))
+def holds(session: Session, condition: Value) -> Value:
+    """evalb(c): whether a condition holds; names without a value, and what can't be decided, come back."""
+    found = decided(session, condition)
+    return found if isinstance(found, Expr | Relation | Unevaluated) else Boolean(found)
+
+
+def is_known_to_hold(session: Session, condition: Value, *kind: Value) -> Value:
+    """is(c), is(e, t): whether a condition holds, or e is of a type; FAIL where that can't be decided."""
+    if kind:
+        return Boolean(is_type(session, condition, *kind))
+    found = holds(session, condition)
+    return Boolean(truth=None) if isinstance(found, Relation) else found
 
 
 def side(which: str) -> Command:
@@ -450,14 +433,12 @@ COMMANDS: dict[str, Command] = {
     "select": select,
     "remove": remove,
     "selectremove": select_and_remove,
-    "subsop": subsop,
-    "applyop": applied_to_operand,
     "sort": sort,
     "member": member,
     "type": of_type,
     "whattype": whattype,
     "evalb": holds,
-    "is": holds,
+    "is": is_known_to_hold,
     "lhs": side("left"),
     "rhs": side("right"),
 }

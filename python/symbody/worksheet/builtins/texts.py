@@ -18,11 +18,16 @@ __all__ = ["COMMANDS", "formatted", "unparsed"]
 
 
 def unparsed(session: Session, value: Value) -> str:
-    """Return a value as text, without primes and aliases; a name without backquotes."""
+    """Return a value as text, without primes and aliases; a name without backquotes, a string without its own."""
     if isinstance(value, String):
         return value.text
     if isinstance(value, Expr) and value.kind == "symbol":
         return str(value.name)
+    return _in_syntax(session, value)
+
+
+def _in_syntax(session: Session, value: Value) -> str:
+    """Return a value as a sheet would write it."""
     return text_of(value, Style(digits=session.options.digits, raw=frozenset(session.opaque)))
 
 
@@ -107,7 +112,7 @@ def _piece(session: Session, flags: str, width: str, precision: str | None, kind
     """
     point = f".{precision}" if precision is not None else ""
     if kind in "aAsc" or kind in "qQp":
-        text = unparsed(session, value)
+        text = _in_syntax(session, value) if kind in "aq" else unparsed(session, value)
         return f"%{flags.replace('0', '').replace('+', '')}{width}{point}s" % text
     if kind in "di":
         return _integer_piece(session, flags, width, point, value)

@@ -348,18 +348,24 @@ def rebuilt(session: Session, value: Expr, new: dict[Expr, Value]) -> Value:
 def _build(session: Session, tree: Tree, new: dict[Expr, Value], build: Callable[[Tree], Value]) -> Value:
     if tree.value in new:
         return new[tree.value]
+    if not tree.parts or tree.kind == "derivative":
+        return tree.value
+    return composed(session, tree, [build(part) for part in tree.parts])
+
+
+def composed(session: Session, tree: Tree, parts: list[Value]) -> Value:
+    """Return a sum, a product, a power, a call or a derivative of other parts than those of a tree."""
     if tree.kind == "sum":
-        return _summed(session, [build(part) for part in tree.parts])
+        return _summed(session, parts)
     if tree.kind == "product":
         total: Value = number(1)
-        for part in tree.parts:
-            total = binary(session, "*", total, build(part))
+        for part in parts:
+            total = binary(session, "*", total, part)
         return total
     if tree.kind == "power":
-        return binary(session, "^", build(tree.parts[0]), build(tree.parts[1]))
-    if tree.kind == "function":
-        return session.call(symbol(tree.name), called_with(tree, [build(part) for part in tree.parts]))
-    return tree.value
+        return binary(session, "^", parts[0], parts[1])
+    name = "diff" if tree.kind == "derivative" else tree.name
+    return session.call(symbol(name), called_with(tree, parts))
 
 
 def called_with(tree: Tree, parts: list[Value]) -> tuple[Value, ...]:

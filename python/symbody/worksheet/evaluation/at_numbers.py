@@ -11,7 +11,7 @@ from symbody.worksheet.evaluation.session import Session
 from symbody.worksheet.values.numeric import as_float, decimal
 from symbody.worksheet.values.value import Value
 
-__all__ = ["calls_functions", "to_be_evaluated", "value_at"]
+__all__ = ["calls_functions", "function_at", "to_be_evaluated", "value_at"]
 
 _DIGITS = 16
 """Of a double."""
@@ -34,7 +34,19 @@ def value_at(session: Session, expression: Expr, values: Mapping[Expr, float]) -
     if not calls_functions(session, expression):
         return float(expression.evaluate(values))
     placed = expression.subs({x: decimal(float(value), _DIGITS) for x, value in values.items()})
-    found = session.current(placed)
+    return _number(session, session.current(placed))
+
+
+def function_at(session: Session, function: Value, argument: float) -> float:
+    """Return the value of a function at a number.
+
+    Raises:
+        WorksheetError: it is no number there.
+    """
+    return _number(session, session.current(session.call(function, (decimal(argument, _DIGITS),))))
+
+
+def _number(session: Session, found: Value) -> float:
     result = as_float(found) if isinstance(found, Expr) else None
     if result is None:
         raise WorksheetError(f"{session.text(found)[:60]} is no number")

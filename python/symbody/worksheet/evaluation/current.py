@@ -393,6 +393,7 @@ def _symbol(session: State, value: Expr) -> Value:
     if opaque is not None:
         return _opaque(session, value, opaque)
     if _is_local(session, name):
+        _depend_on(session, (name,))  # outside of its procedure, the name is that of the session
         return value
     found = _of_session(session, name)
     return value if found == value or found == Reference(name) else found

@@ -40,12 +40,26 @@ def _number(check: Callable[[Expr], bool]) -> Check:
     return lambda value: isinstance(value, Expr) and value.is_number and check(value)
 
 
+def _whole(check: Callable[[int], bool]) -> Check:
+    """Return the check of whole numbers that are no decimals."""
+    return lambda value: (
+        isinstance(value, Expr)
+        and value.is_number
+        and value.ratio[1] == 1
+        and not value.is_decimal
+        and check(value.ratio[0])
+    )
+
+
 def _node(*kinds: str) -> Check:
     return lambda value: isinstance(value, Expr) and tree_of(value).kind in kinds
 
 
 def _is_name(value: Value) -> bool:
-    return isinstance(value, Reference) or (isinstance(value, Expr) and value.kind == "symbol")
+    """Whether a value is a name; Pi is one, and I is none."""
+    return isinstance(value, Reference) or (
+        isinstance(value, Expr) and value.kind in ("symbol", "constant") and getattr(value, "name", "") != "I"
+    )
 
 
 def _array(*kinds: str) -> Check:
@@ -88,12 +102,12 @@ _CHECKS: dict[str, Check] = {
     "anything": lambda value: True,
     "algebraic": lambda value: isinstance(value, Expr | Unevaluated),
     "scalar": lambda value: isinstance(value, Expr),
-    "integer": _number(lambda value: value.ratio[1] == 1 and not value.is_decimal),
-    "posint": _number(lambda value: value.ratio[1] == 1 and value.ratio[0] > 0),
-    "nonnegint": _number(lambda value: value.ratio[1] == 1 and value.ratio[0] >= 0),
-    "negint": _number(lambda value: value.ratio[1] == 1 and value.ratio[0] < 0),
-    "even": _number(lambda value: value.ratio[1] == 1 and value.ratio[0] % 2 == 0),
-    "odd": _number(lambda value: value.ratio[1] == 1 and value.ratio[0] % 2 == 1),
+    "integer": _whole(lambda n: True),
+    "posint": _whole(lambda n: n > 0),
+    "nonnegint": _whole(lambda n: n >= 0),
+    "negint": _whole(lambda n: n < 0),
+    "even": _whole(lambda n: n % 2 == 0),
+    "odd": _whole(lambda n: n % 2 == 1),
     "fraction": _number(lambda value: value.ratio[1] != 1 and not value.is_decimal),
     "rational": _number(lambda value: not value.is_decimal),
     "float": _number(lambda value: value.is_decimal),
@@ -103,7 +117,7 @@ _CHECKS: dict[str, Check] = {
     "positive": _number(lambda value: value.ratio[0] > 0),
     "negative": _number(lambda value: value.ratio[0] < 0),
     "nonnegative": _number(lambda value: value.ratio[0] >= 0),
-    "nonposint": _number(lambda value: value.ratio[1] == 1 and value.ratio[0] <= 0),
+    "nonposint": _whole(lambda n: n <= 0),
     "complex": lambda value: isinstance(value, Expr) and as_complex(value) is not None,
     "complexcons": lambda value: isinstance(value, Expr) and as_complex(value) is not None,
     "nonreal": lambda value: isinstance(value, Expr) and bool((as_complex(value) or 0j).imag),
@@ -135,7 +149,7 @@ _CHECKS: dict[str, Check] = {
     "radical": _root(),
     "sqrt": _root(2),
     **{name: _structured(name) for name in ("polynom", "linear", "quadratic", "cubic")},
-    **{operator: _relation(operator) for operator in ("<", "<=", "<>")},
+    **{operator: _relation(operator) for operator in ("<", "<=", "<>", "::")},
     "atomic": lambda value: isinstance(value, Expr | String) and not getattr(value, "args", ()),
     "uneval": lambda value: True,
     "evaln": lambda value: True,

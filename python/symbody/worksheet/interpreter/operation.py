@@ -7,10 +7,12 @@ from dataclasses import replace
 from typing import Any
 
 from symbody.worksheet import builtins
+from symbody.worksheet.builtins.matrices import hermitian_transpose
 from symbody.worksheet.builtins.sets import joined_by
 from symbody.worksheet.evaluation import arithmetic
 from symbody.worksheet.evaluation.assumptions import positive_names, under
 from symbody.worksheet.evaluation.condition import compared
+from symbody.worksheet.evaluation.current import set_of
 from symbody.worksheet.evaluation.logic import joined, negation
 from symbody.worksheet.evaluation.session import Session
 from symbody.worksheet.sheet import syntax
@@ -19,6 +21,7 @@ from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.value import (
     Array,
     Listed,
+    MapleSet,
     Range,
     Relation,
     Sequence,
@@ -32,6 +35,7 @@ _RELATIONS = {"=", "<>", "<", "<=", "::"}
 _TURNED = {">": "<", ">=": "<="}
 _ARITHMETIC = {"+", "-", "*", "/", "^", ".", "&*"}
 _FOLDED = {"+", "-", "*"}
+_FUNCTIONS = {"mod": "modp"}
 _SETS = {"union", "minus", "intersect", "subset"}
 
 
@@ -50,10 +54,10 @@ def _postfix(session: Session, node: syntax.Postfix) -> Value:
     value = session.evaluate(node.operand)
     if node.operator == "!":
         return session.call(symbol("factorial"), (value,))
+    if node.operator.endswith("H"):
+        return hermitian_transpose(session, value)
     array = session.resolve(value)
-    if isinstance(array, Array):
-        return arithmetic.transposed(array)
-    return value
+    return arithmetic.transposed(array) if isinstance(array, Array) else value
 
 
 def _infix(session: Session, node: syntax.Infix) -> Value:
@@ -66,11 +70,20 @@ def _infix(session: Session, node: syntax.Infix) -> Value:
         return builtins.dollar(session, node.left, node.right)
     if operator in _FOLDED:
         return _folded(session, node)
-    left = session.evaluate(node.left)
     if operator == "assuming":
-        conditions = session.evaluated((node.right,))
-        return under(left, positive_names(session, "assuming", conditions))
-    return _operated(session, operator, left, session.evaluate(node.right))
+        return _assuming(session, node)
+    return _operated(session, operator, session.evaluate(node.left), session.evaluate(node.right))
+
+
+def _assuming(session: Session, node: syntax.Infix) -> Value:
+    """Return the value of an expression while some names count as positive."""
+    names = positive_names(session, "assuming", session.evaluated((node.right,)))
+    held = session.options.positive
+    session.options.positive = held | names
+    try:
+        return under(session.evaluate(node.left), names)
+    finally:
+        session.options.positive = held
 
 
 def _operated(session: Session, operator: str, left: Value, right: Value) -> Value:
@@ -87,8 +100,8 @@ def _operated(session: Session, operator: str, left: Value, right: Value) -> Val
         return joined_by(session, operator, left, right)
     if operator == "in":
         return compared(session, Relation("in", left, right))
-    if operator == "mod":
-        return session.call(symbol("modp"), (left, right))
+    if operator == "mod" or operator.startswith("&"):
+        return session.call(symbol(_FUNCTIONS.get(operator, operator)), (left, right))
     return Unevaluated(symbol(operator), (left, right))  # @ and @@
 
 
@@ -108,6 +121,11 @@ def _folded(session: Session, node: syntax.Infix) -> Value:
 def _entrywise(session: Session, operator: str, left: Value, right: Value) -> Value:
     a, b = session.resolve(left), session.resolve(right)
     for side in (a, b):
+        if isinstance(side, MapleSet):
+            return set_of(
+                _operated(session, operator, item, b) if side is a else _operated(session, operator, a, item)
+                for item in side.items
+            )
         if isinstance(side, Listed | Array):
             count = len(side.items if isinstance(side, Listed) else side.entries)
             pairs = zip(_repeated(a, count), _repeated(b, count), strict=True)

@@ -16,6 +16,7 @@ from symbody.worksheet.values.integers import number_text, shown_number
 from symbody.worksheet.values.logic_words import LOGIC, NEGATION
 from symbody.worksheet.values.structure import Tree, is_negative, tree_of
 from symbody.worksheet.values.value import (
+    NULL,
     Array,
     Boolean,
     Builtin,
@@ -255,6 +256,13 @@ def _relation(value: Relation, style: Style) -> str:
     return f"{left}::{right}" if value.operator == "::" else f"{left} {value.operator} {right}"
 
 
+def _range(value: Range, style: Style) -> str:
+    """Return ``a .. b``; without bounds, all of a row or a column, ``..``."""
+    if value.start == value.stop == NULL:
+        return ".."
+    return f"{_operand(value.start, style)} .. {_operand(value.stop, style)}"
+
+
 def _operand(value: Value, style: Style) -> str:
     text = text_of(value, style)
     return f"({text})" if isinstance(value, Relation | Sequence) else text
@@ -347,7 +355,7 @@ def _factor(value: Value, style: Style) -> str:
 
 _VALUES: dict[type, Callable[[Any, Style], str]] = {
     Relation: _relation,
-    Range: lambda value, style: f"{_operand(value.start, style)} .. {_operand(value.stop, style)}",
+    Range: _range,
     Sequence: lambda value, style: _joined(value.items, style),
     Listed: lambda value, style: f"[{_joined(value.items, style)}]",
     MapleSet: lambda value, style: f"{{{_joined(value.items, style)}}}",
