@@ -23,7 +23,9 @@ from symbody import (
     lagrange_equations,
     latex,
     newton_euler,
+    number,
     parse,
+    readable,
     rotate,
     sin,
     symbols,
@@ -32,6 +34,7 @@ from symbody import (
 )
 from symbody.symbolic import idle_symbols
 from symbody.symbolic.calculus.shown_form import shown_form
+from tests.symbolic.random_expression import doubling
 
 x, theta = functions_of_time("x theta")
 M, m, l, g, J, a, b = symbols("M m l g J a b")
@@ -113,7 +116,7 @@ SHOWN = {
     "pendulum on a jib": (
         newton_euler(FURUTA).bias,
         "2*m*a**2*sin(q2)*cos(q2)*q1'*q2' - a*l*m*sin(q2)*q2'**2",
-        "-a*m*(a*sin(q2)*cos(q2)*q1'**2 - g*sin(q2))",
+        "a*g*m*sin(q2) - m*a**2*sin(q2)*cos(q2)*q1'**2",
     ),
     "two masses at one place": (
         newton_euler(SCARA).bias,
@@ -192,3 +195,22 @@ def test_entries_of_a_matrix_are_read_together(name: str) -> None:
 def test_a_matrix_that_was_written_by_hand_is_shown_as_it_is() -> None:
     written = Matrix([[m * l**2 + m * l * a, sin(q1) * (a * cos(q2) + b)], [a * (b + l), x]])
     assert describe(written) == str(written)
+
+
+@pytest.mark.parametrize("levels", [10, 20, 40])
+def test_expressions_that_are_printed_by_common_parts_are_shown_as_they_are(levels: int) -> None:
+    """Written out, they have two to the power of levels leaves; a search for another form would have no end."""
+    expression = doubling(levels)
+    assert shown_form(expression).same_form(expression)
+
+
+@pytest.mark.parametrize("inertia", [J, 0])
+@pytest.mark.parametrize("factor", [1, 2, number(1) / 3])
+def test_a_square_of_lengths_is_flat_alone_as_it_is_beside_other_terms(inertia: Expr, factor: Expr) -> None:
+    entry, again = (inertia + factor * m * form for form in (l**2 + a * l * cos(q2), l * (l + a * cos(q2))))
+    for given in (entry, again):
+        assert "(l + a*cos(q2))" not in str(readable(given))
+    assert "(l + a*cos(q2))" not in describe(again)
+    assert "(l + a*cos(q2))" not in describe(
+        Matrix([[inertia + m * l**2 + l * (l * m + l * m * cos(q2)), entry]])
+    )

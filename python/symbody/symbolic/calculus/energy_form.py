@@ -15,7 +15,7 @@ from .cost import cost
 from .derivative import diff
 from .quadratic_form import QuadraticForm
 from .reader import Reader
-from .reading import awkward_terms, nodes_of
+from .reading import awkward_parts, awkward_terms, nodes_of
 from .standard_names import standard_names
 from .summands import summands
 
@@ -102,11 +102,11 @@ def flat_inertia(expression: Expr, form: Expr) -> Expr:
     """
     leaves = [leaf for leaf in expression.free_symbols if leaf.kind == "time_function"]
     is_entry = leaves and not any(leaf.order for leaf in leaves) and cost(expression).total <= _MOST
-    inertias = _inertias(expression) if is_entry and awkward_terms(form) else ()
+    inertias = _inertias(expression) if is_entry and awkward_parts(form) else ()
     if not inertias:
         return form
     flat = Reader(standard_names([], [expression]), inertias=inertias)(expression)
-    is_flatter = awkward_terms(flat) < awkward_terms(form) and len(str(flat)) <= _FLATTER * len(str(form))
+    is_flatter = awkward_parts(flat) < awkward_parts(form) and len(str(flat)) <= _FLATTER * len(str(form))
     return flat if is_flatter else form
 
 

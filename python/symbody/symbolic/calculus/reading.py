@@ -79,6 +79,17 @@ def awkward_terms(expression: Expr) -> int:
     return nested + sum(map(_is_compound, nodes_of(expression)))
 
 
+def awkward_parts(expression: Expr) -> int:
+    """Return the number of awkward terms, of which a product may be one itself.
+
+    >>> from symbody import symbols
+    >>> a, b = symbols("a b")
+    >>> awkward_parts(a * (a + b)), awkward_parts(a * (1 + b)), awkward_terms(a * (a + b))
+    (1, 0, 0)
+    """
+    return awkward_terms(expression) + (expression.kind == "product" and _is_nested(expression))
+
+
 def _is_nested(term: Expr) -> bool:
     bases = {_base(factor) for factor in parts_of(term, "product") if not factor.is_number}
     return any(bases & {_base(factor) for factor in factors} for factors in _products_in(term))

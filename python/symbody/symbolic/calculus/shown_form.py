@@ -18,9 +18,10 @@ from .cost import cost
 from .derivative import substitute
 from .energy_form import energy_form, flat_inertia
 from .idle import idle_symbols, without_idle_symbols
-from .reading import WAVES, awkward_terms, multiples_of_angles, nodes_of, parts_of
+from .reading import WAVES, awkward_parts, multiples_of_angles, nodes_of, parts_of
 from .rewrite import textbook_form
 from .shortest_text import coefficient_form, shortest_text
+from .terms import leaves_unfolded
 
 __all__ = ["ShownForms", "shown_form"]
 
@@ -82,14 +83,14 @@ class ShownForms:
                 left -= operations
         derived = [entry for entry in new.values() if _is_derived(entry)]
         if any(_is_better(_coefficient(entry), entry) for entry in derived):
-            self._known |= {place: _coefficient(entry) for place, entry in new.items()}
+            self._known |= {place: flat_inertia(entry, _coefficient(entry)) for place, entry in new.items()}
             self._left = left
 
     def _form(self, expression: Expr) -> Expr:
         if idle_symbols([expression]):
             return min(_forms(expression), key=lambda form: len(idle_symbols([form])))
         operations = cost(expression).total
-        if operations > min(self._left, _ROTATED):
+        if operations > min(self._left, _ROTATED) or leaves_unfolded(expression) > _UNFOLDED:
             return expression
         energy = energy_form(expression)
         if energy is not None or not _is_nested(expression):
@@ -102,6 +103,10 @@ class ShownForms:
 _ROTATED, _TOTAL = 120, 250
 """The operations of one expression with products of rotations, and of all of them together, up to which the form for
 the reader is looked for: about two seconds."""
+
+
+_UNFOLDED = 1000
+"""The leaves of an expression, written out, up to which it is so: others are printed by common parts, as they are."""
 
 
 def _without_rotations(expression: Expr) -> Expr:
@@ -143,17 +148,17 @@ def _is_nested(expression: Expr) -> bool:
     if any(map(_is_rotated, nodes_of(expression))):
         return True
     is_moving = any(leaf.kind == "time_function" for leaf in expression.free_symbols)
-    return is_moving and (awkward_terms(expression) > 0 or any(map(_has_like_brackets, nodes_of(expression))))
+    return is_moving and (awkward_parts(expression) > 0 or any(map(_has_like_brackets, nodes_of(expression))))
 
 
 def _is_better(form: Expr, entry: Expr) -> bool:
     """Return whether a form is much shorter than an entry, or as long with fewer awkward terms or operations."""
-    most = _FLATTER if awkward_terms(form) < awkward_terms(entry) else _SHORTER
+    most = _FLATTER if awkward_parts(form) < awkward_parts(entry) else _SHORTER
     length, given = len(str(form)), len(str(entry))
     return length <= most * given or (length <= given and cost(form).total < cost(entry).total)
 
 
-_FLATTER = 1.1
+_FLATTER = 1.2
 """The length of a form with fewer awkward terms, at most, in relation to the given one."""
 
 
