@@ -198,8 +198,8 @@ def test_a_matrix_that_was_written_by_hand_is_shown_as_it_is() -> None:
 
 
 @pytest.mark.parametrize("levels", [10, 20, 40])
-def test_expressions_that_are_printed_by_common_parts_are_shown_as_they_are(levels: int) -> None:
-    """Written out, they have two to the power of levels leaves; a search for another form would have no end."""
+def test_functions_deep_in_functions_are_shown_as_they_are(levels: int) -> None:
+    """A search for another form would take seconds, and what is printed by common parts is short enough."""
     expression = doubling(levels)
     assert shown_form(expression).same_form(expression)
 
@@ -214,3 +214,19 @@ def test_a_square_of_lengths_is_flat_alone_as_it_is_beside_other_terms(inertia: 
     assert "(l + a*cos(q2))" not in describe(
         Matrix([[inertia + m * l**2 + l * (l * m + l * m * cos(q2)), entry]])
     )
+
+
+@pytest.mark.parametrize("n", [3, 4, 5])
+def test_the_bias_of_an_arm_is_written_for_a_reader(n: int) -> None:
+    """Written out as it is computed, that of four links takes 12000 characters."""
+    angles, frame, bodies = functions_of_time([f"q{k}" for k in range(1, n + 1)]), ground, []
+    for k, angle in enumerate(angles, 1):
+        mass, length, center = symbols(f"m{k} l{k} c{k}")
+        frame = frame * rotate("Z", angle)
+        bodies.append(Body(frame * translate(center, 0, 0), mass))
+        frame = frame * translate(length, 0, 0)
+    equations = newton_euler(System(bodies, coordinates=angles, gravity=GRAVITY))
+    bias = Matrix([[entry] for entry in equations.bias])
+    assert len(describe(bias)) < 120 * n**2
+    assert len(describe(equations.bias[0])) < 250 * n
+    assert len(describe(equations.mass_matrix)) < 200 * n**2

@@ -70,6 +70,20 @@ def levels(form: Expr) -> int:
     return found[form.id]
 
 
+def functions_within_functions(expression: Expr) -> int:
+    """Return how deep functions stand in the arguments of functions.
+
+    >>> from symbody import cos, sin, sqrt, symbols
+    >>> a, b = symbols("a b")
+    >>> functions_within_functions(a * sin(b)), functions_within_functions(sin(a + cos(sqrt(b))))
+    (1, 2)
+    """
+    found = dict[int, int]()
+    for node in nodes_of(expression):
+        found[node.id] = max((found[part.id] for part in node.args), default=0) + (node.kind == "function")
+    return found[expression.id]
+
+
 def awkward_terms(expression: Expr) -> int:
     """Return how many terms of sums have a factor that occurs again in its brackets, or quotients in a quotient."""
     terms = {

@@ -18,10 +18,9 @@ from .cost import cost
 from .derivative import substitute
 from .energy_form import energy_form, flat_inertia
 from .idle import idle_symbols, without_idle_symbols
-from .reading import WAVES, awkward_parts, multiples_of_angles, nodes_of, parts_of
+from .reading import WAVES, awkward_parts, functions_within_functions, multiples_of_angles, nodes_of, parts_of
 from .rewrite import textbook_form
 from .shortest_text import coefficient_form, shortest_text
-from .terms import leaves_unfolded
 
 __all__ = ["ShownForms", "shown_form"]
 
@@ -90,7 +89,7 @@ class ShownForms:
         if idle_symbols([expression]):
             return min(_forms(expression), key=lambda form: len(idle_symbols([form])))
         operations = cost(expression).total
-        if operations > min(self._left, _ROTATED) or leaves_unfolded(expression) > _UNFOLDED:
+        if operations > min(self._left, _ROTATED) or functions_within_functions(expression) > _DEEP:
             return expression
         energy = energy_form(expression)
         if energy is not None or not _is_nested(expression):
@@ -100,13 +99,13 @@ class ShownForms:
         return _without_rotations(expression)
 
 
-_ROTATED, _TOTAL = 120, 250
+_ROTATED, _TOTAL = 120, 700
 """The operations of one expression with products of rotations, and of all of them together, up to which the form for
-the reader is looked for: about two seconds."""
+the reader is looked for: about a second."""
 
 
-_UNFOLDED = 1000
-"""The leaves of an expression, written out, up to which it is so: others are printed by common parts, as they are."""
+_DEEP = 8
+"""Functions within functions up to which another form is looked for, as each is one in its argument as well."""
 
 
 def _without_rotations(expression: Expr) -> Expr:

@@ -36,17 +36,3 @@ def number_of_terms(expression: Expr) -> int:
             count = max(inner, default=1)
         counts[node.id] = min(count, MOST + 1)
     return counts[expression.id]
-
-
-def leaves_unfolded(expression: Expr) -> int:
-    """Return the number of leaves of an expression whose shared parts are written out wherever they occur.
-
-    >>> from symbody import sin, symbols
-    >>> a, b = symbols("a b")
-    >>> leaves_unfolded((a + b) * sin(a + b))
-    4
-    """
-    counts = dict[int, int]()
-    for node in nodes_of(expression):
-        counts[node.id] = sum(counts[arg.id] for arg in node.args) if node.args else 1
-    return counts[expression.id]
