@@ -38,6 +38,11 @@ def pushed(force: Expr) -> System:
     return System([CART], [Force(ground, force, 0, 0, at=CART.center_of_mass, on=CART)], coordinates=[x])
 
 
+def touching(exponent: Expr | int) -> System:
+    law = contact(CART.center_of_mass, R, k, exponent=exponent, on=CART)
+    return System([CART], [law], coordinates=[x])
+
+
 def rolling(shift: Expr, turn: Expr, q: Expr) -> System:
     return System([Body(translate(shift, 0, 0) * rotate("Z", -turn), m, Iz=J)], coordinates=[q])
 
@@ -62,8 +67,11 @@ def rolling(shift: Expr, turn: Expr, q: Expr) -> System:
         ),
         (
             System([CART], [TOUCH, DRAG], coordinates=[x]),
-            "A m², R m, d s/m, m kg, mu , rho kg/m³, v0 m/s, x m",
+            "A m², R m, d s/m, k N/m^1.5, m kg, mu , rho kg/m³, v0 m/s, x m",
         ),
+        (touching(1), "R m, k N/m, m kg, x m"),
+        (touching(2), "R m, k N/m^2, m kg, x m"),
+        (touching(a), "R m, k N/m^a, m kg, x m"),
     ],
 )
 def test_units_are_those_that_the_model_shows(system: System, expected: str) -> None:

@@ -103,7 +103,7 @@ def contact(
             potential=stored_energy(potential, expression(stiffness), expression(radius), n),
             quantities=quantities,
             name=name,
-            sizes=sizes,
+            sizes={**sizes, "exponent": n},
             positive=("stiffness", "creep_speed"),
             expected=[_expected_exponent(n)],
             far_end=plane if reaction is None else None,

@@ -71,8 +71,12 @@ def units_of_multipliers(system: System, units: Mapping[Expr, str]) -> dict[Expr
 
 
 def _of_names(system: System) -> dict[Expr, Dimension]:
-    """Return the dimensions of the parameters and coordinates that are known by what they are."""
-    return {leaf: _OF_UNITS[unit] for leaf, unit in units_of_names(system).items()}
+    """Return the dimensions of the parameters and coordinates that are known by what they are.
+
+    Those of the stiffness of a contact depend on the exponent of its law, and are left out unless this is 1.
+    """
+    units = units_of_names(system)
+    return {leaf: _OF_UNITS[unit] for leaf, unit in units.items() if unit in _OF_UNITS}
 
 
 def _found(expressions: Sequence[Expr], known: Mapping[Expr, Dimension]) -> list[Dimension | None]:

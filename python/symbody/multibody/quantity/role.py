@@ -153,14 +153,15 @@ _IN_LAWS = {
 """Meanings and units of the arguments of laws: of forces along lines and slides, and of torques about axes."""
 _SIZES = {
     "contact": {
-        "radius": LENGTH,
+        "radius": ("radius", "m"),
+        "stiffness": ("stiffness", "N/m^n"),
         "damping": ("damping", "s/m"),
         "friction": ("coefficient of friction", ""),
         "creep_speed": ("creep speed", "m/s"),
     },
     "air_force": {"density": ("density of air", "kg/m³"), "drag_area": ("drag area", "m²")},
 }
-"""Meanings and units of the sizes of other elements; the stiffness of a contact has a unit that depends on its law."""
+"""Meanings and units of the sizes of other elements; n is the exponent of the law."""
 
 
 def _of_laws(system: System) -> Iterator[tuple[Expr, Role]]:
@@ -172,7 +173,7 @@ def _of_laws(system: System) -> Iterator[tuple[Expr, Role]]:
         for argument, value in element.law.items()
     ]
     roles += [
-        (value, *_SIZES[element.kind][argument], _owner(element))
+        (value, *_role_of_size(argument, element), _owner(element))
         for element in system.loads
         if isinstance(element, Element)
         for argument, value in element.sizes.items()
@@ -187,6 +188,17 @@ def _of_laws(system: System) -> Iterator[tuple[Expr, Role]]:
 
 def _owner(element: Element) -> str:
     return element.name or f"the {element.kind.replace('_', ' ')}"
+
+
+def _role_of_size(argument: str, element: Element) -> Role:
+    """Return the meaning and the unit of a size, with the exponent of its law: N/m^1.5 of Hertz's contact."""
+    meaning, unit = _SIZES[element.kind][argument]
+    n = element.sizes.get("exponent", _ONE)
+    power = "" if n == _ONE else f"^{float(n):g}" if n.is_number else f"^{n}"
+    return meaning, unit.replace("^n", power)
+
+
+_ONE = number("1")
 
 
 def _role_in_law(argument: str, element: Element) -> Role:
