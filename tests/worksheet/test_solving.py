@@ -6,6 +6,20 @@ from symbody.worksheet.interpreter.interpret import Interpreter
 from tests.worksheet.printed_by import failures, printed
 
 CASES = {
+    "polynomials with factors": (
+        (
+            "solve((2*k-m*w^2)^2-k^2,w); solve(w^6-6*w^4+10*w^2-4,w); solve(x^4+4,x); solve(x^2-(a+b)*x+a*b,x);"
+            "solve((x-a)^2*(x-b),x); solve(s^2+s/m+1/m-1,s);"
+        ),
+        [
+            "(k/m)^(1/2), -(k/m)^(1/2), 3^(1/2)*(k/m)^(1/2), -3^(1/2)*(k/m)^(1/2)",
+            "2^(1/2), -2^(1/2), (2^(1/2)+2)^(1/2), -(2^(1/2)+2)^(1/2), (2-2^(1/2))^(1/2), -(2-2^(1/2))^(1/2)",
+            "1+I, 1-I, -1+I, -1-I",
+            "a, b",
+            "b, a, a",
+            "-1, (m-1)/m",
+        ],
+    ),
     "zeros of functions": (
         "fsolve(f->f^2-2,1..2); g := x -> cos(x)-x: fsolve(g,0..1); fsolve(sin,3..4);",
         ["1.414213562", ".7390851332", "3.141592654"],

@@ -13,6 +13,10 @@ CASES = {
         "op(0,a[i]), op(a[i]), op(a[1,2]), nops(a[1,2]), op(0,q[1](t)), map(op, [b[1],b[2]]);",
         ["a, i, 1, 2, 2, q[1], [1, 2]"],
     ),
+    "tables that are zero elsewhere": (
+        "T := table(sparse): T[1] := a: T[1], T[5]; add(T[i],i=1..3); e := T[7]+b: U := copy(T): U[3]; eval(T);",
+        ["a, 0", "a", "0", "table(sparse, [1 = a])"],
+    ),
     "counts": (
         "nops(a+b+c), nops(a*b), nops([a,b]), nops({a,a}), nops(x), nops(u=v);",
         ["3, 2, 2, 1, 1, 2"],

@@ -39,9 +39,16 @@ __all__ = ["COMMANDS", "PACKAGES", "assigned"]
 
 
 def table(session: Session, *arguments: Value) -> Value:
-    """table([i = a, ..]), table(): a new table."""
+    """table([i = a, ..]), table(): a new table; with sparse, 0 where nothing has been assigned."""
     made = Table()
     for argument in arguments:
+        if not isinstance(argument, Listed | MapleSet):
+            if session.text(argument) != "sparse":
+                told = session.text(argument)[:40]
+                raise WorksheetError(
+                    f"table: {told}; expected a list of equations, or the index function sparse"
+                )
+            made.is_sparse = True
         items = argument.items if isinstance(argument, Listed | MapleSet) else ()
         for place, item in enumerate(items, 1):
             if isinstance(item, Relation):

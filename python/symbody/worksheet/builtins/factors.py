@@ -3,25 +3,23 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from importlib.util import find_spec
 from typing import Any
 
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, UndefinedFunction, factor_terms, from_sympy, number, simplify, to_sympy
-from symbody.symbolic.expression.traverse import post_order
 from symbody.worksheet.evaluation.arithmetic import scalar
 from symbody.worksheet.evaluation.entrywise import entrywise
 from symbody.worksheet.evaluation.session import Command, Session
 from symbody.worksheet.mathematics.common_fraction import common_fraction
+from symbody.worksheet.mathematics.rational_factors import LONGEST, rational_parts
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.numeric import as_integer
 from symbody.worksheet.values.value import Unevaluated, Value
 
 __all__ = ["COMMANDS", "partial_fractions"]
 
-_LONGEST = 600
-"""Characters of the longest expression that is factored completely; of longer ones, common factors are taken out."""
 _MOST = 10**24
 """The largest integer that is factored."""
 
@@ -53,7 +51,7 @@ def _apart(session: Session, value: Expr, unknown: Expr | None) -> Expr:
         return value
     import sympy  # noqa: PLC0415 - optional
 
-    held = _parts(value)
+    held = rational_parts(value)
     if not held or (unknown is None and len(held) > 1):
         return value
     variable = held.get(unknown) if unknown is not None else next(iter(held.values()))
@@ -82,11 +80,11 @@ def normal(session: Session, value: Value, *options: Value) -> Value:
 def _reduced(above: Expr, below: Expr) -> tuple[Expr, Expr]:
     """Return a numerator and a denominator without a common polynomial factor; long ones as they are."""
     quotient = above / below
-    if below.is_number or len(str(quotient)) > _LONGEST or find_spec("sympy") is None:
+    if below.is_number or len(str(quotient)) > LONGEST or find_spec("sympy") is None:
         return above, below
     import sympy  # noqa: PLC0415 - optional
 
-    held = _parts(quotient)
+    held = rational_parts(quotient)
     if not held:
         return above, below
     sides = [to_sympy(each.subs(held)) for each in (above, below)]
@@ -103,38 +101,17 @@ def _reduced(above: Expr, below: Expr) -> tuple[Expr, Expr]:
 
 def _factored(value: Expr) -> Expr | None:
     """Return the product of the factors; None if there are none, or for what is no rational function."""
-    if len(str(value)) > _LONGEST or find_spec("sympy") is None:
+    if len(str(value)) > LONGEST or find_spec("sympy") is None:
         return None
     import sympy  # noqa: PLC0415 - optional
 
-    held = _parts(value)
+    held = rational_parts(value)
     if held is None or not held:
         return None
     found = from_sympy(sympy.factor(to_sympy(value.subs(held))))
     if not isinstance(found, Expr) or found.kind == "sum":
         return None
     return found.subs({new: old for old, new in held.items()})
-
-
-def _parts(value: Expr) -> dict[Expr, Expr] | None:
-    """Return the names and functions of which a rational function is made, with symbols for them; None for another."""
-    held: dict[Expr, Expr] = {}
-    for node in post_order([value], _inner, lambda node: node.id):
-        if node.kind == "number" and node.is_decimal:
-            return None
-        if node.kind not in ("number", "sum", "product") and not _is_power(node):
-            held.setdefault(node, symbol(f"_part{len(held)}"))
-    return held
-
-
-def _is_power(node: Expr) -> bool:
-    return node.kind == "power" and node.args[1].is_number and node.args[1].ratio[1] == 1
-
-
-def _inner(node: Expr) -> Iterable[Expr]:
-    if _is_power(node):
-        return node.args[:1]
-    return node.args if node.kind in ("sum", "product") else ()
 
 
 # --- integers ---------------------------------------------------------------------------------------------------------
@@ -175,7 +152,7 @@ def _common(name: str, of_integers: Callable[[int, int], int]) -> Command:
         if x is not None and y is not None:
             return number(of_integers(x, y))
         p, q = scalar(session, a), scalar(session, b)
-        held = {} if find_spec("sympy") is None else _parts(p + symbol("_between") * q)
+        held = {} if find_spec("sympy") is None else rational_parts(p + symbol("_between") * q)
         if not held:
             return Unevaluated(symbol(name), (a, b))
         import sympy  # noqa: PLC0415 - optional

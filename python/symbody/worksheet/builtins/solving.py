@@ -15,11 +15,13 @@ from symbody.worksheet.evaluation.session import Command, Session, sequence
 from symbody.worksheet.mathematics.cases import cases_of, function_by_cases
 from symbody.worksheet.mathematics.closed_roots import (
     is_complex,
+    polynomial_in,
 )
 from symbody.worksheet.mathematics.elimination import eliminated_roots
 from symbody.worksheet.mathematics.exact_angle import with_exact_angles
 from symbody.worksheet.mathematics.factors_of_equation import is_pole, simpler_equations
 from symbody.worksheet.mathematics.multiplicity import repeated
+from symbody.worksheet.mathematics.rational_factors import factors_in
 from symbody.worksheet.values.complex_number import I, has_i
 from symbody.worksheet.values.value import (
     NULL,
@@ -116,6 +118,9 @@ def solutions(session: Session, residuals: list[Expr], unknowns: list[Expr]) -> 
         united = [each for part in parts for each in solutions(session, [part], unknowns)]
         united = [each for each in united if not is_pole(left[0], unknowns[0], each[unknowns[0]])]
         return [each for k, each in enumerate(united) if each not in united[:k]]
+    by_factors = _by_factors(session, left, unknowns)
+    if by_factors:
+        return by_factors
     try:
         found = all_solutions(left, unknowns)
     except (SymbodyError, ArithmeticError):
@@ -126,6 +131,18 @@ def solutions(session: Session, residuals: list[Expr], unknowns: list[Expr]) -> 
         return solved
     found = _with_repeated_roots(left, unknowns, found)
     return [{each: _factored(session, solution.get(each, each)) for each in unknowns} for solution in found]
+
+
+def _by_factors(session: Session, residuals: list[Expr], unknowns: list[Expr]) -> list[Solution]:
+    """Return the solutions of one polynomial with symbols that has factors, each as often as it is one."""
+    if len(residuals) != 1 or len(unknowns) != 1:
+        return []
+    coefficients = polynomial_in(residuals[0], unknowns[0]) or []
+    if len(coefficients) <= 2 or all(each.is_number for each in coefficients):
+        return []
+    factors = factors_in(residuals[0], unknowns[0])
+    found = [(solutions(session, [each], unknowns), times) for each, times in factors]
+    return [each for roots, times in found for each in roots for _ in range(times)]
 
 
 def _with_repeated_roots(

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from typing import Any, Protocol
 
 from symbody.errors import DivisionByZeroError, ExpressionError, WorksheetError
-from symbody.symbolic import Expr, UndefinedFunction, free_symbols, pi, t, time_derivative
+from symbody.symbolic import Expr, UndefinedFunction, free_symbols, number, pi, t, time_derivative
 from symbody.symbolic.expression.traverse import post_order
 from symbody.worksheet.evaluation.late_derivative import derivative_at
 from symbody.worksheet.printing.print import sort_key
@@ -421,6 +421,8 @@ def _indexed(session: State, value: Expr, base: str, indices: tuple[Value, ...])
                 return current(session, holder.entries[key])
             finally:
                 session.resolving.pop()
+        if holder.is_sparse and key not in holder.entries:
+            return number(0)
     if isinstance(holder, Array | Listed):
         found = session.select(
             Reference(base) if isinstance(holder, Array) and not is_within else holder, indices

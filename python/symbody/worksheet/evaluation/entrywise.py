@@ -93,7 +93,8 @@ def copied(session: Session, value: Value) -> Value:
     """Return a copy of a table or a matrix that shares nothing with it."""
     found = session.resolve(value)
     if isinstance(found, Table):
-        return Table({key: copied_field(entry) for key, entry in found.entries.items()})
+        entries = {key: copied_field(entry) for key, entry in found.entries.items()}
+        return Table(entries, is_sparse=found.is_sparse)
     if isinstance(found, Array):
         return replace(found, entries=list(found.entries))
     return value

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from symbody.errors import WorksheetError
-from symbody.symbolic import Expr
+from symbody.symbolic import Expr, number
 from symbody.worksheet.evaluation.arithmetic import scalar
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.numeric import as_integer
@@ -108,16 +108,16 @@ def _of_items(session: Session, whole: Listed | MapleSet | Sequence, indices: In
 
 def _place(session: Session, index: Value, count: int, first: int = 1) -> int:
     """Return the place of an index; negative ones count from the end where the first index is 1."""
-    number, last = as_integer(index), first + count - 1
-    if number is None:
+    place, last = as_integer(index), first + count - 1
+    if place is None:
         raise WorksheetError(
             f"the index {session.text(index)} is not an integer; expected one from {first} to {last}"
         )
-    if first == 1 and -count <= number < 0:
-        return count + number
-    if not first <= number <= last:
-        raise WorksheetError(f"the index {number} is out of range; expected one from {first} to {last}")
-    return number - first
+    if first == 1 and -count <= place < 0:
+        return count + place
+    if not first <= place <= last:
+        raise WorksheetError(f"the index {place} is out of range; expected one from {first} to {last}")
+    return place - first
 
 
 def _slice(session: Session, index: Range, count: int, first: int = 1) -> range:
@@ -154,6 +154,8 @@ def _bound(session: Session, value: Value, missing: int, count: int, first: int)
 
 def _of_table(session: Session, whole: Value, table: Table, indices: Indices) -> Value:
     entry = table.entries.get(key_of(session, indices))
+    if entry is None and table.is_sparse:
+        return number(0)
     if entry is None:
         base = whole if isinstance(whole, Reference | Expr) else symbol("table")
         return indexed_name(session, base, indices)

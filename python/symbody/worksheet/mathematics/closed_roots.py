@@ -1,13 +1,14 @@
 """Roots of one equation in one unknown that the core's closed forms don't have: complex ones, of any degree, inverses.
 
-A polynomial with numbers is divided by its rational roots first. Of what is left, square roots give degree two and
-cube roots degree three; higher degrees are ``RootOf(p(_Z), index = k)``, as in Maple, which evalf makes numbers.
+A polynomial with numbers is divided by its rational roots first. Of what is left, and of its factors with rational
+coefficients, square roots give degree two and cube roots degree three; higher degrees are ``RootOf(p(_Z), index = k)``,
+as in Maple, which evalf makes numbers.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from math import gcd, lcm
 from typing import TYPE_CHECKING
@@ -19,6 +20,7 @@ from symbody.symbolic.expression.traverse import post_order
 from symbody.worksheet.mathematics.common_fraction import common_fraction
 from symbody.worksheet.mathematics.cubic import cubic_roots
 from symbody.worksheet.mathematics.polynomial import coefficients
+from symbody.worksheet.mathematics.rational_factors import factors_in
 from symbody.worksheet.values.complex_number import (
     I,
     angle_of,
@@ -57,8 +59,12 @@ def polynomial_in(residual: Expr, unknown: Expr) -> list[Expr] | None:
         found = coefficients(residual, unknown)
     except (WorksheetError, ExpressionError):
         return None
-    coefficients_ = [found.get(k, number(0)) for k in range(max(found, default=0) + 1)]
+    coefficients_ = _in_order(found)
     return None if any(each.has(unknown) for each in coefficients_) else coefficients_
+
+
+def _in_order(found: Mapping[int, Expr]) -> list[Expr]:
+    return [found.get(k, number(0)) for k in range(max(found, default=0) + 1)]
 
 
 def _is_polynomial(value: Expr, unknown: Expr) -> bool:
@@ -121,6 +127,12 @@ def _of_fractions(known: list[Fraction]) -> list[Value]:
             return [*found, *(sign * _root(each) for each in squares for sign in (1, -1))]
     terms = [number(c.numerator) / c.denominator * _Z**k for k, c in enumerate(known)]
     polynomial = sum(terms, start=number(0))
+    factors = factors_in(polynomial, _Z)
+    if factors:
+        parts = [
+            root for each, times in factors for root in roots_of(_in_order(coefficients(each, _Z))) * times
+        ]
+        return [*found, *parts]
     return [*found, *(_indexed_root(polynomial, k) for k in range(1, degree + 1))]
 
 

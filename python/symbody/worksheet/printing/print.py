@@ -279,7 +279,7 @@ def _string(value: String, style: Style) -> str:
 
 def _table(value: Table, style: Style) -> str:
     entries = [f"{_key(key, style)} = {text_of(entry, style)}" for key, entry in value.entries.items()]
-    return f"table([{', '.join(entries)}])"
+    return f"table({'sparse, ' if value.is_sparse else ''}[{', '.join(entries)}])"
 
 
 def _key(key: tuple[Value, ...], style: Style) -> str:

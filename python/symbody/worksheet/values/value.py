@@ -96,10 +96,12 @@ class MapleSet:
 class Table:
     """A mutable table: a key is the tuple of its indices. Objects of MBSymba are tables with a field ``obj``.
 
-    ``memory`` is what a command made it of, which holds as long as the fields say the same.
+    ``memory`` is what a command made it of, which holds as long as the fields say the same. ``is_sparse`` tables have 0
+    where nothing has been assigned.
     """
 
     entries: dict[tuple[Value, ...], Value] = field(default_factory=dict)
+    is_sparse: bool = False
     memory: Any = field(default=None, repr=False)
 
 
