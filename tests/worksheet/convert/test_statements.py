@@ -296,3 +296,27 @@ def test_a_radius_of_a_tyre_that_changes_leaves_the_road_at_rest() -> None:
         -rr * sb.cos(phi) * rates[phi] - sb.sin(phi) * rates[rr]
     )  # along the road, of the point (0, 0, rr)
     assert sb.simplify(found["VN"] - across) == 0
+
+
+def test_matrices_in_brackets_their_products_and_powers_are_code() -> None:
+    program, values = made(
+        "n := 2: K := Matrix(n,n): K[1,2] := k: z := Vector(n): A := <<a,b>|<c,d>>: v := <p,q>: "
+        "w := v^%T . A . v: u := v . v: B := <A|v>: C := <A,v^%T>: D2 := A^2: E := 1/A: F := array(1..2,[p,q]): "
+        "G := array(1..2,1..2,[[1,2],[3,4]]): y := A . v:"
+    )
+    assert (program.values, program.left_out) == (0, 0)
+    a, b, c, d, p, q = sb.symbols("a b c d p q")
+    assert values["A"] == sb.Matrix([[a, c], [b, d]])
+    assert values["w"] == a * p**2 + (b + c) * p * q + d * q**2
+    assert values["u"] == p**2 + q**2
+    assert values["B"].tolist() == [[a, c, p], [b, d, q]]
+    assert values["C"].tolist() == [[a, c], [b, d], [p, q]]
+    assert values["D2"] == values["A"] @ values["A"]
+    assert "K = sb.zeros(n, n)" in program.text
+    assert "G = sb.Matrix([[1, 2], [3, 4]])" in program.text
+
+
+def test_a_name_beside_its_entries_is_declared() -> None:
+    program, values = made("s := solve(x[1]+x-2,x): u := x[2] + y:")
+    assert (program.values, program.left_out) == (0, 0)
+    assert str(values["u"]) == "x[2] + y"

@@ -33,11 +33,12 @@ def _declared(names: Names, maker: str) -> Iterator[str]:
 
 def _indexed(names: Names, pairs: Sequence[tuple[str, str]]) -> Iterator[str]:
     """Return the lines that declare names that Python doesn't have, ``X[1], X[2]`` on one line."""
-    wholes: dict[str, list[tuple[str, str]]] = {}
+    wholes: dict[tuple[str, bool], list[tuple[str, str]]] = {}
     for text, name in sorted(pairs):
         whole, _, index = name.removesuffix("]").partition("[")
-        wholes.setdefault(whole if index.isdigit() else name, []).append((text, name))
-    for whole, found in wholes.items():
+        key = (whole, True) if index.isdigit() else (name, False)  # x is not x[1]
+        wholes.setdefault(key, []).append((text, name))
+    for (whole, _), found in wholes.items():
         if len(found) == 1:
             yield f"{found[0][0]} = {names.declared(found[0][0])}"
             continue

@@ -6,11 +6,12 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from symbody.worksheet.convert.calls import arrow, call
+from symbody.worksheet.convert.matrix_displays import columns, rows
 from symbody.worksheet.convert.name_text import concatenation, name_text
 from symbody.worksheet.convert.names import Names, NoText
 from symbody.worksheet.convert.operators import infix, postfix, prefix
 from symbody.worksheet.convert.selections import selection
-from symbody.worksheet.convert.sequences import columns, distinct, items, listed, matrix
+from symbody.worksheet.convert.sequences import distinct, items, listed
 from symbody.worksheet.convert.writer import Called, Writer
 from symbody.worksheet.sheet import syntax
 
@@ -88,5 +89,5 @@ _WRITERS: Mapping[type, Callable[[PythonText, Any], str]] = {
     syntax.Call: call,
     syntax.Arrow: arrow,
     syntax.Columns: columns,
-    syntax.Rows: lambda text, node: matrix(text, [node.items]),
+    syntax.Rows: rows,
 }

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from typing import TypeAlias
 
 from symbody.symbolic import Matrix
+from symbody.worksheet.convert.matrix_displays import below, beside
 from symbody.worksheet.convert.names import NoText
 from symbody.worksheet.convert.operations import PRODUCT, SUM, grouped
 from symbody.worksheet.convert.writer import Arguments, Writer
@@ -174,17 +175,12 @@ def _places(text: Writer, node: syntax.Expression) -> list[str]:
 
 def _beside(text: Writer, arguments: Arguments) -> str:
     """Return matrices side by side."""
-    rows = ", ".join(f"{_matrix(text, each)}.tolist()" for each in arguments)
-    return f"sb.Matrix([sum(row, []) for row in zip({rows})])"
+    return beside([_matrix(text, each) for each in arguments])
 
 
 def _below(text: Writer, arguments: Arguments) -> str:
     """Return matrices one below the other; a list of entries is a row."""
-    parts = []
-    for each in arguments:
-        written = text.text(each)
-        parts.append(f"*{grouped(written)}.tolist()" if isinstance(text.value(written), Matrix) else written)
-    return f"sb.Matrix([{', '.join(parts)}])"
+    return below(text, [text.text(each) for each in arguments])
 
 
 def _minor(text: Writer, arguments: Arguments) -> str:

@@ -39,8 +39,8 @@ def _matrix(text: Writer, arguments: Arguments) -> str:
             return f"sb.Matrix.from_entries({rows}, {columns}, {content})"
         if isinstance(found, list):
             return f"sb.Matrix({content})"
-    if len(arguments) == 2 and all(each.isdigit() for each in counts):
-        return f"sb.zeros({counts[0]}, {counts[1]})"
+    if len(arguments) <= 2 and all(_is_count(text, each) for each in counts):
+        return f"sb.zeros({counts[0]}, {counts[-1]})"
     if len(arguments) == 1:
         found = text.value(counts[0])
         if isinstance(found, Matrix):
@@ -48,6 +48,11 @@ def _matrix(text: Writer, arguments: Arguments) -> str:
         if isinstance(found, list) and all(isinstance(each, list) for each in found):
             return f"sb.Matrix({counts[0]})"
     raise NoText("Matrix")
+
+
+def _is_count(text: Writer, written: str) -> bool:
+    found = text.value(written)
+    return isinstance(found, int) and not isinstance(found, bool)
 
 
 def _matrix_options(text: Writer, arguments: Arguments) -> tuple[Arguments, str, str]:
@@ -90,12 +95,36 @@ def _column(text: Writer, arguments: Arguments) -> str:
         made = syntax.ListDisplay((_sequence(body, index, arguments[0]),), place=body.place)
         return f"sb.Matrix.column({text.text(made)})"
     content = text.text(arguments[-1])
+    if len(arguments) == 1 and _is_count(text, content):
+        return f"sb.zeros({content}, 1)"
     if not isinstance(text.value(content), list):
         raise NoText("Vector")
     return f"sb.Matrix.column({content})"
 
 
+def _array(text: Writer, arguments: Arguments) -> str:
+    """Return an array of the old kind: a vector of one list or size, a matrix of several."""
+    sizes = [last for each in arguments if (last := _last(each)) is not None]
+    content = tuple(each for each in arguments if _last(each) is None)
+    if len(sizes) > 2 or len(content) > 1:
+        raise NoText("array")
+    found = text.value(text.text(content[0])) if content else None
+    is_vector = len(sizes) == 1 or (
+        isinstance(found, list) and bool(found) and not isinstance(found[0], list)
+    )
+    return (_column if is_vector else _matrix)(text, content or tuple(sizes))
+
+
+def _last(node: syntax.Expression) -> syntax.Expression | None:
+    """Return n of the bounds ``1 .. n``; None for other arguments."""
+    match node:
+        case syntax.Infix(operator="..", left=syntax.Integer(value=1), right=last):
+            return last
+    return None
+
+
 CONSTRUCTORS: Mapping[str, Call] = {
+    "array": _array,
     **dict.fromkeys(("Matrix", "matrix"), _matrix),
     **dict.fromkeys(("Vector", "vector"), _column),
 }

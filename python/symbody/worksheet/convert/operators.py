@@ -76,6 +76,12 @@ def infix(to: Writer, node: syntax.Infix) -> str:
         return by_entries
     if operator in {"*", ".", "&*"}:
         return _product(to, left, right)
+    if operator == "/" and isinstance(to.value(right), Matrix):
+        inverse = f"{grouped(right)}.inverse()"
+        return inverse if left == "1" else _product(to, left, inverse)
+    power = _matrix_power(to, left, right) if operator == "^" else ""
+    if power:
+        return power
     if operator in {"+", "-"}:
         left, right = _with_identity(to, left, right), _with_identity(to, right, left)
     if operator == "/" and isinstance(to.value(left), int) and isinstance(to.value(right), int):
@@ -144,7 +150,26 @@ def _product(to: Writer, left: str, right: str) -> str:
         return f"{grouped(left)} @ sb.Matrix.column({right})"
     if isinstance(a, Matrix) and isinstance(b, Frame):
         return f"{grouped(left)} @ {grouped(right)}.matrix"
-    return product(left, right, " @ " if isinstance(a, Matrix) and isinstance(b, Matrix) else "*")
+    if isinstance(a, Matrix) and isinstance(b, Matrix):
+        return _matrix_product(left, right, a.shape, b.shape)
+    return product(left, right)
+
+
+def _matrix_product(left: str, right: str, one: tuple[int, int], other: tuple[int, int]) -> str:
+    """Return the product of two matrices of some shapes; that of two vectors is a scalar."""
+    if one == other and one[1] == 1 < one[0]:
+        left, one = f"{grouped(left)}.T", one[::-1]
+    written = product(left, right, " @ ")
+    return f"({written})[0, 0]" if one[0] == other[1] == 1 < one[1] else written
+
+
+def _matrix_power(to: Writer, base: str, exponent: str) -> str:
+    """Return a power of a matrix to a small integer; nothing for other operands."""
+    n = to.value(exponent)
+    if not isinstance(to.value(base), Matrix) or not isinstance(n, int) or not 0 < abs(n) < 5:
+        return ""
+    factor = f"{grouped(base)}.inverse()" if n < 0 else grouped(base, POWER)
+    return " @ ".join([factor] * abs(n))
 
 
 def _equation(to: Writer, node: syntax.Infix) -> str:

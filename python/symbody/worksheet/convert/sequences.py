@@ -19,7 +19,7 @@ from symbody.worksheet.convert.writer import Writer
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.sheet.within import mentions
 
-__all__ = ["columns", "comprehension", "distinct", "item", "items", "listed", "matrix"]
+__all__ = ["comprehension", "distinct", "item", "items", "listed"]
 
 
 def items(to: Writer, nodes: tuple[syntax.Expression, ...]) -> str:
@@ -143,18 +143,6 @@ def _span(to: Writer, span: syntax.Expression) -> tuple[str, str, Any]:
                 raise NoText("in")
             return _bare(variable), over, found[0]
     raise NoText("range")
-
-
-def matrix(to: Writer, rows: list[tuple[syntax.Expression, ...]]) -> str:
-    """Return a matrix by rows."""
-    return f"sb.Matrix([{', '.join(f'[{items(to, row)}]' for row in rows)}])"
-
-
-def columns(to: Writer, node: syntax.Columns) -> str:
-    """Return a matrix given as ``<a,b;c,d>`` or ``<<a,b>|<c,d>>``, or a vector of a sequence, ``<comp_XYZ(P)>``."""
-    rows = [each.items if isinstance(each, syntax.Rows) else (each,) for each in node.items]
-    entries = items(to, node.items) if all(len(row) == 1 for row in rows) else ""
-    return f"sb.Matrix.column([{entries}])" if entries.startswith("*") else matrix(to, rows)
 
 
 def _bare(node: syntax.Expression) -> str:
