@@ -244,3 +244,32 @@ def test_a_report_has_the_short_form_of_rates(tmp_path: Path) -> None:
     assert (
         r"\dot{s} &= -\frac{r \sin(\phi - \psi) \dot{\phi}}{\cos(\psi)}" in text
     )  # in the coordinates' order
+
+
+def six_bar() -> Equations:
+    """Return a crank and rocker that drives a slider by a second coupler; all bars are rods."""
+    lengths, masses = symbols("a b c e"), symbols("mA mB mC mD")
+    d, slider = symbols("d mE")
+    (*angles, s) = functions_of_time("q1 q2 q3 q4 s")
+    tips = [(l * cos(q), l * sin(q)) for l, q in zip(lengths, angles, strict=True)]
+    starts = [(0, 0), tips[0], (d, 0), (d + tips[2][0], tips[2][1])]
+    bodies = [
+        Body(translate(*at, 0) * rotate("Z", q) * translate(l / 2, 0, 0), each, Iz=each * l**2 / 12)
+        for at, q, l, each in zip(starts, angles, lengths, masses, strict=True)
+    ]
+    loops = [
+        *(tips[0][k] + tips[1][k] - starts[2][k] - tips[2][k] for k in (0, 1)),
+        *(starts[3][k] + tips[3][k] - (s, 0)[k] for k in (0, 1)),
+    ]
+    bodies.append(Body(translate(s, 0, 0), slider))
+    system = System(bodies, coordinates=[*angles, s], constraints=loops)
+    return embedded(newton_euler(system), [time_derivative(angles[0])])
+
+
+def test_the_terms_of_one_coupling_stand_in_one_bracket() -> None:
+    equations = six_bar()
+    row = next(each for each in rows(equations) if "q1''" in each)
+    for coupling in ("c*e*mD*", "a*b*mB*"):
+        accelerations, velocities = row.split("*q1''")
+        assert accelerations.count(coupling) == velocities.count(coupling) == 1
+    assert tuple(residuals(equations)) == equations.derived_residuals

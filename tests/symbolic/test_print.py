@@ -10,6 +10,8 @@ from matplotlib.mathtext import MathTextParser
 
 from symbody.symbolic import (
     Expr,
+    Max,
+    atan2,
     cos,
     functions_of_time,
     latex,
@@ -102,6 +104,12 @@ def test_a_listing_names_what_is_shared_once() -> None:
     last = definitions[-1][0]
     assert results == [f"m*{last}", f"m + {last}"]
     assert listing([m + k]) == ([], ["k + m"])
+
+
+def test_exponents_stand_beside_names_of_functions_of_one_argument() -> None:
+    assert latex(cos(k) ** 2) == r"\cos^{2}(k)"
+    assert latex(Max(0, k) ** (number(3) / 2)) == r"\max(0, k)^{3/2}"
+    assert latex(atan2(k, m) ** 2) == r"\operatorname{atan2}(k, m)^{2}"
 
 
 @pytest.mark.parametrize(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import cycle, takewhile
 
 import numpy as np
@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 from symbody.codegen import lambdify
 from symbody.document.subject import Subject
 from symbody.errors import ConstraintError
-from symbody.multibody import Body, System, Variables
+from symbody.multibody import Body, Element, System, Variables
 from symbody.multibody.quantity.role import ANGLE, LENGTH, roles_of
 from symbody.simulation import consistent_state
-from symbody.symbolic import Expr, free_symbols
+from symbody.symbolic import Expr, diff, free_symbols
 from symbody.view import DrawableMotion
 from symbody.view.drawable_motion import OneInstant
 from symbody.view.overview import overview
@@ -75,10 +75,23 @@ def _placed(subject: Subject, lengths: Sequence[float]) -> Still:
     guess = {q: value for q, value in guess.items() if q not in subject.position}
     known = {**_numbers(subject, lengths), **subject.parameters}
     if not equations.constraints and subject.guess is None:
-        return Still(equations.system, known | guess | dict(subject.position))
+        free = Still(equations.system, known | guess | dict(subject.position))
+        return _above_planes(free, [*guess])
     of_constraints = {p: known[p] for p in equations.parameters}
     state = consistent_state(equations, of_constraints, dict(subject.position), guess=guess)
     return Still(equations.system, known | {q: state[q] for q in equations.coordinates})
+
+
+def _above_planes(still: Still, coordinates: Sequence[Expr]) -> Still:
+    """Return the position raised by heights among the coordinates until no contact overlaps its plane."""
+    loads = still.system.loads if isinstance(still.system, System) else ()
+    gaps = [load["gap"] for load in loads if isinstance(load, Element) and "gap" in load.quantities]
+    for gap in gaps:
+        height = next((q for q in coordinates if diff(gap, q) == 1), None)
+        depth = -float(still.evaluate([gap])[0])
+        if height is not None and depth > 0:
+            still = replace(still, known={**still.known, height: still.known[height] + depth})
+    return still
 
 
 def _numbers(subject: Subject, lengths: Sequence[float]) -> dict[Expr, float]:

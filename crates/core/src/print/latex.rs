@@ -99,11 +99,13 @@ impl Writer<'_> {
         }
     }
 
+    /// A power; the exponent of a function of one argument stands beside its name.
     fn raised(&self, base: &Base, exponent: &str) -> String {
         match base {
-            Base::Function(function, args) => match function_name(*function) {
-                Some(name) => format!("{name}^{{{exponent}}}{}", self.arguments(args)),
-                None => format!("{}^{{{exponent}}}", self.closed(base)),
+            Base::Function(function, args) => match (function_name(*function), args.len()) {
+                (Some(name), 1) => format!("{name}^{{{exponent}}}{}", self.arguments(args)),
+                (Some(_), _) => format!("{}^{{{exponent}}}", self.bare(base)),
+                (None, _) => format!("{}^{{{exponent}}}", self.closed(base)),
             },
             _ => format!("{}^{{{exponent}}}", self.closed(base)),
         }

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import product
+from math import prod
 
 from symbody.multibody import Variables
 from symbody.symbolic import Expr, Matrix, diff, number, substitute, time_derivative
-from symbody.symbolic.calculus.reading import is_divisor, nodes_of
+from symbody.symbolic.calculus.reading import is_divisor, nodes_of, parts_of
+from symbody.symbolic.calculus.summands import summands
 
 from .balance import Balance
 from .page import Page
@@ -137,9 +139,19 @@ class _Rows:
 
     def _short(self, terms: Iterable[Expr]) -> Expr:
         """Return a sum term by term, or its form for the reader if that is shorter by a fifth."""
-        total = sum(terms, start=number(0))
-        form, length = self._reader(total), self._reader.length
-        return form if length(form) < _SHORTER * length(total) else total
+        given, length = sum(terms, start=number(0)), self._reader.length
+        form, total = self._reader(given), min(given, self._by_parameters(given), key=length)
+        return form if length(form) < _SHORTER * length(given) else total
+
+    def _by_parameters(self, total: Expr) -> Expr:
+        """Return a sum with one bracket for the terms that have the same parameters, such as those of one coupling."""
+        groups = dict[Expr, list[Expr]]()
+        for term in summands(total):
+            factors = parts_of(term, "product")
+            parameters = prod((each for each in factors if _is_parameter(each)), start=number(1))
+            groups.setdefault(parameters, []).append(term / parameters)
+        brackets = ((each, sum(rests, start=number(0))) for each, rests in groups.items())
+        return sum((each * self._reader(rest) for each, rest in brackets), start=number(0))
 
     def _kinematics(self, state_rates: Mapping[Expr, Expr]) -> tuple[tuple[Expr, Expr], ...]:
         """Return the kinematics by the names, with the rates of dependent speeds, which tell what their changes are."""
@@ -156,6 +168,10 @@ class _Rows:
             *made,
             *((rate, reader.form(value)) for rate, value in others.items() if rate not in ratios.ratios),
         )
+
+
+def _is_parameter(factor: Expr) -> bool:
+    return not factor.is_number and all(leaf.kind == "symbol" for leaf in factor.free_symbols)
 
 
 def _degree(term: Expr, v: Expr) -> int:
