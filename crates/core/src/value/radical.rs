@@ -200,12 +200,13 @@ fn first_divisor(number: &BigInt, mut slow: BigInt, mut fast: BigInt, steps: usi
     shared.into_iter().find(|divisor| !divisor.is_one()).filter(|divisor| divisor != number)
 }
 
-/// The test of Miller and Rabin with the first twelve primes as bases, which decides below 2^64 [Sorenson & Webster 2017].
-fn is_prime(n: u64) -> bool {
+/// The test of Miller and Rabin for numbers above 1, with the first twelve primes as bases, which decides below 2^64
+/// [Sorenson & Webster 2017].
+pub(super) fn is_prime(n: u64) -> bool {
     let twos = (n - 1).trailing_zeros();
     [2u64, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37].iter().all(|&base| {
         let mut power = pow_mod(base, (n - 1) >> twos, n);
-        if power == 1 || power == n - 1 {
+        if base == n || power == 1 || power == n - 1 {
             return true;
         }
         (1..twos).any(|_| {
@@ -272,6 +273,14 @@ fn shared_factor(factors: &BTreeSet<BigInt>) -> Option<(BigInt, BigInt)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn primes_are_told_from_products() {
+        let primes = (2..200).filter(|&n| is_prime(n)).count();
+        let composite = [1_000_003 * 1_000_033, 3_215_031_751, 3_825_123_056_546_413_051];
+        assert_eq!((primes, composite.map(is_prime)), (46, [false; 3]));
+        assert!(is_prime(1_000_003) && is_prime(18_446_744_073_709_551_557));
+    }
 
     #[test]
     fn factors_multiply_to_the_number() {

@@ -6,12 +6,13 @@
 
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::Pow;
+use num_traits::{Pow, ToPrimitive};
 use std::collections::BTreeMap;
 use std::sync::{Arc, LazyLock, Mutex};
 
 use super::coefficient::{Coefficient, WORD};
 use super::key::Key;
+use super::radical::is_prime;
 
 /// The digits of an integer: those of a word, but not more than 12 and not fewer than 6.
 const DIGITS: std::ops::RangeInclusive<u32> = 6..=12;
@@ -61,7 +62,7 @@ static KNOWN_WITH_MANY_DIGITS: Known<Arc<Unramified<BigInt>>> = LazyLock::new(Mu
 
 impl Extension {
     /// The extension for a prime, and whether all units among the q-adic integers are to have square roots and cube roots;
-    /// it is found once. A number above a word may be a product of primes, for which there is no such extension.
+    /// it is found once. What has no known factors may be a product of primes, for which there is no such extension.
     pub(crate) fn of_prime(prime: &BigInt, with_roots: bool) -> Self {
         let with_roots = with_roots && is_certain(prime);
         let mut known = KNOWN.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
@@ -246,9 +247,9 @@ impl<C: Coefficient> Unramified<C> {
     }
 }
 
-/// Whether a number is one that is factored into primes if it isn't one.
+/// Whether a number is a prime, if it is a word.
 fn is_certain(prime: &BigInt) -> bool {
-    prime.bits() <= 64
+    prime.to_u64().is_some_and(is_prime)
 }
 
 /// The digits of a number, the lowest first.

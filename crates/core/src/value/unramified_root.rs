@@ -164,6 +164,16 @@ mod tests {
     }
 
     #[test]
+    fn a_product_of_primes_has_no_extension_with_roots() {
+        let product = BigInt::from(1_000_003u64 * 1_000_033);
+        let degree = |with_roots| match Extension::of_prime(&product, with_roots) {
+            Extension::Words(ring) => ring.degree,
+            Extension::Long(ring) => ring.degree,
+        };
+        assert_eq!(degree(true), degree(false));
+    }
+
+    #[test]
     fn integers_have_square_roots_and_cube_roots() {
         for prime in &PRIMES[2..] {
             match Extension::of_prime(&(*prime).into(), true) {
