@@ -21,6 +21,7 @@ from symbody import (
     newton_euler,
     rotate,
     spring,
+    substitute,
     symbols,
     tire,
     translate,
@@ -100,6 +101,18 @@ def test_forces_with_names_stand_on_the_right() -> None:
         "    I*psi'' = 0",
         "    J*theta'' = -z*Fx",
     ]
+
+
+@pytest.mark.parametrize("make", NAMED, ids=lambda each: each.__name__)
+def test_the_loads_of_matrices_have_the_same_names(make: type[System]) -> None:
+    form = newton_euler(make()).matrix_form()
+    assert {str(name) for name, _ in form.named} == NAMED[make]
+    assert form.named_loads is not None
+    in_full = [*form.named_loads.entries]
+    for name, value in reversed(form.named):
+        in_full = [*substitute(in_full, {name: value})]
+    assert in_full == [*form.loads.entries]
+    assert "Max(" not in describe(form).partition("M11")[2]
 
 
 def test_a_force_by_the_load_is_defined_by_its_name() -> None:

@@ -295,7 +295,8 @@ class Display:
                 "of one"
             )
         form = matrix_form(self.system, self.page.mass_matrix, self.page.balances, christoffel=christoffel)
-        return with_names(form, self.page_with_lines)
+        has_motions = self.page_with_motions is not self.page_with_lines
+        return with_names(form, self.page_with_lines if has_motions else self._page_with_forces)
 
     @cached_property
     def notebook_latex(self) -> str | None:

@@ -56,7 +56,7 @@ class MatrixForm:
             weight, springs and products of speeds apart there.
         constraints: ``phi_q^T lambda``, n x 1.
         is_christoffel: whether `coriolis` is C, not c.
-        named: names of forces along lines and of their lengths, if the loads are printed with them.
+        named: names of forces, such as those along lines with their lengths, if the loads are printed with them.
         named_loads: the loads with these names.
 
     >>> from symbody import Body, Point, System, Vector, functions_of_time, ground, newton_euler, rotate, symbols
@@ -306,9 +306,16 @@ def matrix_form(
 
 
 def with_names(form: MatrixForm, page: Page) -> MatrixForm:
-    """Return the matrices with the loads of a page of the same equations, and its names of forces along lines."""
-    loads = _column([balance.loads for balance in page.balances])
-    return replace(form, named=page.named, named_loads=loads) if page.named else replace(form, loads=loads)
+    """Return the matrices with the loads of a page of the same equations, and its names of forces.
+
+    On a page, forces with names may be on the right; here they stay loads, as they depend on the motion.
+    """
+    loads, applied = (
+        _column(terms) for terms in zip(*((each.loads, each.applied) for each in page.balances), strict=True)
+    )
+    if not page.named:
+        return replace(form, loads=loads)
+    return replace(form, named=page.named, named_loads=loads - (applied - form.applied))
 
 
 def _of_given(
