@@ -5,6 +5,10 @@ import pytest
 from tests.worksheet.printed_by import failures, printed
 
 CASES = {
+    "entries without a value": (
+        "with(linalg): M := matrix(2,2): M[1,1] := k: det(M); evalm(2*M); v := vector(2): v[1], assigned(v[1]);",
+        ["M[2,2]*k-M[1,2]*M[2,1]", "matrix([[2*k, 2*M[1,2]], [2*M[2,1], 2*M[2,2]]])", "v[1], false"],
+    ),
     "of blocks on the diagonal": (
         (
             "with(LinearAlgebra): DiagonalMatrix([1,2],3,3); DiagonalMatrix([Matrix([[a,b],[c,d]]),5]);"

@@ -5,6 +5,29 @@ import pytest
 from tests.worksheet.printed_by import failures, printed
 
 CASES = {
+    "local names that commands give a value": (
+        (
+            "p := proc(L) local pos; if member(3,L,'pos') then pos else 0 fi end: p([1,3]), pos;"
+            "p := proc() local s, x, y; s := solve({x+y=3,x-y=1},{x,y}); assign(s); x*y end: p(), x;"
+            "p := proc(e) local t; coeffs(e,z,'t'); [t] end: p(z^2+3);"
+        ),
+        ["2, pos", "2, x", "[1, z^2]"],
+    ),
+    "local names that lose their value, and entries": (
+        (
+            "p := proc(a) local b; b := a; unassign('b'); b end: p(3);"
+            "p := proc() local A; A := Matrix(1,1); assign('A[1,1]'=5); A[1,1] end: p();"
+            "p := proc() local a, b; a := 1; assigned('a'), assigned('b') end: p();"
+        ),
+        ["b", "5", "true, false"],
+    ),
+    "local tables beside those of the session": (
+        (
+            "T[1] := 5: p := proc() local T; T[1] := 9; T[1] end: p(), T[1];"
+            "q := proc() local U; U[1] := 2; U[2] end: q();"
+        ),
+        ["9, 5", "U[2]"],
+    ),
     "the last value": (
         "f := proc(x,y) local z; z := x+y; z^2 end proc: f(1,a);",
         ["(a+1)^2"],

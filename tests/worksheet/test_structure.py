@@ -5,6 +5,18 @@ import pytest
 from tests.worksheet.printed_by import failures, printed
 
 CASES = {
+    "entries that are assigned": (
+        (
+            "s[a] := 1: k := a: assigned(s[k]), assigned(s[b]), evaln(s[k]); L := [1,2]: assigned(L[1]);"
+            "c := proc(L) local n, k; for k in L do if not assigned(n[k]) then n[k] := 0 fi; n[k] := n[k]+1 od;"
+            "n[u], n[v] end: c([u,v,u]);"
+        ),
+        ["true, false, s[a]", "true", "2, 1"],
+    ),
+    "tables within tables": (
+        "R[1][2][b] := 3: eval(R); indices(R), assigned(R[1]);",
+        ["table([1 = table([2 = table([b = 3])])])", "[1], true"],
+    ),
     "operands": (
         "op(a+b*c); op(2,u=v); op([1,2],[[1,2],3]); op(0,f(x)); op(1..2,[a,b,c]);",
         ["b*c, a", "v", "2", "f", "a, b"],

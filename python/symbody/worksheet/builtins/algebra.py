@@ -284,7 +284,7 @@ def coeffs(
             raise WorksheetError(
                 f"coeffs: {session.text(powers)[:60]} can't take the powers; expected a name"
             )
-        session.assign(name, sequence([power for _, power in found]))
+        session.give(name, sequence([power for _, power in found]))
     return sequence([part for part, _ in found])
 
 

@@ -8,6 +8,7 @@ from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, number
 from symbody.worksheet.builtins.blocks import of_blocks
 from symbody.worksheet.builtins.shapes import MIRRORED, on_diagonal, shaped
+from symbody.worksheet.evaluation.select import with_named_entries
 from symbody.worksheet.evaluation.session import Command, Session
 from symbody.worksheet.values.numeric import as_integer
 from symbody.worksheet.values.value import (
@@ -29,9 +30,7 @@ def array_of(session: Session, value: Value, where: str) -> Array:
     """Return a matrix or vector with its current entries; lists become columns or matrices."""
     found = session.resolve(value)
     if isinstance(found, Array):
-        made = session.current(found)
-        assert isinstance(made, Array)
-        return made
+        return with_named_entries(session, value, found)
     if isinstance(found, Listed) and found.items and all(isinstance(each, Listed) for each in found.items):
         return _of_rows(session, found, "matrix")
     if isinstance(found, Listed | MapleSet | Sequence):

@@ -53,7 +53,7 @@ def _assign_one(session: Session, left: Expr, right: Value) -> None:
     if left.kind == "symbol" and left.name in session.indexed:
         _assign_entry(session, *session.indexed[left.name], right)
     elif left.kind == "symbol":
-        session.assign(left.name, right)
+        session.give(left.name, right)
     elif left.kind in ("time_function", "application") and not (left.kind == "time_function" and left.order):
         arguments = left.args or (symbol("t"),)
         session.remember(left.name, tuple(arguments), right)

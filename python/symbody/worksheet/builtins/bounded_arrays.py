@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, number
+from symbody.worksheet.builtins import arrays
 from symbody.worksheet.builtins.arrays import filled
 from symbody.worksheet.builtins.shapes import shaped
 from symbody.worksheet.evaluation.session import Command, Session
@@ -23,7 +24,7 @@ from symbody.worksheet.values.value import (
     Value,
 )
 
-__all__ = ["COMMANDS"]
+__all__ = ["COMMANDS", "PACKAGES"]
 
 _SHAPES = frozenset({"sparse", "identity", "diagonal", "symmetric", "antisymmetric"})
 _IGNORED = frozenset({"datatype", "order", "storage", "attributes", "readonly", "sparse"})
@@ -229,4 +230,21 @@ def _of_many_indices(
     return Table(dict.fromkeys(places, number(0) if default is None else default))
 
 
-COMMANDS: dict[str, Command] = {"array": array_command, "Array": new_array}
+def _of_sizes(kind: str) -> Command:
+    """Return matrix or vector, whose entries have no value where only sizes are given: ``matrix(2, 3)``."""
+
+    def command(session: Session, *arguments: Value) -> Value:
+        sizes = [as_integer(session.resolve(each)) for each in arguments]
+        bounds = tuple(Range(number(1), number(size)) for size in sizes if size is not None)
+        if len(bounds) == len(arguments) == (2 if kind == "matrix" else 1):
+            return array_command(session, *bounds)
+        return arrays.COMMANDS[kind](session, *arguments)
+
+    return command
+
+
+_OLD: dict[str, Command] = {kind: _of_sizes(kind) for kind in ("matrix", "vector")}
+
+COMMANDS: dict[str, Command] = {"array": array_command, "Array": new_array} | _OLD
+
+PACKAGES: dict[str, dict[str, Command]] = {"linalg": _OLD}

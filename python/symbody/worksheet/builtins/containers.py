@@ -297,7 +297,7 @@ def unassign(session: Session, *names: Value) -> Value:
                 held.entries.pop(entry[1], None)
                 session.touch_entry(entry[0])
             else:
-                session.unassign(name.name)
+                session.take(name.name)
         elif isinstance(name, Listed | MapleSet | Sequence):
             unassign(session, *name.items)
         else:
@@ -315,8 +315,11 @@ def assigned(session: Session, name: Value) -> Value:
         entry = session.indexed.get(name.name)
         if entry is not None:
             held = session.holder(entry[0])
+            if isinstance(held, Array | Listed):
+                return Boolean(session.select(Reference(entry[0]), entry[1]) != name)
             return Boolean(isinstance(held, Table) and entry[1] in held.entries)
-        return Boolean(name.name in session.names)
+        scope = session.scope_of(name.name)
+        return Boolean(name.name in (session.names if scope is None else scope.names))
     return Boolean(not isinstance(name, Expr) or name.kind not in ("time_function", "application"))
 
 

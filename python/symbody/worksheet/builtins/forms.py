@@ -14,6 +14,7 @@ from symbody.worksheet.builtins.structural import items_of
 from symbody.worksheet.evaluation.arithmetic import binary, matrix_product, rebuilt, scalar
 from symbody.worksheet.evaluation.condition import truth
 from symbody.worksheet.evaluation.current import flattened
+from symbody.worksheet.evaluation.select import indexed_name, with_named_entries
 from symbody.worksheet.evaluation.session import Scope, Session, sequence
 from symbody.worksheet.sheet import syntax
 from symbody.worksheet.sheet.within import replaced
@@ -271,7 +272,7 @@ def _evaluated(session: Session, value: Value) -> Value:
     """Return the matrix that a value stands for; of scalars and products that hold names of matrices, their value."""
     found = session.resolve(value)
     if isinstance(found, Array):
-        return session.current(found)
+        return with_named_entries(session, value, found)
     if isinstance(found, Unevaluated) and getattr(found.function, "name", "") in ("&*", "+", "-", "*", "^"):
         name = getattr(found.function, "name", "")
         left, right = (_evaluated(session, each) for each in found.arguments)
@@ -303,7 +304,7 @@ def _constants_last(session: Session, value: Expr, new: dict[Expr, Value]) -> Va
 def assigned(session: Session, node: syntax.Expression) -> Value:
     """assigned(x)."""
     if isinstance(node, syntax.Name | syntax.Selection):
-        quoted = session.evaluate(syntax.Delayed(node, place=node.place))
+        quoted = evaln(session, node)
         if isinstance(node, syntax.Name):
             scope = session.scope
             if scope is not None and node.name in scope.names:
@@ -313,7 +314,9 @@ def assigned(session: Session, node: syntax.Expression) -> Value:
 
 
 def evaln(session: Session, node: syntax.Expression) -> Value:
-    """evaln(x): the name."""
+    """evaln(x), evaln(x[i]): the name; the indices of an entry are evaluated."""
+    if isinstance(node, syntax.Selection) and isinstance(node.whole, syntax.Name | syntax.Selection):
+        return indexed_name(session, evaln(session, node.whole), session.evaluated(node.indices))
     return session.evaluate(syntax.Delayed(node, place=node.place))
 
 

@@ -7,7 +7,6 @@ from dataclasses import replace
 
 from symbody.errors import WorksheetError
 from symbody.symbolic import Abs, Expr, Matrix, jacobian, number, sqrt
-from symbody.worksheet.builtins import arrays
 from symbody.worksheet.builtins.arrays import array_of, filled
 from symbody.worksheet.builtins.blocks import from_columns, from_rows
 from symbody.worksheet.builtins.row_echelon import solved
@@ -240,7 +239,7 @@ def generate_matrix(kind: str) -> Command:
         if not options:
             return matrix
         if isinstance(options[0], Expr) and options[0].name not in ("flag", ""):  # genmatrix(eqns, x, 'b')
-            session.assign(options[0].name, vector)
+            session.give(options[0].name, vector)
             return matrix
         return beside(session, matrix, vector)
 
@@ -431,7 +430,7 @@ _OLD: dict[str, Command] = {
 
 PACKAGES: dict[str, dict[str, Command]] = {
     "LinearAlgebra": _NEW,
-    "linalg": _OLD | {"matrix": arrays.COMMANDS["matrix"], "vector": arrays.COMMANDS["vector"]},
+    "linalg": _OLD,
     "ArrayTools": {},
 }
 

@@ -355,7 +355,7 @@ def member(session: Session, item: Value, value: Value, place: Value | None = No
     if found.truth and isinstance(place, Expr) and place.kind == "symbol":
         items = items_of(session, value)
         at = next(i for i, each in enumerate(items, 1) if compared(session, Relation("=", item, each)).truth)
-        session.assign(place.name, number(at))
+        session.give(place.name, number(at))
     return found
 
 

@@ -257,7 +257,10 @@ class _Comparison:
             return rows.shape == (value.rows, value.columns) and self.numbers(rows, value)
         if isinstance(matrix, tuple | list):
             return len(matrix) == len(entries) and all(map(self.same, matrix, entries))
-        return matrix.shape == (value.rows, value.columns) and all(map(self.same, matrix.entries, entries))
+        pairs = zip(matrix.entries, entries, strict=False)
+        return matrix.shape == (value.rows, value.columns) and all(
+            _has_no_value(entry) or self.same(held, entry) for held, entry in pairs
+        )
 
     def object(self, made: Any, value: Table) -> bool:
         reader, kind = Reader(self.session, "convert"), kind_of(value)
@@ -326,6 +329,11 @@ def _is_inert(value: Value) -> bool:
     """Whether an integral, a limit or a sum is not worked out."""
     name = getattr(getattr(value, "function", value), "name", "")
     return name in {"Int", "Limit", "Sum"}
+
+
+def _has_no_value(entry: Value) -> bool:
+    """Whether an entry of an array of the old kind has not been assigned, for which the program has 0."""
+    return isinstance(entry, Expr) and entry.kind == "symbol" and entry.name.startswith("?[")
 
 
 def _entries(body: Body) -> list[Expr]:

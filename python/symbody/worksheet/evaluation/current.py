@@ -103,11 +103,20 @@ def resolved(session: State, value: Value) -> Value:
             name = value.name
         else:
             return value
-        found = session.names.get(name)
+        is_local = isinstance(value, Expr) and _is_local(session, name)
+        found = _local_value(session, name) if is_local else session.names.get(name)
         if found is None:
             return value
         value = found
     return value
+
+
+def _local_value(session: State, name: str) -> Value | None:
+    """Return what a local name stands for in the procedure that runs, or in those around it."""
+    scope = session.scope
+    while scope is not None and name not in scope.local:
+        scope = scope.parent
+    return None if scope is None else scope.names.get(name)
 
 
 def named(session: State, name: str) -> Value:

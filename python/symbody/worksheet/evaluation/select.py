@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from symbody.errors import WorksheetError
@@ -28,7 +29,7 @@ from symbody.worksheet.values.value import (
 if TYPE_CHECKING:
     from symbody.worksheet.evaluation.session import Session
 
-__all__ = ["assigned_entry", "indexed_name", "key_of", "selected"]
+__all__ = ["assigned_entry", "indexed_name", "key_of", "selected", "with_named_entries"]
 
 Indices = tuple[Value, ...]
 
@@ -203,9 +204,29 @@ def _entry(session: Session, whole: Value, array: Array, place: int, indices: In
         indices: its indices.
     """
     entry = array.entries[place]
-    if isinstance(entry, Expr) and entry.kind == "symbol" and entry.name.startswith("?["):
+    if _has_no_value(entry):
         return indexed_name(session, whole, indices) if isinstance(whole, Reference) else entry
     return session.current(entry)
+
+
+def _has_no_value(entry: Value) -> bool:
+    return isinstance(entry, Expr) and entry.kind == "symbol" and entry.name.startswith("?[")
+
+
+def with_named_entries(session: Session, whole: Value, array: Array) -> Array:
+    """Return an array with its current entries; those of an old one that have no value are ``A[1,2]`` of its name A."""
+    made = session.current(array)
+    assert isinstance(made, Array)
+    if not isinstance(whole, Reference) or not any(map(_has_no_value, made.entries)):
+        return made
+    (up, left), width = made.first, 1 if made.kind == "vector" else 2
+    entries = list(made.entries)
+    for place, entry in enumerate(entries):
+        if _has_no_value(entry):
+            row, column = divmod(place, made.columns)
+            indices = (number(up + row), number(left + column))[:width]
+            entries[place] = indexed_name(session, whole, indices)
+    return replace(made, entries=entries)
 
 
 def _symbolic(indices: Indices) -> bool:

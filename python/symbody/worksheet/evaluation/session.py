@@ -188,9 +188,33 @@ class Session:
         self.touch(name)
         self.options.positive = frozenset(each for each in self.options.positive if each.name != name)
 
+    def scope_of(self, name: str) -> Scope | None:
+        """Return the call of a procedure in which a name is local; None for a name of the session."""
+        scope = self.scope
+        while scope is not None and name not in scope.local:
+            scope = scope.parent
+        return scope
+
+    def give(self, name: str, value: Value) -> None:
+        """Give a name that a command was told a value: a local one of the procedure that runs, or the session's."""
+        scope = self.scope_of(name)
+        if scope is None:
+            self.assign(name, value)
+        else:
+            scope.names[name] = value
+
+    def take(self, name: str) -> None:
+        """Take the value of a name that a command was told, as `give` gives it."""
+        scope = self.scope_of(name)
+        if scope is None:
+            self.unassign(name)
+        else:
+            scope.names.pop(name, None)
+
     def holder(self, name: str) -> Value:
         """Return what holds the entries of a name, which may itself be an entry: T, or T[1] of T[1][b]."""
-        return self.resolve(self.current(symbol(name)))
+        is_local = self.scope_of(name) is not None
+        return self.resolve(self.value(name) if is_local else self.current(symbol(name)))
 
     def touch_entry(self, name: str) -> None:
         """Note that an entry of a name has changed, or an entry of one of its entries."""

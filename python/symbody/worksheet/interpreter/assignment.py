@@ -141,6 +141,7 @@ class Assignments:
             session.touch(base)
 
     def _new_table(self, name: str, indices: tuple[Value, ...], value: Value) -> None:
+        """Make a name a table with one entry; that of an entry, R[1] of R[1][b], makes R one, too."""
         session = self.session
         table = Table({key_of(session, indices): value})
         if name in session.indexed:
@@ -149,6 +150,9 @@ class Assignments:
             if isinstance(holder, Table):
                 holder.entries[own] = table
                 session.touch(base)
+                return
+            if isinstance(holder, Expr) and holder.kind == "symbol":
+                self._new_table(base, own, table)
                 return
         scope = session.scope
         while scope is not None:

@@ -25,7 +25,7 @@ def _selection(session: Session, node: syntax.Selection) -> Value:
     else:
         whole = session.evaluate(node.whole)
     indices = session.evaluated(node.indices)
-    if isinstance(whole, Table) and key_of(session, indices) not in whole.entries:
+    if isinstance(whole, Table) and not whole.is_sparse and key_of(session, indices) not in whole.entries:
         whole = _name(session, node.whole) or whole
     found = selected(session, whole, indices)
     return session.current(found) if isinstance(found, Listed | Sequence) else found
@@ -34,11 +34,16 @@ def _selection(session: Session, node: syntax.Selection) -> Value:
 def _name(session: Session, node: syntax.Expression) -> Value | None:
     """Return the name of an entry that is a table, ``T[1]``; None for what has no name."""
     match node:
-        case syntax.Name(name=name) if not session.scopes:
+        case syntax.Name(name=name) if not session.scopes or _is_local_alone(session, name):
             return symbol(name)
         case syntax.Selection(whole=inner) if (base := _name(session, inner)) is not None:
             return indexed_name(session, base, session.evaluated(node.indices))
     return None
+
+
+def _is_local_alone(session: Session, name: str) -> bool:
+    """Whether a name is local and none of the session, so that its entries can't be taken for those of another."""
+    return name not in session.names and session.scope_of(name) is not None
 
 
 def _whole(session: Session, name: str) -> Value:
