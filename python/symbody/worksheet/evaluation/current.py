@@ -6,22 +6,22 @@ with the count of assignments and the names that it depends on, so that this cos
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, replace
-from typing import Any, Protocol
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from typing import Any
 
 from symbody.errors import DivisionByZeroError, ExpressionError, WorksheetError
-from symbody.symbolic import Expr, UndefinedFunction, free_symbols, number, pi, t, time_derivative
-from symbody.symbolic.expression.traverse import post_order
+from symbody.symbolic import Expr, UndefinedFunction, number, t, time_derivative
 from symbody.worksheet.evaluation.late_derivative import derivative_at
+from symbody.worksheet.evaluation.seen import depend_on, guarded, has_changed
+from symbody.worksheet.evaluation.state import Seen, State
+from symbody.worksheet.evaluation.variables import CONSTANTS, applications_of, variables_of
 from symbody.worksheet.printing.print import sort_key
 from symbody.worksheet.values.complex_number import normal
 from symbody.worksheet.values.logic_words import LOGIC
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.value import (
-    NULL,
     Array,
-    Boolean,
     Builtin,
     Listed,
     MapleSet,
@@ -36,57 +36,7 @@ from symbody.worksheet.values.value import (
     Value,
 )
 
-__all__ = ["Seen", "called_again", "current", "is_last_name", "named", "replaced", "resolved", "set_of"]
-
-CONSTANTS: dict[str, Value] = {
-    "Pi": pi,
-    "true": Boolean(truth=True),
-    "false": Boolean(truth=False),
-    "FAIL": Boolean(truth=None),
-    "NULL": NULL,
-}
-
-
-@dataclass
-class Seen:
-    """An evaluated scalar: at which count, on which names it depends, and the result."""
-
-    stamp: int
-    names: frozenset[str]
-    result: Value
-
-
-class State(Protocol):
-    """What is read of a session."""
-
-    names: dict[str, Value]
-    remembered: dict[str, dict[tuple[Value, ...], Value]]
-    scopes: list[Any]
-    resolving: list[str]
-    depends: list[set[str]]
-    seen: dict[int, Seen]
-    assigned: dict[str, int]
-    log: list[str]
-    variables: dict[int, frozenset[str]]
-    applied: set[str]
-    indexed: dict[str, tuple[str, tuple[Value, ...]]]
-    opaque: dict[str, Value]
-    options: Any
-
-    @property
-    def count(self) -> int: ...
-    @property
-    def scope(self) -> Any: ...
-    @property
-    def call(self) -> Callable[[Value, tuple[Value, ...]], Value]: ...
-    @property
-    def evaluate(self) -> Callable[[Any], Value]: ...
-    @property
-    def rebuild(self) -> Callable[[Expr, dict[Expr, Value]], Value]: ...
-    @property
-    def select(self) -> Callable[[Value, tuple[Value, ...]], Value]: ...
-    @property
-    def face(self) -> Callable[[Any, Array, Array], Array] | None: ...
+__all__ = ["called_again", "current", "is_last_name", "named", "replaced", "resolved", "set_of"]
 
 
 def is_last_name(value: Value) -> bool:
@@ -103,20 +53,12 @@ def resolved(session: State, value: Value) -> Value:
             name = value.name
         else:
             return value
-        is_local = isinstance(value, Expr) and _is_local(session, name)
-        found = _local_value(session, name) if is_local else session.names.get(name)
+        scope = session.scope_of(name) if isinstance(value, Expr) else None
+        found = session.names.get(name) if scope is None else scope.names.get(name)
         if found is None:
             return value
         value = found
     return value
-
-
-def _local_value(session: State, name: str) -> Value | None:
-    """Return what a local name stands for in the procedure that runs, or in those around it."""
-    scope = session.scope
-    while scope is not None and name not in scope.local:
-        scope = scope.parent
-    return None if scope is None else scope.names.get(name)
 
 
 def named(session: State, name: str) -> Value:
@@ -137,7 +79,7 @@ def named(session: State, name: str) -> Value:
 
 def _of_session(session: State, name: str) -> Value:
     """Return what a name of the session stands for: its last name if that is a table, a procedure or an old matrix."""
-    _depend_on(session, (name,))
+    depend_on(session, (name,))
     alias = session.options.aliases.get(name) if session.options.aliases else None
     if alias is not None:
         return current(session, alias)
@@ -255,49 +197,23 @@ def set_of(items: Iterable[Value]) -> MapleSet:
 def _scalar(session: State, value: Expr) -> Value:
     seen = session.seen.get(value.id)
     inside = bool(session.scopes) or bool(session.resolving)
-    if seen is not None and not _changed(session, seen):
+    if seen is not None and not has_changed(session, seen):
         seen.stamp = session.count
-        _depend_on(session, seen.names)
+        depend_on(session, seen.names)
         return seen.result
     session.depends.append(set())
     try:
         result = _evaluated(session, value)
     finally:
         names = session.depends.pop()
-        _depend_on(session, names)
+        depend_on(session, names)
     if session.options.imaginary and result is not value and isinstance(result, Expr):
         result = normal(result)
-    if not inside or not (names & _guarded(session)):
+    if not inside or not (names & guarded(session)):
         if len(session.seen) > 500_000:
             session.seen.clear()
         session.seen[value.id] = Seen(session.count, frozenset(names), result)
     return result
-
-
-def _depend_on(session: State, names: Iterable[str]) -> None:
-    if session.depends:
-        session.depends[-1].update(names)
-
-
-def _guarded(session: State) -> set[str]:
-    """Names whose meaning here isn't that of the session: those being resolved, and local ones."""
-    names = set(session.resolving)
-    scope = session.scope
-    while scope is not None:
-        names |= scope.local
-        scope = scope.parent
-    return names
-
-
-def _changed(session: State, seen: Seen) -> bool:
-    if session.scopes and seen.names & _guarded(session):
-        return True
-    if session.resolving and not seen.names.isdisjoint(session.resolving):
-        return True
-    since = session.count - seen.stamp
-    if since < len(seen.names):
-        return any(name in seen.names for name in session.log[seen.stamp :])
-    return any(session.assigned.get(name, 0) > seen.stamp for name in seen.names)
 
 
 def _evaluated(session: State, value: Expr) -> Value:
@@ -305,11 +221,11 @@ def _evaluated(session: State, value: Expr) -> Value:
         return _symbol(session, value)
     depends = session.depends[-1]
     new: dict[Expr, Value] = {}
-    for variable in _variables(session, value):
+    for variable in variables_of(session, value):
         found = _symbol(session, variable) if variable.kind == "symbol" else _function(session, variable)
         if found is not variable:
             new[variable] = found
-    for node in _applications(session, value):
+    for node in applications_of(session, value):
         depends.add(node.name)
         if node.name in session.names or node.name in session.remembered:
             arguments = tuple(current(session, each) for each in node.args)
@@ -339,60 +255,6 @@ def replaced(session: State, value: Expr, scalars: Mapping[Expr, Expr]) -> Value
         return session.rebuild(value, dict(scalars))
 
 
-def _variables(session: State, value: Expr) -> list[Expr]:
-    """Return the variables that may have a value, in a fixed order; the scalar depends on all of them."""
-    names = names_of(session, value)
-    _depend_on(session, names)
-    known = names & _named_somewhere(session)
-    if not known:
-        return []
-    found = [each for each in free_symbols([value]) if each.name in known]
-    return sorted(found, key=lambda each: (each.name, each.kind, each.kind != "symbol" and each.order))
-
-
-def _named_somewhere(session: State) -> set[str]:
-    held = (
-        session.names,
-        session.remembered,
-        session.indexed,
-        session.opaque,
-        session.options.aliases,
-        CONSTANTS,
-    )
-    return set().union(*(each.keys() for each in held if each))
-
-
-_FEW = 8
-
-
-def names_of(session: State, value: Expr) -> frozenset[str]:
-    """Return the names of the variables in a scalar; those of its parts, if they are known, save a walk."""
-    known = session.variables.get(value.id)
-    if known is None:
-        parts = value.args
-        of_parts = [session.variables.get(part.id) for part in parts[:_FEW] if part.args or part.is_variable]
-        if parts and len(parts) <= _FEW and None not in of_parts:
-            known = frozenset().union(*(each for each in of_parts if each is not None))
-        else:
-            known = frozenset(each.name for each in free_symbols([value]))
-        if len(session.variables) > 500_000:
-            session.variables.clear()
-        session.variables[value.id] = known
-    return known
-
-
-def _applications(session: State, value: Expr) -> list[Expr]:
-    known = session.applied & (session.names.keys() | session.remembered.keys())
-    if not known:
-        if session.applied:
-            session.depends[-1].update(session.applied)
-        return []
-    nodes = post_order([value], lambda node: node.args, lambda node: node.id)
-    found = [node for node in nodes if node.kind == "application"]
-    session.depends[-1].update(node.name for node in found)
-    return found
-
-
 def _symbol(session: State, value: Expr) -> Value:
     name = value.name
     indexed = session.indexed.get(name)
@@ -401,25 +263,15 @@ def _symbol(session: State, value: Expr) -> Value:
     opaque = session.opaque.get(name)
     if opaque is not None:
         return _opaque(session, value, opaque)
-    if _is_local(session, name):
-        _depend_on(session, (name,))  # outside of its procedure, the name is that of the session
+    if session.scope_of(name) is not None:
+        depend_on(session, (name,))  # outside of its procedure, the name is that of the session
         return value
     found = _of_session(session, name)
     return value if found == value or found == Reference(name) else found
 
 
-def _is_local(session: State, name: str) -> bool:
-    """Whether a symbol may be a local name that has no value yet; parameters are none, they are in the code only."""
-    scope = session.scope
-    while scope is not None:
-        if name in scope.local:
-            return True
-        scope = scope.parent
-    return False
-
-
 def _indexed(session: State, value: Expr, base: str, indices: tuple[Value, ...]) -> Value:
-    _depend_on(session, (base,))
+    depend_on(session, (base,))
     is_within = base in session.indexed  # an entry of an entry, T[1][b]
     holder = resolved(session, current(session, symbol(base)) if is_within else symbol(base))
     if isinstance(holder, Table):

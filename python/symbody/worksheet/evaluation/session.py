@@ -11,6 +11,7 @@ from symbody.errors import WorksheetError
 from symbody.symbolic import Expr
 from symbody.worksheet.evaluation import current
 from symbody.worksheet.evaluation.limits import Limits
+from symbody.worksheet.evaluation.state import Seen
 from symbody.worksheet.printing.print import Style, text_of
 from symbody.worksheet.values.naming import symbol
 from symbody.worksheet.values.value import NULL, Array, Sequence, String, Table, Value
@@ -105,7 +106,7 @@ class Session:
         resolving: names that are being evaluated.
         depends: names on which the scalars depend that are being evaluated.
         variables: the names of the variables in scalars.
-        seen: evaluated scalars (`current`).
+        seen: evaluated scalars (`seen`).
         call: calls a function with arguments; set by the interpreter.
         evaluate: evaluates an expression; set by the interpreter.
         execute: executes the statements of a procedure, and returns the last value; set by the interpreter.
@@ -137,7 +138,7 @@ class Session:
     opaque: dict[str, Value] = field(default_factory=dict)
     indexed: dict[str, tuple[str, tuple[Value, ...]]] = field(default_factory=dict)
     applied: set[str] = field(default_factory=set)
-    seen: dict[int, current.Seen] = field(default_factory=dict)
+    seen: dict[int, Seen] = field(default_factory=dict)
     variables: dict[int, frozenset[str]] = field(default_factory=dict)
     resolving: list[str] = field(default_factory=list)
     depends: list[set[str]] = field(default_factory=list)
