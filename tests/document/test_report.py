@@ -25,6 +25,7 @@ from symbody import (
     System,
     Torque,
     Vector,
+    contact,
     cos,
     cost,
     floating_frame,
@@ -82,6 +83,7 @@ from tests.document.models import (
     s,
     tau,
 )
+from tests.page.test_element_forces import block_on_plate
 from tests.repeated import repeated
 from tests.view.browser import browser
 
@@ -357,6 +359,30 @@ def test_loads_are_listed(equations: Equations) -> None:
     rows = cells(blocks(equations))
     assert ("load 1", "torque", r"0, 0, \tau", "ground", "crank_1") in rows
     assert ("gravity", "acceleration", "0, -g, 0", "ground", "all bodies") in rows
+
+
+def test_an_action_and_its_reaction_have_one_row_with_the_names_of_the_equations() -> None:
+    rows = cells(blocks(newton_euler(block_on_plate())))
+    assert [row for row in rows if row[1] == "force"] == [
+        (
+            "the seat",
+            "force",
+            r"0, 0, N_{\mathrm{the},\mathrm{seat}}",
+            "body 1",
+            "body 1, and its opposite on body 2",
+        ),
+        ("rub", "force", r"F_{\mathrm{rub}}, 0, 0", "body 1", "body 1, and its opposite on body 2"),
+    ]
+    assert "names of forces are defined" in str(blocks(newton_euler(block_on_plate()), mechanism))
+
+
+def test_a_force_without_a_name_is_listed_by_its_law() -> None:
+    (z,), (m, k) = functions_of_time(["z"]), symbols("m k")
+    ball = Body(translate(0, 0, z), m)
+    floor = contact(ball.center_of_mass, 0, k, on=ball, exponent=1, name="floor")
+    mechanisms = blocks(newton_euler(System([ball], [floor], [z])), mechanism)
+    assert ("floor", "force", r"0, 0, k \max(0, -z)", "ground", "body 1") in cells(mechanisms)
+    assert "names of forces are defined" not in str(mechanisms)
 
 
 def test_squares_with_one_coefficient_are_one_term() -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import groupby
 
 from symbody.document.document import NO_BREAK, Block, Heading, Math, Picture, Table, Words, prose
@@ -14,6 +14,7 @@ from symbody.errors import SymbodyError
 from symbody.geometry import Vector
 from symbody.multibody import Body, System
 from symbody.multibody.element.element import Element, is_along_line, terms_of_law
+from symbody.multibody.load import Action
 from symbody.multibody.quantity.role import in_order, units_of_names
 from symbody.symbolic import Expr, cost, free_symbols, latex, listing
 from symbody.symbolic.expression.latex_layout import LINE, width
@@ -32,7 +33,7 @@ def mechanism(subject: Subject) -> list[Block]:
     sizes = {"body": system.bodies, "load": system.loads, "constraint": system.constraints}
     parts = [counted(len(each), noun) for noun, each in sizes.items() if each]
     sentence = prose(f"The system has {joined_by_and(parts)}.")
-    return [Heading("Mechanism"), sentence, *_picture(subject), _bodies(system), *_loads(system)]
+    return [Heading("Mechanism"), sentence, *_picture(subject), _bodies(system), *_loads(subject, system)]
 
 
 def _picture(subject: Subject) -> list[Block]:
@@ -105,10 +106,10 @@ def _names(system: System) -> dict[Body, str]:
     return {body: body.name or f"body {number}" for number, body in enumerate(system.bodies, start=1)}
 
 
-def _loads(system: System) -> list[Block]:
-    """Return the actions of all loads, and gravity."""
+def _loads(subject: Subject, system: System) -> list[Block]:
+    """Return the actions of all loads, and gravity; an action and its opposite, the reaction, have one row."""
     names, taken = _names(system), {leaf.name for leaf in system.leaves}
-    rows: list[tuple[Words, ...]] = []
+    rows, has_names = list[tuple[Words, ...]](), False
     for number, load in enumerate(system.loads, start=1):
         name = load.name or f"load {number}"
         members = [
@@ -118,13 +119,39 @@ def _loads(system: System) -> list[Block]:
             law = (Math(written(listing(terms_of_law(load, taken), "latex")[1])),)
             rows.append(((name,), ("force",), law, ("its line",), (joined_by_and(members),)))
             continue
-        for action, on in zip(load.actions, members, strict=True):
+        for action, on in _without_reactions(load.actions, members):
             kind = "force" if action.is_force else "torque"
-            rows.append(_load_row(name, kind, action.vector, on, _axes(action.vector, names)))
+            components = subject.equations.display.in_names_of_forces(action.vector.components)
+            has_names = has_names or components != action.vector.components
+            vector = Vector(action.vector.frame, *components)
+            rows.append(_load_row(name, kind, vector, on, _axes(vector, names)))
     gravity = system.gravity
     if gravity is not None:
         rows.append(_load_row("gravity", "acceleration", gravity, "all bodies", _axes(gravity, names)))
-    return [Table(("load", "kind", "components", "in the axes of", "on"), tuple(rows))] if rows else []
+    defined = [prose("The names of forces are defined with the equations of motion.")] if has_names else []
+    table = Table(("load", "kind", "components", "in the axes of", "on"), tuple(rows))
+    return [table, *defined] if rows else []
+
+
+def _without_reactions(actions: Sequence[Action], members: Sequence[str]) -> Iterator[tuple[Action, str]]:
+    """Yield the actions, and on what each acts; a reaction at the same point belongs to its action."""
+    left = [*zip(actions, members, strict=True)]
+    while left:
+        action, on = left.pop(0)
+        reaction = next((each for each in left if _is_reaction(each[0], action)), None)
+        if reaction is not None:
+            left.remove(reaction)
+            on = f"{on}, and its opposite on {reaction[1]}"
+        yield action, on
+
+
+def _is_reaction(action: Action, other: Action) -> bool:
+    opposite = tuple(-each for each in other.vector.components)
+    return (action.vector.frame, action.vector.components, action.point) == (
+        other.vector.frame,
+        opposite,
+        other.point,
+    )
 
 
 def _load_row(name: str, kind: str, vector: Vector, on: str, axes: str) -> tuple[Words, ...]:

@@ -163,6 +163,12 @@ class Display:
         named = with_forces(free.display.page_with_motions, forces, slopes)
         return min(page, replace(named, system=system), key=lambda each: len(each.description()))
 
+    def in_names_of_forces(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
+        """Return expressions by the names that forces of contacts, tyres and friction have in these equations."""
+        is_named = self.is_readable and self._page_with_forces is not self.page_with_motions
+        forces = named_forces(self.system) if is_named and isinstance(self.system, System) else None
+        return tuple(expressions) if forces is None else forces.in_names(expressions)
+
     @cached_property
     def _printed_page(self) -> Page:
         """The one that reads better."""

@@ -53,6 +53,10 @@ class NamedForces:
         slopes = [[diff(force, name) for name in self.values] for force in total]
         return slopes if [_total(row, self.values) for row in slopes] == total else None
 
+    def in_names(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
+        """Return expressions by the names of the forces."""
+        return substitute(expressions, _multiples(expressions, self.values))
+
     def totals(self, slopes: Sequence[Sequence[Expr]]) -> list[Expr]:
         """Return the generalised forces by the laws of the elements."""
         return [_total(row, self.values.values()) for row in slopes]
