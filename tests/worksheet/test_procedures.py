@@ -5,6 +5,17 @@ import pytest
 from tests.worksheet.printed_by import failures, printed
 
 CASES = {
+    "sums and products of functions": (
+        "f := x -> x^2: g := D(f)+f: g(3); L := [sin, x->x^2]: (L[1]+L[2])(t), (2*f)(u); h := f*f-1: h(2);",
+        ["15", "t^2+sin(t), 2*u^2", "15"],
+    ),
+    "names for the other part of a division": (
+        (
+            "irem(17,5,'q'), q; iquo(17,5,'r'), r; rem(x^3+1,x+2,x,'s'), s;"
+            "p := proc() local k; irem(7,2,'k'); k end: p(), k;"
+        ),
+        ["2, 3", "3, 2", "-7, x^2-2*x+4", "3, k"],
+    ),
     "local names that commands give a value": (
         (
             "p := proc(L) local pos; if member(3,L,'pos') then pos else 0 fi end: p([1,3]), pos;"

@@ -56,7 +56,7 @@ from symbody.worksheet.builtins.forms import FORMS, dollar, repeated
 from symbody.worksheet.builtins.missing import MISSING
 from symbody.worksheet.builtins.structural import elementwise, items_of
 from symbody.worksheet.commands import mbsymba
-from symbody.worksheet.evaluation.arithmetic import rebuilt
+from symbody.worksheet.evaluation.arithmetic import binary, rebuilt
 from symbody.worksheet.evaluation.session import Command, Session
 from symbody.worksheet.printing.print import name_text
 from symbody.worksheet.sheet import syntax
@@ -248,9 +248,18 @@ def usage(function: Callable[..., Value], count: int) -> str:
     return f"{count} argument{'' if count == 1 else 's'}; expected {expected}"
 
 
+_ARITHMETIC = frozenset("+-*/^")
+
+
 def operator_call(session: Session, function: Unevaluated, arguments: tuple[Value, ...]) -> Value | None:
-    """Return the value of ``D(f)(a)``, ``(f@g)(a)``, ``f~(a)``; None for another call."""
+    """Return the value of ``D(f)(a)``, ``(f@g)(a)``, ``(f+g)(a)``, ``f~(a)``; None for another call."""
     name = getattr(function.function, "name", "")
+    if name in _ARITHMETIC:
+        left, right = (
+            each if isinstance(each, Expr) and each.is_number else session.call(each, arguments)
+            for each in function.arguments
+        )
+        return binary(session, name, left, right)
     if name == "~":
         return elementwise(session, function.arguments[0], arguments)
     if name == "@":

@@ -328,9 +328,11 @@ def _extreme(choose: Callable[[Iterable[int]], int], *, exponent: bool) -> Comma
 
 
 def _division(*, remainder: bool) -> Command:
-    """Return quo or rem: the quotient or the remainder of polynomials."""
+    """Return quo or rem: the quotient or the remainder of polynomials; a name behind them gets the other one."""
 
-    def command(session: Session, value: Value, divisor: Value, variable: Value) -> Value:
+    def command(
+        session: Session, value: Value, divisor: Value, variable: Value, given: Value | None = None
+    ) -> Value:
         x = scalar(session, variable)
         rest = coefficients(expanded(scalar(session, value)), x)
         by = coefficients(expanded(scalar(session, divisor)), x)
@@ -345,7 +347,13 @@ def _division(*, remainder: bool) -> Command:
                 n: rest.get(n, number(0)) - factor * by.get(n - power + lead, number(0)) for n in range(power)
             }
             rest = {n: each for n, each in changed.items() if not each.is_zero}
-        return sum((each * x**n for n, each in rest.items()), start=number(0)) if remainder else quotient
+        left = sum((each * x**n for n, each in rest.items()), start=number(0))
+        found, other = (left, quotient) if remainder else (quotient, left)
+        if given is not None:
+            if not isinstance(given, Expr) or given.kind != "symbol":
+                raise WorksheetError(f"quo, rem: {session.text(given)[:60]}; expected a name in quotes")
+            session.give(given.name, other)
+        return found
 
     return command
 

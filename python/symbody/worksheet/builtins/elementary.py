@@ -186,6 +186,23 @@ def _irem(a: int, b: int) -> int:
     return a - b * int(Fraction(a, b))
 
 
+def _integer_division(
+    function: Callable[[int, int], int], other: Callable[[int, int], int], name: str
+) -> Command:
+    """Return iquo or irem: the quotient or the rest; a third argument, a name, gets the other one."""
+    plain = _integers(function)
+
+    def command(session: Session, a: Value, b: Value, given: Value | None = None) -> Value:
+        made = plain(session, a, b)
+        if given is not None and isinstance(made, Expr) and made.is_number:
+            if not isinstance(given, Expr) or given.kind != "symbol":
+                raise WorksheetError(f"{name}: {session.text(given)[:60]}; expected a name in quotes")
+            session.give(given.name, _integers(other)(session, a, b))
+        return made
+
+    return command
+
+
 def fractional_part(session: Session, x: Value) -> Value:
     """frac(x): what is left of a number without its whole part; it has the sign of the number."""
     argument = scalar(session, x)
@@ -395,8 +412,8 @@ COMMANDS: dict[str, Command] = {
     "Heaviside": step,
     "sign": leading_sign,
     "modp": _integers(_modp),
-    "iquo": _integers(_iquo),
-    "irem": _integers(_irem),
+    "iquo": _integer_division(_iquo, _irem, "iquo"),
+    "irem": _integer_division(_irem, _iquo, "irem"),
     "igcd": _integers(math.gcd),
     "ilcm": _integers(math.lcm),
     "evalf": evalf,

@@ -19,6 +19,7 @@ from symbody.worksheet.values.value import (
     Boolean,
     Builtin,
     Listed,
+    ProcedureValue,
     Quoted,
     Reference,
     Relation,
@@ -98,6 +99,8 @@ def binary(session: Session, operator: str, left: Value, right: Value) -> Value:
             return combine(session, operator, left, right)
     if operator == "." and _is_matrix(session, left, right):
         return _arrays(session, operator, session.resolve(left), session.resolve(right))
+    if isinstance(left, ProcedureValue) or isinstance(right, ProcedureValue):
+        return Unevaluated(symbol(operator), (left, right))  # a function, as f + D(f) is one
     return _SCALAR[operator](scalar(session, left), scalar(session, right))
 
 
