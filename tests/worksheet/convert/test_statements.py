@@ -320,3 +320,14 @@ def test_a_name_beside_its_entries_is_declared() -> None:
     program, values = made("s := solve(x[1]+x-2,x): u := x[2] + y:")
     assert (program.values, program.left_out) == (0, 0)
     assert str(values["u"]) == "x[2] + y"
+
+
+def test_each_procedure_of_a_name_has_its_place() -> None:
+    program, values = made(
+        "p := proc(f) f + 2 end: p := proc(x) local i; x^3 end: p := x -> if x > 0 then x else -x end if: a := p(-3): "
+        "p := proc(x) x + 1 end: b := p(2):"
+    )
+    assert (program.values, program.left_out) == (0, 0)
+    assert (values["a"], values["b"]) == (3, 3)
+    assert "return f + 2" in program.text
+    assert "return x**3" in program.text

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import count
 from typing import Any
 
 from symbody.symbolic import Expr, symbols
@@ -33,6 +34,7 @@ class Procedures:
         self._lines: dict[str, list[str]] = {}
         self._tried: list[tuple[str, tuple[str, syntax.Procedure | syntax.Arrow]]] = []
         self._writing: list[str] = []
+        self._numbers = count()
 
     def lines(self, statement: syntax.Statement) -> list[str] | None:
         """Return a mark at which a procedure will be defined; None for another statement."""
@@ -40,7 +42,9 @@ class Procedures:
             case syntax.Assignment(
                 targets=(syntax.Name(name=name),), value=syntax.Procedure() | syntax.Arrow() as made
             ):
-                mark = f"{_MARK}{name} {len(self._open) + len(self._lines)}"
+                if name in self._open:  # nothing has called the one before
+                    self._try(name, self._open[name][1])
+                mark = f"{_MARK}{name} {next(self._numbers)}"
                 self._open[name] = mark, made
                 self.names.acting -= {name}
                 self.names.acting |= {name} if isinstance(made, syntax.Procedure) and _acts(made) else set()
