@@ -13,6 +13,7 @@ from symbody import (
     System,
     Vector,
     contact,
+    cos,
     describe,
     friction,
     functions_of_time,
@@ -23,6 +24,7 @@ from symbody import (
     spring,
     substitute,
     symbols,
+    time_derivative,
     tire,
     translate,
 )
@@ -113,6 +115,26 @@ def test_the_loads_of_matrices_have_the_same_names(make: type[System]) -> None:
         in_full = [*substitute(in_full, {name: value})]
     assert in_full == [*form.loads.entries]
     assert "Max(" not in describe(form).partition("M11")[2]
+
+
+def test_forces_have_names_in_equations_of_quasi_velocities() -> None:
+    u, system = functions_of_time("u"), ball()
+    by_speed = System(
+        system.bodies,
+        system.loads,
+        system.coordinates,
+        gravity=DOWN,
+        speeds=[u],
+        kinematics={time_derivative(x): u * cos(theta)},
+    )
+    equations = newton_euler(by_speed)
+    assert describe(equations).splitlines()[2:4] == [
+        "    T_floor := -mu*N_floor*(cos(theta)*u - z*theta')/sqrt((cos(theta)*u - z*theta')**2 + v0**2)",
+        "    m*cos(theta)**2*u' - m*sin(theta)*cos(theta)*u*theta' = T_floor*cos(theta)",
+    ]
+    defined, residuals = in_symbols(equations)
+    assert {*defined} == {"N_floor", "T_floor"}
+    assert tuple(residuals) == equations.derived_residuals
 
 
 def test_a_force_by_the_load_is_defined_by_its_name() -> None:

@@ -156,7 +156,7 @@ class Display:
             return page
         free = shown.of(without_elements(system, forces.elements))
         slopes, residuals = forces.slopes(system), (free.derived_residuals, shown.derived_residuals)
-        if slopes is None or forces.totals(slopes) != [
+        if slopes is None or forces.totals(slopes, system) != [
             one - other for one, other in zip(*residuals, strict=True)
         ]:
             return page

@@ -16,7 +16,8 @@ from itertools import chain
 from symbody.errors import ModelNotice
 from symbody.geometry import Vector
 from symbody.multibody import Action, Element, System
-from symbody.symbolic import Expr, diff, free_symbols, number, substitute, time_function
+from symbody.symbolic import Expr, cost, diff, free_symbols, number, substitute, time_function
+from symbody.symbolic.calculus.reader import Reader
 from symbody.symbolic.calculus.reading import parts_of
 from symbody.symbolic.expression.traverse import post_order
 
@@ -57,9 +58,10 @@ class NamedForces:
         """Return expressions by the names of the forces."""
         return substitute(expressions, _multiples(expressions, self.values))
 
-    def totals(self, slopes: Sequence[Sequence[Expr]]) -> list[Expr]:
+    def totals(self, slopes: Sequence[Sequence[Expr]], system: System) -> list[Expr]:
         """Return the generalised forces by the laws of the elements."""
-        return [_total(row, self.values.values()) for row in slopes]
+        values = system.by_speeds(tuple(self.values.values()))
+        return [_total(row, values) for row in slopes]
 
     def defined(self) -> dict[Expr, Expr]:
         """Return the names and what they stand for by the names before them, as a friction by the load."""
@@ -73,7 +75,8 @@ class NamedForces:
 
 def with_forces(page: Page, forces: NamedForces, slopes: Sequence[Sequence[Expr]]) -> Page:
     """Return the page of a system without elements with their forces by names, and what these stand for."""
-    values = forces.defined()
+    defined = forces.defined()
+    values = dict(zip(defined, page.system.by_speeds(tuple(defined.values())), strict=True))
     reader = reader_of(page.system, [*values.values()])
     terms = [tuple(joined(_products(row, values), reader, by_sign_only=True)) for row in slopes]
     used = free_symbols([*chain.from_iterable(terms), *values.values()])
@@ -83,8 +86,20 @@ def with_forces(page: Page, forces: NamedForces, slopes: Sequence[Sequence[Expr]
             replace(balance, applied=(*balance.applied, *each))
             for balance, each in zip(page.balances, terms, strict=True)
         ),
-        named=(*page.named, *((name, reader(value)) for name, value in values.items() if name in used)),
+        named=(*page.named, *((name, _law(value, reader)) for name, value in values.items() if name in used)),
     )
+
+
+def _law(value: Expr, reader: Reader) -> Expr:
+    """Return the shortest form of a law, whose velocities are products of rotations."""
+    forms = [reader(value)]
+    if cost(value).total <= _SIMPLIFIED:
+        forms.append(reader.simplest_form(value))
+    return min(forms, key=reader.length)
+
+
+_SIMPLIFIED = 100
+"""Operations of a law up to which its simplest form is looked for."""
 
 
 def without_elements(system: System, elements: Sequence[Element]) -> System:
