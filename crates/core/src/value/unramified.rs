@@ -29,9 +29,6 @@ const DEGREES: [usize; 9] = [1, 2, 3, 5, 7, 11, 13, 17, 19];
 /// The degree in which all units among the q-adic integers have square roots and cube roots.
 const WITH_ROOTS: usize = 6;
 
-/// The polynomial is looked for among those with so many different coefficients: x^6 + c has factors for many primes.
-const COEFFICIENTS: u32 = 5;
-
 /// The coefficients of a polynomial, as many as the degree of the extension.
 pub(super) type Integral<C> = Vec<C>;
 
@@ -106,8 +103,8 @@ impl<C: Coefficient> Unramified<C> {
         if degree == 1 {
             return with(&modulus, Vec::new());
         }
-        let few = prime.min(&COEFFICIENTS.into()).clone();
-        let polynomials = (1u32..).map(|number| digits_of(&number.into(), &few));
+        // x^d + x + c and further: x^6 + c has factors for all c where 3 doesn't divide q - 1
+        let polynomials = (0u32..).map(|number| digits_of(&(prime + number), prime));
         let low = |digits: Vec<BigInt>| digits.iter().map(C::below_modulus).collect();
         let mut fields = polynomials.map(|digits| with(&q, low(digits))).filter(Self::is_field);
         Self { modulus, ..fields.next().expect("some polynomial of each degree has no factors") }
@@ -276,6 +273,20 @@ mod tests {
             match Extension::of_prime(&prime.into(), false) {
                 Extension::Words(field) => word(&field),
                 Extension::Long(field) => long(&field),
+            }
+        }
+    }
+
+    #[test]
+    fn there_are_extensions_of_each_prime() {
+        let primes = (2..2000u64).chain([61_681, 5_070_368_732_417, 18_446_744_073_709_551_557]);
+        for prime in primes.filter(|&number| is_prime(number)) {
+            for (with_roots, least) in [(false, 1), (true, WITH_ROOTS)] {
+                let degree = match Extension::of_prime(&prime.into(), with_roots) {
+                    Extension::Words(ring) => ring.degree,
+                    Extension::Long(ring) => ring.degree,
+                };
+                assert!(degree >= least, "{prime}: {degree}");
             }
         }
     }
