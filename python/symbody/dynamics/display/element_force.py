@@ -27,9 +27,6 @@ from .line import named_lines
 from .page import Page
 from .reader_of import reader_of
 
-_KINDS = ("contact", "tire", "friction")
-_TIRE = {"load": "Fz", **{component: component for component in ("Fx", "Fy", "Mx", "My", "Mz")}}
-
 
 @dataclass(frozen=True)
 class NamedForces:
@@ -119,12 +116,12 @@ def named_forces(system: System) -> NamedForces | None:
     >>> named_forces(System([ball], [floor], [z])).values
     {N_floor: k*Max(0, 1 - z)**(3/2)}
     """
-    elements = tuple(load for load in system.loads if isinstance(load, Element) and load.kind in _KINDS)
+    elements = tuple(load for load in system.loads if isinstance(load, Element) and load.kind in _COMPONENTS)
     lines = [each for line in named_lines(system) for each in (line.length, line.force)]
     taken = {leaf.name for leaf in (*system.leaves, *system.coordinates, *system.speeds, *lines)}
     values = dict[Expr, Expr]()
     for element in elements:
-        for letter, value in _components(element).items():
+        for letter, value in _COMPONENTS[element.kind](element).items():
             if value.args and value not in values.values():
                 name = next(each for each in _tried(letter, element) if each not in taken)
                 taken.add(name)
@@ -132,16 +129,23 @@ def named_forces(system: System) -> NamedForces | None:
     return NamedForces(elements, values) if values else None
 
 
-def _components(element: Element) -> dict[str, Expr]:
-    """Return the forces and moments of an element by what they are called; a normal force comes before those by it."""
-    quantities = element.quantities
-    if element.kind == "friction":
-        return {"F": quantities["effort"]}
-    if element.kind == "tire":
-        return {letter: quantities[name] for name, letter in _TIRE.items()}
+def _of_friction(element: Element) -> dict[str, Expr]:
+    return {"F": element.quantities["effort"]}
+
+
+def _of_tire(element: Element) -> dict[str, Expr]:
+    components = {"load": "Fz", "Fx": "Fx", "Fy": "Fy", "Mx": "Mx", "My": "My", "Mz": "Mz"}
+    return {letter: element.quantities[name] for name, letter in components.items()}
+
+
+def _of_contact(element: Element) -> dict[str, Expr]:
     x, y, _ = element.actions[0].vector.components
     tangential = {"T": x + y} if x.is_zero or y.is_zero else {"Tx": x, "Ty": y}
-    return {"N": quantities["normal"], **tangential}
+    return {"N": element.quantities["normal"], **tangential}
+
+
+_COMPONENTS = {"contact": _of_contact, "friction": _of_friction, "tire": _of_tire}
+"""For each kind of element its forces and moments by what they are called; a normal force comes before those by it."""
 
 
 def _products(slopes: Iterable[Expr], names: Iterable[Expr]) -> list[tuple[Expr, Expr]]:
