@@ -8,14 +8,18 @@ from symbody import (
     Body,
     Expr,
     Force,
+    Frame,
     Point,
     System,
+    Torque,
     air_force,
     contact,
+    cos,
     functions_of_time,
     ground,
     number,
     rotate,
+    sin,
     spring,
     symbols,
     t,
@@ -34,8 +38,15 @@ DRAG = air_force(CART.center_of_mass, on=CART, density=rho, drag_area=A)
 PUSHED = "F N, m kg, x m"
 
 
-def pushed(force: Expr) -> System:
-    return System([CART], [Force(ground, force, 0, 0, at=CART.center_of_mass, on=CART)], coordinates=[x])
+def pushed(force: Expr, frame: Frame = CART.frame) -> System:
+    cart = Body(frame, m)
+    return System([cart], [Force(ground, force, 0, 0, at=cart.center_of_mass, on=cart)], coordinates=[x])
+
+
+def turned(torque: Expr) -> System:
+    """A disc whose radius is known from its inertia alone."""
+    disc = Body(rotate("Z", phi), m, Iz=m * r**2 / 2)
+    return System([disc], [Torque(ground, 0, 0, torque, on=disc)], coordinates=[phi])
 
 
 def touching(exponent: Expr | int) -> System:
@@ -54,6 +65,18 @@ def rolling(shift: Expr, turn: Expr, q: Expr) -> System:
         (pushed(F - 5 * (time_derivative(x) - x0)), PUSHED),
         (pushed(F - (x - x0)), "m kg, x m"),
         (pushed(2 * F), PUSHED),
+        (pushed(F * cos(b * t + a)), "F N, a rad, b rad/s, m kg, x m"),
+        (pushed(-k * (x - a) - c * time_derivative(x)), "a m, c N s/m, k N/m, m kg, x m"),
+        (pushed(-k * (x - a * sin(b * t))), "a m, b rad/s, k N/m, m kg, x m"),
+        (pushed(-k * (2 * x - 5) - c * (time_derivative(x) - v0)), "c N s/m, k N/m, m kg, x m"),
+        (pushed(-100 * k * x - c * x * time_derivative(x) - d * x**2), "m kg, x m"),
+        (pushed(F / (1 - cos(x))), "m kg, x m"),
+        (turned(-k * (phi - a) - c * time_derivative(phi)), "c N m s/rad, k N m/rad, m kg, phi rad, r m"),
+        (turned(F * sin(phi) - k * x), "F N m, m kg, phi rad, r m"),
+        (
+            pushed(-k * x, translate(a * sin(b * t) + x, d * t * cos(c), 0)),
+            "a m, b rad/s, c rad, d m/s, k N/m, m kg, x m",
+        ),
         (rolling(number("0.3") * phi, phi, phi), "J kg m², m kg, phi rad"),
         (rolling(x, x / number("0.3"), x), "J kg m², m kg, x m"),
         (rolling(r * phi, phi, phi), "J kg m², m kg, phi rad, r m"),

@@ -43,6 +43,16 @@ def kinds_of_coordinates(system: System) -> dict[Expr, str]:
     return found
 
 
+UNITS_OF_KINDS = {"angle": "rad", "length": "m", "angular velocity": "rad/s", "velocity": "m/s"}
+"""The units of the kinds of coordinates and speeds."""
+
+
+def units_of_coordinates(system: System) -> dict[Expr, str]:
+    """Return the units of coordinates and speeds whose kinds are known from the frames."""
+    kinds = kinds_of_coordinates(system)
+    return {each: UNITS_OF_KINDS[kind] for each, kind in kinds.items() if kind in UNITS_OF_KINDS}
+
+
 def natural_points(system: System) -> list[Point]:
     """Return the points whose places are coordinates, from their names: ``x1, y1`` is the point 1.
 
@@ -79,6 +89,24 @@ def multiples(expressions: Iterable[Expr]) -> list[Expr]:
         for leaf in sorted(expression.free_symbols, key=str)
         if (slope := expression.diff(leaf)).kind == "number" and not slope.is_zero
     ]
+
+
+def pure_multiples(expressions: Iterable[Expr]) -> list[Expr]:
+    """Return the names that are multiplied by 1, 2 or 1/2; other numbers may have units."""
+    return [
+        leaf
+        for expression in expressions
+        for leaf in multiples([expression])
+        if is_pure(expression.diff(leaf) ** 2)
+    ]
+
+
+def is_pure(square: Expr) -> bool:
+    """Return whether a number is the square of 1, 2 or 1/2, by which forces and lengths are multiplied."""
+    return square in _PURE
+
+
+_PURE = frozenset(number(square) for square in ("1", "4", "1/4"))
 
 
 def _moving_multiples(expressions: Iterable[Expr]) -> list[Expr]:

@@ -11,7 +11,9 @@ from symbody.multibody.element.element import Element
 from symbody.multibody.system import System
 from symbody.symbolic import Expr, number, substitute, t
 
-from .coordinate_kind import AXES, kinds_of_coordinates, multiples
+from .circular import rate, roles_in_phases, without_circular_functions
+from .coordinate_kind import AXES, kinds_of_coordinates, multiples, units_of_coordinates
+from .load_role import deflections, roles_in_loads
 
 _MOST_OWNERS = 4
 """Bodies of one mass that are listed."""
@@ -20,9 +22,6 @@ LENGTH, ANGLE = ("length", "m"), ("angle", "rad")
 
 Role = tuple[str, str]
 """A meaning and a unit of the SI."""
-
-UNITS_OF_KINDS = {"angle": "rad", "length": "m", "angular velocity": "rad/s", "velocity": "m/s"}
-"""The units of the kinds of coordinates and speeds."""
 
 
 def roles_of(system: System) -> dict[Expr, Role]:
@@ -56,12 +55,6 @@ def _known(system: System) -> tuple[dict[Expr, Role], dict[Expr, str]]:
     return roles, units
 
 
-def units_of_coordinates(system: System) -> dict[Expr, str]:
-    """Return the units of coordinates and speeds whose kinds are known from the frames."""
-    kinds = kinds_of_coordinates(system)
-    return {each: UNITS_OF_KINDS[kind] for each, kind in kinds.items() if kind in UNITS_OF_KINDS}
-
-
 def in_order(symbol: Expr) -> tuple[str, int, str]:
     """Return the key that puts m2 before m10."""
     letters = symbol.name.rstrip("0123456789")
@@ -76,32 +69,38 @@ def _of_system(system: System) -> Iterator[tuple[Expr, Role]]:
         yield each, ("acceleration of gravity", "m/s²")
     yield from _of_laws(system)
     kinds = kinds_of_coordinates(system)
-    for motion in (motion for body in system.bodies for motion in body.frame.motions):
-        shifts = multiples(motion.displacement)
+    for motion in dict.fromkeys(motion for body in system.bodies for motion in body.frame.motions):
+        displacement = without_circular_functions(motion.displacement)
+        shifts = multiples(displacement)
         yield from ((leaf, LENGTH) for leaf in shifts if kinds.get(leaf) != "angle")
-        yield from ((leaf, ("velocity", "m/s")) for leaf in multiples(map(_rate, motion.displacement)))
+        yield from ((leaf, ("velocity", "m/s")) for leaf in multiples(map(rate, displacement)))
         if motion.turn_axis is not None:
-            turns = multiples(motion.variables)
+            angles = without_circular_functions(motion.variables)
+            turns = multiples(angles)
             yield from ((leaf, ANGLE) for leaf in turns if kinds.get(leaf) != "length")
-            rates = multiples(map(_rate, motion.variables))
+            rates = multiples(map(rate, angles))
             yield from ((leaf, ("angular velocity", "rad/s")) for leaf in rates)
     for point in _ends_of_lines(system):
         yield from ((leaf, LENGTH) for leaf in multiples(point.coordinates))
-    yield from _of_loads(system)
+    yield from roles_in_loads(system)
     points = (action.point for load in system.loads for action in load.actions if action.point is not None)
     for point in (*(body.center_of_mass for body in system.bodies), *points):
         yield from ((leaf, LENGTH) for leaf in multiples(point.coordinates))
+    yield from roles_in_phases(_places_and_efforts(system))
+
+
+def _places_and_efforts(system: System) -> Iterator[Expr]:
+    """Yield the displacements and angles of frames, and the components of loads."""
+    for motion in dict.fromkeys(motion for body in system.bodies for motion in body.frame.motions):
+        yield from (*motion.displacement, *(motion.variables if motion.turn_axis is not None else ()))
+    for action in (action for load in system.loads for action in load.actions):
+        yield from action.vector.components
 
 
 def _ends_of_lines(system: System) -> Iterator[Point]:
     """Yield the points between which springs and other forces along lines act."""
     for load in system.loads:
         yield from load.ends if isinstance(load, Element) else ()
-
-
-def _rate(given: Expr) -> Expr:
-    """Return what is multiplied by time, as Omega in ``Omega*t + phi0``; zero if nothing is."""
-    return number(0) if t not in given.free_symbols else given.diff(t)
 
 
 def _of_bodies(system: System) -> Iterator[tuple[Expr, Role]]:
@@ -208,31 +207,28 @@ def _role_in_law(argument: str, element: Element) -> Role:
     return meanings[is_about], units[is_about]
 
 
-def _of_loads(system: System) -> Iterator[tuple[Expr, Role]]:
-    """Yield the terms of forces and torques, such as F; not x0 in ``-100*(x - x0)``, where 100 has a unit."""
-    unknowns = {*system.coordinates, *system.coordinate_rates, *system.speeds}
-    for action in (action for load in system.loads for action in load.actions):
-        role = ("force", "N") if action.is_force else ("torque", "N m")
-        for component in action.vector.components:
-            squares = {leaf: component.diff(leaf) ** 2 for leaf in multiples([component])}
-            of_unknowns = {square for leaf, square in squares.items() if leaf in unknowns}
-            pure = _PURE - of_unknowns
-            yield from ((leaf, role) for leaf, square in squares.items() if square in pure)
-
-
-_PURE = frozenset(number(square) for square in ("1", "4", "1/4"))
-"""The squares of 1, 2 and 1/2, by which a force is multiplied; other numbers may have units."""
-
-
 def _geometry(system: System) -> Iterator[tuple[Expr, tuple[int, ...]]]:
     """Yield what is made of lengths and angles alone, each with the degrees that it may have in the lengths."""
     for motion in dict.fromkeys(motion for body in system.bodies for motion in body.frame.motions):
         yield from ((component, (1,)) for component in motion.displacement)
-        if motion.turn_axis is None and motion.rotates:
+        if motion.turn_axis is not None:
+            yield from ((angle, (0,)) for angle in motion.variables)
+        elif motion.rotates:
             yield from ((entry, (0,)) for axis in AXES for entry in motion.to_parent(axis))
     points = (*(body.center_of_mass for body in system.bodies), *_ends_of_lines(system))
     yield from ((component, (1,)) for point in points for component in point.coordinates)
+    yield from ((each, (1,)) for each in deflections(system))
+    yield from ((each, (2,)) for each in _squares_of_radii(system))
     yield from ((each, (0, 1, 2)) for each in (*system.position_constraints, *system.eliminated_constraints))
+
+
+def _squares_of_radii(system: System) -> Iterator[Expr]:
+    """Yield moments of inertia with 1 for masses, as ``R**2/2`` of ``m*R**2/2``."""
+    masses = dict.fromkeys(multiples(body.mass for body in system.bodies), number(1))
+    moments = dict.fromkeys(moment for body in system.bodies for moment in body.moments)
+    yield from substitute(
+        [each for each in moments if not masses.keys().isdisjoint(each.free_symbols)], masses
+    )
 
 
 def _lengths_and_numbers(
