@@ -327,32 +327,33 @@ def _extreme(choose: Callable[[Iterable[int]], int], *, exponent: bool) -> Comma
     return command
 
 
+def _divided(dividend: Expr, divisor: Expr, x: Expr) -> tuple[Expr, Expr]:
+    """Return the quotient and the remainder of polynomials in x."""
+    rest, by = coefficients(expanded(dividend), x), coefficients(expanded(divisor), x)
+    if not by:
+        raise WorksheetError("quo, rem: division by zero")
+    quotient, lead = number(0), max(by)
+    while rest and max(rest) >= lead:
+        power = max(rest)
+        factor = rest[power] / by[lead]
+        quotient = quotient + factor * x ** (power - lead)
+        changed = {
+            n: rest.get(n, number(0)) - factor * by.get(n - power + lead, number(0)) for n in range(power)
+        }
+        rest = {n: each for n, each in changed.items() if not each.is_zero}
+    return quotient, sum((each * x**n for n, each in rest.items()), start=number(0))
+
+
 def _division(*, remainder: bool) -> Command:
     """Return quo or rem: the quotient or the remainder of polynomials; a name behind them gets the other one."""
 
-    def command(
-        session: Session, value: Value, divisor: Value, variable: Value, given: Value | None = None
-    ) -> Value:
-        x = scalar(session, variable)
-        rest = coefficients(expanded(scalar(session, value)), x)
-        by = coefficients(expanded(scalar(session, divisor)), x)
-        if not by:
-            raise WorksheetError("quo, rem: division by zero")
-        quotient, lead = number(0), max(by)
-        while rest and max(rest) >= lead:
-            power = max(rest)
-            factor = rest[power] / by[lead]
-            quotient = quotient + factor * x ** (power - lead)
-            changed = {
-                n: rest.get(n, number(0)) - factor * by.get(n - power + lead, number(0)) for n in range(power)
-            }
-            rest = {n: each for n, each in changed.items() if not each.is_zero}
-        left = sum((each * x**n for n, each in rest.items()), start=number(0))
-        found, other = (left, quotient) if remainder else (quotient, left)
-        if given is not None:
-            if not isinstance(given, Expr) or given.kind != "symbol":
-                raise WorksheetError(f"quo, rem: {session.text(given)[:60]}; expected a name in quotes")
-            session.give(given.name, other)
+    def command(session: Session, value: Value, divisor: Value, variable: Value, *given: Value) -> Value:
+        parts = _divided(scalar(session, value), scalar(session, divisor), scalar(session, variable))
+        found, other = reversed(parts) if remainder else parts
+        for name in given[:1]:
+            if not isinstance(name, Expr) or name.kind != "symbol":
+                raise WorksheetError(f"quo, rem: {session.text(name)[:60]}; expected a name in quotes")
+            session.give(name.name, other)
         return found
 
     return command
