@@ -350,7 +350,7 @@ def _division(*, remainder: bool) -> Command:
     def command(session: Session, value: Value, divisor: Value, variable: Value, *given: Value) -> Value:
         parts = _divided(scalar(session, value), scalar(session, divisor), scalar(session, variable))
         found, other = reversed(parts) if remainder else parts
-        for name in given[:1]:
+        for name in given:
             if not isinstance(name, Expr) or name.kind != "symbol":
                 raise WorksheetError(f"quo, rem: {session.text(name)[:60]}; expected a name in quotes")
             session.give(name.name, other)
