@@ -208,6 +208,30 @@ def test_constants_along_a_slide_and_about_a_hinge_have_their_units() -> None:
             assert row in rows
 
 
+@pytest.mark.parametrize("letter", ["T", "V", "M"])
+def test_letters_of_energies_are_no_names_of_the_model(tmp_path: Path, letter: str) -> None:
+    """A motor's torque is often T."""
+    x, (m, l, effort) = functions_of_time("x"), symbols(f"m l {letter}")
+    arm = Body(rotate("Z", x) * translate(l, 0, 0), m)
+    model = System([arm], [Torque(ground, 0, 0, effort, on=arm)], [x], gravity=Vector(ground, 0, -10, 0))
+    text = written(tmp_path, newton_euler(model), ".md")
+    letters = re.findall(r"(\S+) &= ", text.partition("## Energies")[2].partition("## ")[0])
+    assert len(letters) == 2
+    assert letter not in letters
+    assert (letters == ["T", "V"]) == (letter == "M")
+
+
+def test_one_constraint_is_told_in_the_singular(tmp_path: Path) -> None:
+    (x, y, z), (m, l) = functions_of_time("x y z"), symbols("m l")
+    body = Body(translate(x, y, z), m)
+    for constraints, said in (
+        ([x**2 + y**2 - l**2], "The constraint, whose"),
+        ([x, y - l], "The constraints, whose"),
+    ):
+        model = newton_euler(System([body], coordinates=[x, y, z], constraints=constraints))
+        assert said in written(tmp_path, model, ".md")
+
+
 def test_names_of_one_meaning_share_a_row() -> None:
     """Each name has the number of its link; a few numbers are listed."""
     rows = cells(blocks(newton_euler(numbered_arm(3)), nomenclature))

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Callable
+from itertools import pairwise
 
 import pytest
 
@@ -10,10 +12,13 @@ from symbody import (
     Body,
     Expr,
     Frame,
+    Point,
     System,
     Torque,
     Vector,
+    cos,
     cost,
+    dot,
     equilibrium,
     expand,
     forward_dynamics,
@@ -23,12 +28,15 @@ from symbody import (
     lambdify,
     moving_frame,
     newton_euler,
+    origin,
     rotate,
+    sin,
     subs,
     symbols,
     t,
     time_derivative,
     translate,
+    velocity,
 )
 from symbody.geometry.frame.frame_velocity import twist
 from symbody.symbolic import idle_symbols
@@ -208,3 +216,41 @@ def test_rates_of_a_pose_hold_no_idle_symbols() -> None:
     kinematics = System([body], speeds=[u1, u2, u3]).kinematics
     assert kinematics == rates
     assert all(rate.free_symbols == rates[each].free_symbols for each, rate in kinematics.items())
+
+
+def trailers(*, by_hand: bool) -> System:
+    """A tractor with two trailers on wheels; each heading is an angle of the ground."""
+    headings = functions_of_time("th0 th1 th2")
+    frames, rolling = [translate(x, y, 0) * rotate("Z", headings[0])], list[Expr]()
+    for before, heading in pairwise(headings):
+        frames.append(frames[-1] * rotate("Z", heading - before) * translate(-l, 0, 0))
+    for place, (frame, heading) in enumerate(zip(frames, headings, strict=True)):
+        sideways = cos(heading) * time_derivative(y) - sin(heading) * time_derivative(x)
+        for turned in headings[1 : place + 1]:
+            sideways -= l * cos(heading - turned) * time_derivative(turned)
+        rolling.append(sideways if by_hand else dot(velocity(origin(frame)), Vector(frame, 0, 1, 0)))
+    bodies = [Body(frame, m, Iz=J) for frame in frames]
+    return System(bodies, coordinates=[x, y, *headings], constraints=rolling)
+
+
+def crank(*, by_hand: bool) -> System:
+    """A crank with a rod that is turned back to the ground, and a slider at its end, whose height is zero."""
+    rod = rotate("Z", th) * translate(r, 0, 0) * rotate("Z", th2 - th)
+    across, height, _ = Point(rod, l, 0, 0).projected(ground).coordinates
+    if by_hand:
+        across, height = r * cos(th) + l * cos(th2), r * sin(th) + l * sin(th2)
+    bodies = [Body(rotate("Z", th), m, Iz=J), Body(rod, m, Iz=J2), Body(translate(across, 0, 0), m2)]
+    return System(bodies, coordinates=[th, th2], constraints=[height])
+
+
+@pytest.mark.parametrize("make", [trailers, crank])
+def test_constraints_from_frames_are_as_short_as_by_hand(make: Callable[..., System]) -> None:
+    """Velocities and places are carried from frame to frame, and forces don't hold turns there and back."""
+    one, two = newton_euler(make(by_hand=False)), newton_euler(make(by_hand=True))
+    assert one.residuals == two.residuals
+    for ours, theirs in (
+        (one.residuals, two.residuals),
+        (one.constraint_jacobian.entries, two.constraint_jacobian.entries),
+        (one.constraint_bias(), two.constraint_bias()),
+    ):
+        assert cost(ours).total <= cost(theirs).total

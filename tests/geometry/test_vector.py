@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import random
+
 import pytest
 
 from symbody import (
@@ -127,3 +129,29 @@ def test_frozen_velocity_in_the_axes_of_the_frame() -> None:
 def test_substitution() -> None:
     assert Point(T, a * x, 0, 0).subs({x: b, phi: 0}).projected(ground).coordinates == (b + a * b, 0, 0)
     assert Vector(T, a, x, 0).subs({a: 1, x: 2}).components == (1, 2, 0)
+
+
+@pytest.mark.parametrize("axis", "XYZ")
+@pytest.mark.parametrize("base", [ground, rotate("Y", phi) * translate(x, 0, a) * rotate("X", b)])
+def test_places_in_chains_of_absolute_angles_are_sums(axis: str, base: Frame) -> None:
+    """Each link is turned by its own angle, and no difference of angles is left."""
+    angles, frame, by_hand = functions_of_time("q1 q2 q3"), base, origin(base)
+    for before, angle in zip((0, *angles), angles, strict=False):
+        frame *= rotate(axis, angle - before) * translate(a, b, c)
+        by_hand += Vector(base * rotate(axis, angle), a, b, c)
+    place, other = origin(frame).projected(ground).coordinates, by_hand.projected(ground).coordinates
+    assert place == other
+    assert cost(place).total <= cost(other).total
+    assert not any(f"{angles[k]} - {angles[k - 1]}" in str(place) for k in (1, 2))
+
+
+def test_places_are_those_of_the_matrix() -> None:
+    """Turns there and back, at once and after others, about axes in any order."""
+    draw = random.Random(3)
+    for _ in range(20):
+        frame = ground
+        for _ in range(7):
+            angle = draw.choice([x - phi, phi - x, phi, -phi, x, -x])
+            frame *= rotate(draw.choice("XZ"), angle) * translate(*draw.choices([0, a, b, x], k=3))
+        matrix = frame.matrix
+        assert origin(frame).projected(ground).coordinates == tuple(matrix[k, 3] for k in range(3))

@@ -160,18 +160,22 @@ def test_constraints_that_are_dependent_on_themselves_alone() -> None:
 
 
 def test_a_motion_that_leaves_its_constraints_says_so() -> None:
-    """Without projection and with loose tolerances, at singular positions."""
+    """Without projection and with loose tolerances, at singular positions; behind which is a matter of digits."""
     gap = x - y**2 - sin(t)
     linkage = cranks(1)
-    begin = linkage.begin(-1.3026755852842808)
-    notices = notices_of(
-        lambda: simulate(
-            linkage.equations, linkage.parameters, begin, (0, 10), method="bdf", rtol=1e-4, constraints="free"
+
+    def notices(speed: float) -> list[str]:
+        eqs, begin = linkage.equations, linkage.begin(speed)
+        return notices_of(
+            lambda: simulate(
+                eqs, linkage.parameters, begin, (0, 10), method="bdf", rtol=1e-4, constraints="free"
+            )
         )
-    )
+
     assert any(
         notice.startswith("simulate: the motion has left its constraints: at its end constraint")
-        for notice in notices
+        for speed in (-1.34, -1.31, -1.26, -1.22)
+        for notice in notices(speed)
     )
     assert notices_of(lambda: simulate(beads(gap), {m: 1}, {time_derivative(y): 0.5}, t=(0, 1))) == []
 

@@ -56,6 +56,17 @@ def test_lines_of_random_formulas(seed: int) -> None:
 
 
 @pytest.mark.parametrize("seed", range(20))
+def test_a_side_of_several_terms_stands_on_one_line(seed: int) -> None:
+    """`= T + r*cos(q)*lambda1` isn't broken if it fits: it begins a line if need be."""
+    draw = random.Random(seed)
+    right = f" = tau + {product(draw, 0)} - {product(draw, 0)}"
+    for left in (formula(draw, 2), f"{formula(draw, 1)} + {'c' * 70}", "c" * 90 + " - d*x'"):
+        pieces = lines(left + right, 100)
+        assert right in f" {pieces[-1].strip()}"
+        assert all(len(piece) <= 100 for piece in pieces)
+
+
+@pytest.mark.parametrize("seed", range(20))
 def test_short_brackets_are_whole(seed: int) -> None:
     """Products of brackets, each of which fits a line with room to spare, are broken between these."""
     draw = random.Random(seed)

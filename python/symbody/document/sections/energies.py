@@ -18,22 +18,32 @@ def energies(subject: Subject) -> list[Block]:
     system, given = subject.mechanism, subject.equations.energy
     if system is None:
         said = prose("The energy is")
-        return [] if given is None else [Heading("Energies"), *equalities(said, ["E"], subject.read([given]))]
+        letters = _letters(subject, ("E",), (r"E_{\mathrm{tot}}",))
+        return (
+            [] if given is None else [Heading("Energies"), *equalities(said, letters, subject.read([given]))]
+        )
+    letters = _letters(subject, ("T", "V"), (r"E_{\mathrm{kin}}", r"E_{\mathrm{pot}}"))
     (T,), V = system.by_speeds([kinetic_energy(system)]), known_potential(system)
     potential = "potential energy of weight"
     if potentials(system.loads, system.bodies):
         potential += " and loads"
     if subject.is_large:
-        blocks = equalities(prose("The kinetic energy is"), ["T"], [T], system)
+        blocks = equalities(prose("The kinetic energy is"), letters[:1], [T], system)
         if V is not None:
             terms = _by_cause(system, subject) if cost(V).total <= _MOST else [V]
-            blocks += equalities(prose(f"The {potential} is"), ["V"], [terms], system)
+            blocks += equalities(prose(f"The {potential} is"), letters[1:], [terms], system)
         return [Heading("Energies"), *blocks]
     values, sentence = [quadratic_terms(T, system.speeds, subject.read)], "The kinetic energy is"
     if V is not None:
         values.append(_by_cause(system, subject))
         sentence = f"The kinetic energy, and the {potential}, are"
-    return [Heading("Energies"), *equalities(prose(sentence), ["T", "V"][: len(values)], values, system)]
+    return [Heading("Energies"), *equalities(prose(sentence), letters[: len(values)], values, system)]
+
+
+def _letters(subject: Subject, usual: Sequence[str], others: Sequence[str]) -> Sequence[str]:
+    """Return the letters of energies: others if a name of the model is one of the usual, such as a torque T."""
+    taken = {leaf.name for leaf in subject.system.leaves}
+    return usual if taken.isdisjoint(usual) else others
 
 
 _MOST = 300

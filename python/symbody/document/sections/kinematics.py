@@ -18,7 +18,9 @@ def kinematics(subject: Subject) -> list[Block]:
     system = subject.system
     blocks: list[Block] = [
         Heading("Kinematics"),
-        prose("The coordinates are ", *listed(system.coordinates), ".") if system.coordinates else prose(),
+        prose(f"{_are('coordinate', system.coordinates)} ", *listed(system.coordinates), ".")
+        if system.coordinates
+        else prose(),
     ]
     if system.quasi_velocities:
         kind = "momenta" if system.momenta else "quasi-velocities"
@@ -34,7 +36,9 @@ def kinematics(subject: Subject) -> list[Block]:
             values = _shortest(values, subject)
         blocks += equalities(lead, [*map(latex, rates)], values, system if system.eliminated else None)
     if system.constraints:
-        lead = prose("The constraints, whose multipliers are ", *listed(system.multipliers), ", are")
+        one = len(system.constraints) == 1
+        start = "The constraint, whose multiplier is " if one else "The constraints, whose multipliers are "
+        lead = prose(start, *listed(system.multipliers), ", is" if one else ", are")
         blocks += equalities(
             lead, ["0"] * len(system.constraints), _shortest(system.constraints, subject), system
         )
@@ -43,6 +47,10 @@ def kinematics(subject: Subject) -> list[Block]:
         blocks += equalities(lead, ["0"] * len(kept), _shortest(kept, subject), system)
     blocks += _centres(subject)
     return blocks
+
+
+def _are(kind: str, items: Sequence[Expr]) -> str:
+    return f"The {kind} is" if len(items) == 1 else f"The {kind}s are"
 
 
 def _shortest(expressions: Sequence[Expr], subject: Subject) -> list[Expr]:

@@ -31,11 +31,12 @@ def constraint_jacobian(system: Variables) -> Matrix:
     """Return A of ``A u + b``, m x n: ``dphi'/du`` of constraints on positions; one row each, a column per speed."""
     if not system.constraints:
         return zeros(0, len(system.speeds))
+    constraints = in_shortest_form(system, system.constraints)
     with derivation(order=ENERGY):
         if system.has_quasi_velocities or not system.is_holonomic:
-            A = jacobian(system.velocity_level(system.constraints), system.speeds)
+            A = jacobian(system.velocity_level(constraints), system.speeds)
         else:
-            A = jacobian(system.constraints, system.coordinates)
+            A = jacobian(constraints, system.coordinates)
         return Matrix.from_entries(*A.shape, truncated(A.entries, MOTION))
 
 
@@ -77,9 +78,8 @@ def _forces_on_positions(system: Variables) -> tuple[Expr, ...]:
 def _forces_on_velocities(system: Variables) -> tuple[Expr, ...]:
     if system.is_holonomic:
         return (number(0),) * len(system.speeds)
-    return gradient(
-        _multiplied(system, system.by_speeds(system.constraints), on_position=False), system.speeds
-    )
+    constraints = system.by_speeds(in_shortest_form(system, system.constraints))
+    return gradient(_multiplied(system, constraints, on_position=False), system.speeds)
 
 
 def _multiplied(system: Variables, constraints: Sequence[Expr], *, on_position: bool) -> Expr:

@@ -36,6 +36,7 @@ from symbody.symbolic.numeric.program import program_of
 from .baumgarte import Damping, stabilized_beside
 from .constraint_bias import by_jacobian, by_second_rate, is_shorter_by_jacobian
 from .constraint_force import constraint_jacobian
+from .constraint_form import in_shortest_form
 from .output import Outputs
 
 Known = TypeVar("Known")
@@ -225,11 +226,16 @@ class Equations:
             zeta: its damping ratio.
         """
         form = by_jacobian if self._has_shorter_jacobian_rate else by_second_rate
-        return form(self.system, self.constraints, self.constraint_jacobian, omega, zeta)
+        return form(self.system, self._short_constraints, self.constraint_jacobian, omega, zeta)
 
     @cached_property
     def _has_shorter_jacobian_rate(self) -> bool:
-        return is_shorter_by_jacobian(self.system, self.constraints, self.constraint_jacobian)
+        return is_shorter_by_jacobian(self.system, self._short_constraints, self.constraint_jacobian)
+
+    @property
+    def _short_constraints(self) -> tuple[Expr, ...]:
+        """The constraints in the form of which the Jacobian is made."""
+        return in_shortest_form(self.system, self.constraints)
 
     @property
     def multipliers(self) -> tuple[Expr, ...]:

@@ -7,7 +7,7 @@ from itertools import combinations
 from typing import NamedTuple
 
 from symbody.errors import FrameError
-from symbody.geometry.component.triple import Triple, is_null
+from symbody.geometry.component.triple import NULL, Triple, is_null
 from symbody.geometry.motion.frame_motion import FrameMotion, Substitution
 from symbody.symbolic import ENERGY, add3, derivation, sub3
 from symbody.symbolic.given.arguments import brief
@@ -32,8 +32,7 @@ def _rotations(motions: Sequence[FrameMotion]) -> list[FrameMotion]:
     """Return the rotations among motions; two about one axis as their sum, if a variable drops out of it."""
     result = list[FrameMotion]()
     for motion in (each for each in motions if each.rotates):
-        total = result[-1].merged(motion) if result else None
-        if total is not None and total.leaves < result[-1].leaves | motion.leaves:
+        if total := _shorter_sum(result[-1], motion) if result else None:
             result.pop()
             result += [] if total.is_identity else [total]
         else:
@@ -41,14 +40,53 @@ def _rotations(motions: Sequence[FrameMotion]) -> list[FrameMotion]:
     return result
 
 
+def _shorter_sum(one: FrameMotion, other: FrameMotion) -> FrameMotion | None:
+    """Return two rotations about one axis as their sum if a variable drops out of it."""
+    total = one.merged(other)
+    return total if total is not None and total.leaves < one.leaves | other.leaves else None
+
+
 def point_coordinates(p: Triple, source: Frame, target: Frame) -> Triple:
     """Return the coordinates of a point in another frame."""
     up, down = path(source, target)
     with derivation(order=ENERGY):
-        for motion in up:
-            p = add3(motion.to_parent(p), motion.displacement)
+        p = _by_orientations(p, up) if _turns_back(up) else _outwards(p, up)
         for motion in down:
             p = motion.to_child(sub3(p, motion.displacement))
+    return p
+
+
+def _outwards(p: Triple, up: Sequence[FrameMotion]) -> Triple:
+    """Return the coordinates of a point in the frame from which some motions lead to it, the last one first."""
+    for motion in up:
+        p = add3(motion.to_parent(p), motion.displacement)
+    return p
+
+
+def _turns_back(up: Sequence[FrameMotion]) -> bool:
+    """Return whether a variable drops out of rotations, as q1 of ``rotate("Z", q1) * ... * rotate("Z", q2 - q1)``."""
+    return len(_rotations(up)) < sum(motion.rotates for motion in up)
+
+
+def _by_orientations(p: Triple, up: Sequence[FrameMotion]) -> Triple:
+    """Return the same with the sums of such rotations: what was turned by a part of a sum is taken out of the axes.
+
+    ``l*cos(q2)`` is shorter than ``l*(cos(q1)*cos(q2 - q1) - sin(q1)*sin(q2 - q1))``.
+    """
+    turns: list[FrameMotion] = []  # from the outermost inwards
+    sums = [NULL]  # of the displacements in the axes before and behind each
+    for motion in reversed(up):
+        sums[-1] = add3(sums[-1], motion.displacement)
+        if total := _shorter_sum(turns[-1], motion) if turns else None:
+            behind = turns.pop().to_parent(sums.pop())
+            sums[-1] = add3(sums[-1], behind)
+        turn = total or motion
+        if turn.rotates and not turn.is_identity:
+            turns.append(turn)
+            sums.append(NULL)
+    p = add3(sums.pop(), p)
+    for turn, before in zip(reversed(turns), reversed(sums), strict=True):
+        p = add3(before, turn.to_parent(p))
     return p
 
 

@@ -90,14 +90,19 @@ class _Filling(NamedTuple):
 
 
 def _with_short_sides(terms: list[_Piece], line: int) -> list[_Piece]:
-    """Return terms with a short side of an equation beside the nearest term of the other one."""
+    """Return terms with a short side of an equation beside the nearest term of the other one.
+
+    A right side of several terms stands on one line, if it fits.
+    """
     if len(terms) > 1 and terms[1][0].role == "equals" and _width(terms[0]) <= _SHORT:
         terms = [terms[0] + terms[1], *terms[2:]]
     if len(terms) > 1 and terms[-1][0].role == "equals":
         right = _width(terms[-1])
         if right <= _SHORT or right + _width(terms[-2]) <= line:
             return [*terms[:-2], terms[-2] + terms[-1]]
-    return terms
+    place = next((k for k, term in enumerate(terms) if k and term[0].role == "equals"), len(terms))
+    side = tuple(token for term in terms[place:] for token in term)
+    return [*terms[:place], side] if side and _width(side) <= line - _INDENT else terms
 
 
 def terms_of(tokens: Sequence[Token]) -> list[tuple[Token, ...]]:
