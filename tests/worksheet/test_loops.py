@@ -2,6 +2,8 @@
 
 import pytest
 
+from symbody import Expr
+from symbody.worksheet.interpreter.interpret import Interpreter
 from tests.worksheet.printed_by import printed
 
 CASES = {
@@ -55,3 +57,43 @@ CASES = {
 @pytest.mark.parametrize(("sheet", "expected"), CASES.values(), ids=CASES.keys())
 def test_loops(sheet: str, expected: list[str]) -> None:
     assert printed(sheet) == expected
+
+
+PASSES = 60
+STEPS = {
+    "products": "z := 3.7*z*(1-z)",
+    "a sum": "z := z + add(0.1*k*z, k=1..2)*(0.7-z)",
+    "powers": "z := 0.9 - 0.8*z^2",
+    "substitution": "z := subs(q=z, 3.7*q*(1-q))",
+    "evaluation": "z := eval(3.7*q*(1-q), {q=z})",
+    "a name within": "e := 3.7*w*(1-w): w := z: z := e: w := 'w'",
+    "a function": "f := u -> 3.7*u*(1-u): z := f(z)",
+    "a list": "L := map(u -> 3.7*u*(1-u), [z,z]): z := L[1]",
+    "a matrix": "V := <z,1.> : V := <<3.7,0.1>|<-0.3,0.2>>.V*(1-z): z := V[1]",
+    "an entry": "T[i] := z*(1-z)*3.7: z := T[i]",
+}
+
+
+@pytest.mark.parametrize("step", STEPS.values(), ids=STEPS.keys())
+def test_decimals_of_loops_have_a_bounded_length(step: str) -> None:
+    """Each pass adds digits to exact products, or doubles them: 60 passes would never end."""
+    interpreter = Interpreter()
+    printed(f"z := 0.41: for i to {PASSES} do {step} od:", None, interpreter)
+    value = interpreter.session.current(interpreter.session.names["z"])
+    assert isinstance(value, Expr)
+    assert value.is_decimal
+    assert max(part.bit_length() for part in value.ratio) < 300
+
+
+def test_loops_of_decimals_end_where_doubles_do() -> None:
+    assert printed(
+        "x := 1.: v := 0.: for i to 200 do v := v - 0.01*9.81*x - 0.001*v: x := x + 0.01*v od: x;"
+    ) == [f"{_oscillator(200):.10f}".replace("0.", ".")]
+
+
+def _oscillator(passes: int) -> float:
+    x, v = 1.0, 0.0
+    for _ in range(passes):
+        v = v - 0.01 * 9.81 * x - 0.001 * v
+        x = x + 0.01 * v
+    return x

@@ -12,7 +12,7 @@ from symbody.worksheet.mathematics.order_term import absorbed
 from symbody.worksheet.printing.print import text_of
 from symbody.worksheet.values.complex_number import has_i, normal, root_of_negative
 from symbody.worksheet.values.naming import symbol
-from symbody.worksheet.values.numeric import as_float, power, quotient
+from symbody.worksheet.values.numeric import as_float, of_bounded_length, power, quotient
 from symbody.worksheet.values.structure import Tree, tree_of
 from symbody.worksheet.values.value import (
     Array,
@@ -106,6 +106,7 @@ def binary(session: Session, operator: str, left: Value, right: Value) -> Value:
 
 def _combined(session: Session, operator: str, left: Expr, right: Expr) -> Expr:
     made = power(left, right, session.options.digits) if operator == "^" else _SCALAR[operator](left, right)
+    made = of_bounded_length(made)
     if session.options.series:
         made = absorbed(made)
     return normal(made) if session.options.imaginary else made

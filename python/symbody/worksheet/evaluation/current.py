@@ -20,6 +20,7 @@ from symbody.worksheet.printing.print import sort_key
 from symbody.worksheet.values.complex_number import normal
 from symbody.worksheet.values.logic_words import LOGIC
 from symbody.worksheet.values.naming import symbol
+from symbody.worksheet.values.numeric import of_bounded_length
 from symbody.worksheet.values.value import (
     Array,
     Builtin,
@@ -250,7 +251,7 @@ def replaced(session: State, value: Expr, scalars: Mapping[Expr, Expr]) -> Value
     ratio of rates, is replaced nowhere.
     """
     try:
-        return value.subs(scalars)
+        return of_bounded_length(value.subs(scalars))
     except (ExpressionError, DivisionByZeroError):
         return session.rebuild(value, dict(scalars))
 

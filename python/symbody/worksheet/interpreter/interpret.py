@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import sys
 from collections.abc import Callable, Iterable
 from collections.abc import Sequence as Listing
@@ -229,6 +230,10 @@ class Interpreter:
         if node.items is not None:
             yield from builtins.items_of(self.session, self.session.evaluate(node.items))
             return
+        if (
+            node.variable is None and node.stop is None
+        ):  # nobody counts: numbers of the core are kept for ever
+            yield from itertools.repeat(number(1))
         at, step = (self._bound(each) if each is not None else number(1) for each in (node.start, node.step))
         stop = None if node.stop is None else self._bound(node.stop)
         while stop is None or not _beyond(at, stop, step):

@@ -8,7 +8,15 @@ from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, number
 from symbody.worksheet.values.decimals import rounded
 
-__all__ = ["as_float", "as_integer", "decimal", "power", "quotient", "with_decimals"]
+__all__ = ["as_float", "as_integer", "decimal", "of_bounded_length", "power", "quotient", "with_decimals"]
+
+_LONG = 256
+"""Bits of numerators and denominators up to which decimals are exact."""
+_KEPT = 40
+"""Digits that longer ones keep, many more than the doubles have that ``evalf`` gives."""
+
+_ONE = number("1.0")
+"""Makes a number a decimal; more digits than a double has are a fraction to the core."""
 
 
 def decimal(value: float, digits: int = 10) -> Expr:
@@ -35,6 +43,25 @@ def as_float(value: Expr) -> float | None:
     except (ArithmeticError, ValueError):
         return None
     return result if math.isfinite(result) else None
+
+
+def of_bounded_length(value: Expr) -> Expr:
+    """Return a decimal of very many digits rounded to 40; anything else as it is.
+
+    Exact products of decimals have the digits of both factors, so that each step of a loop would take
+    longer than the one before. Maple rounds each of them to ``Digits``.
+
+    >>> of_bounded_length(number("0.125"))
+    0.125
+    >>> exact = number("1.1") ** 400
+    >>> len(str(exact.ratio[0])), len(str(of_bounded_length(exact).ratio[0]))
+    (417, 39)
+    """
+    if not (value.is_number and value.is_decimal):
+        return value
+    if max(part.bit_length() for part in value.ratio) <= _LONG:
+        return value
+    return number(rounded(value.ratio, _KEPT)) * _ONE
 
 
 def as_integer(value: object) -> int | None:
