@@ -73,14 +73,20 @@ def test_eigenvalues_of_symbols_are_solutions_of_the_determinant() -> None:
     assert sorted(each.evaluate(at) for each in values["ev"]) == pytest.approx(sorted(expected))
 
 
-def test_solutions_of_loops_are_those_of_the_simplified_equations() -> None:
+@pytest.mark.parametrize(
+    ("turned", "loop"),
+    [("phi(t)", "sb.simplify(loop)"), ("phi(t)-theta(t)", "loop")],
+    ids=["to the crank", "back"],
+)
+def test_solutions_of_loops_are_those_of_the_simplified_equations(turned: str, loop: str) -> None:
+    """Angles to the body before are added by simplify; a chain that turns back has the sums of its angles at once."""
     program, _ = made(
-        "restart: with(MBSymba_r6): T := rotate('Z',theta(t))*translate(r,0,0)*rotate('Z',phi(t)-theta(t)):\n"
+        f"restart: with(MBSymba_r6): T := rotate('Z',theta(t))*translate(r,0,0)*rotate('Z',{turned}):\n"
         "P := make_POINT(T,l,0,0): loop := {comp_X(P,ground) = s(t), comp_Y(P,ground) = 0}:\n"
         "sol := allvalues(solve(loop, {phi(t), s(t)})): both := solve(loop, {phi(t), s(t)}):"
     )
     assert program.values == 0
-    assert program.text.count("sb.solutions(sb.simplify(loop), [phi, s])") == 2
+    assert program.text.count(f"sb.solutions({loop}, [phi, s])") == 2
 
 
 def test_the_vector_of_a_force_and_several_arguments_of_a_format(capsys: pytest.CaptureFixture[str]) -> None:

@@ -160,6 +160,9 @@ impl<'a, C: Coefficient> AdicPoint<'a, C> {
         degree: u64,
         in_field: &dyn Fn(FieldId) -> Quadratic,
     ) -> Option<Adic<C>> {
+        if degree != 2 && !self.adics.has_odd_roots() {
+            return None;
+        }
         if !ROOT_DEGREES.contains(&degree) {
             return self.adics.root(radicand, degree, 0);
         }

@@ -54,6 +54,11 @@ impl<C: Coefficient> Adics<C> {
         Number::whole(self.ring.whole_prime())
     }
 
+    /// Whether roots of odd degree are looked for. With a prime of many digits, which may be a product, this takes long.
+    pub(crate) fn has_odd_roots(&self) -> bool {
+        self.ring.whole_prime().bits() <= 64
+    }
+
     pub(crate) fn zero() -> Adic<C> {
         Adic(Vec::new())
     }

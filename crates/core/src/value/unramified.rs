@@ -201,6 +201,9 @@ impl<C: Coefficient> Unramified<C> {
     }
 
     pub(super) fn inverse_of_residue(&self, unit: &Integral<C>) -> Integral<C> {
+        if unit[1..].iter().all(C::is_zero) {
+            return self.constant(unit[0].reciprocal(&self.prime));
+        }
         let order = Pow::pow(self.whole_prime(), self.degree) - 2;
         self.residues().power(unit, &order)
     }

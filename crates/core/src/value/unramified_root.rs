@@ -48,14 +48,16 @@ impl<C: Coefficient> Unramified<C> {
     /// A root of a residue. If the prime q is a product, which isn't known then, there may be none where this one is expected.
     fn root_of_residue(&self, unit: &Integral<C>, degree: u64, choice: u32) -> Option<Integral<C>> {
         let (field, order) = (self.residues(), self.order(degree));
-        let exponent = order.prime.modinv(&order.rest)?;
-        let root = field.power(unit, &exponent);
+        let inverse = order.prime.modinv(&order.rest)?;
+        let exponent = if order.rest == BigInt::from(1) { order.rest.clone() } else { inverse };
+        let part = field.power(unit, &(exponent - 1));
+        let root = field.mul(&part, unit);
         let root = if order.count == 0 {
             root
         } else {
             let generator = self.generator(&order)?;
             // root^p = unit * rest
-            let rest = field.power(unit, &(exponent * &order.prime - 1));
+            let rest = field.mul(&field.power(&part, &order.prime), &field.power(unit, &(&order.prime - 1)));
             let factor = field.root_of_unit(rest, &order, &generator)?;
             let unity = field.power(&generator, &(Pow::pow(&order.prime, order.count - 1) * choice));
             field.mul(&field.mul(&root, &factor), &unity)
