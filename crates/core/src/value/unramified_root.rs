@@ -45,7 +45,8 @@ impl<C: Coefficient> Unramified<C> {
         Some(root)
     }
 
-    /// A root of a residue. If the prime q is a product, which isn't known then, there may be none where this one is expected.
+    /// A root of a residue. The modulus q may be a product of primes whose factors are unknown; then what is found may be no
+    /// root, which the last line checks.
     fn root_of_residue(&self, unit: &Integral<C>, degree: u64, choice: u32) -> Option<Integral<C>> {
         let (field, order) = (self.residues(), self.order(degree));
         let inverse = order.prime.modinv(&order.rest)?;
