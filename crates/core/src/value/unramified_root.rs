@@ -25,8 +25,8 @@ struct Order {
 }
 
 impl<C: Coefficient> Unramified<C> {
-    /// A root of a unit, if there is one: the residue's, then by Newton's iteration, r - (r^n - u)/(n r^(n-1)), together with
-    /// that for the reciprocal of r. The number chooses between several.
+    /// A root of a unit, if there is one: the residue's, then by Newton's iteration, r - (r^n - u)/(n r^(n-1)), together
+    /// with that for the reciprocal of r. The number chooses between several.
     pub(super) fn root(&self, unit: &Integral<C>, degree: u64, choice: u32) -> Option<Integral<C>> {
         let whole_degree = BigInt::from(degree);
         let modulus = self.modulus.to_big();
@@ -45,8 +45,8 @@ impl<C: Coefficient> Unramified<C> {
         Some(root)
     }
 
-    /// A root of a residue. The modulus q may be a product of primes whose factors are unknown; then what is found may be no
-    /// root, which the last line checks.
+    /// A root of a residue. The modulus q may be a product whose factors are unknown; then what is found may be no root,
+    /// which the last line checks.
     fn root_of_residue(&self, unit: &Integral<C>, degree: u64, choice: u32) -> Option<Integral<C>> {
         let (field, order) = (self.residues(), self.order(degree));
         let inverse = order.prime.modinv(&order.rest)?;
